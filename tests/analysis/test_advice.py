@@ -12,7 +12,7 @@ from forficula.study.running.runs import run_each
 from tests.analysis.test_outcome import ENDS, planted
 from tests.analysis.test_verdict import moving
 
-# the wings of `benchmarks/advice.py` fail in more ways and take minutes; a joint takes milliseconds
+# the wings of `benchmarks/advice.py` fail for more reasons but take minutes; a joint takes milliseconds
 DESIGNS = 14
 
 
@@ -71,7 +71,7 @@ def test_the_advice_names_the_keys_that_a_design_takes_and_their_values(advised)
     for design, outcome, _ in advised:
         for key in outcome.advised.values:
             assert key in outcome.advice
-            if key.endswith("time_limit"):  # by the stage's name, as --set takes it
+            if key.endswith("time_limit"):  # the key contains the stage's name, as for --set
                 assert load_design("binder2025-joint", {key: "3 s"}).protocol != design.protocol
 
 

@@ -54,7 +54,7 @@ def test_a_seed_chooses_an_imperfection_and_the_same_one_chooses_the_same():
 
 def test_a_sheet_that_is_built_folded_has_no_branch():
     assert branch_taken(ff.run(flat(**{"pattern.fold": 0.5}), confirm=False)) is None
-    # however it is built beside its drawing
+    # whatever the deviation of the built shape from the drawing
     shifted = {"pattern.fold": 0.5, "imperfection.size": 1e-4}
     assert branch_taken(ff.run(flat(**shifted), confirm=False)) is None
 

@@ -118,7 +118,7 @@ def test_a_facet_whose_corner_goes_through_another_facet_is_named(sheet):
     moved[corner] = middle + 0.2 * normal / np.sqrt(np.linalg.norm(normal))
     others = crossing_facets(structure, moved)
     moved[corner] = middle - 0.2 * normal / np.sqrt(np.linalg.norm(normal))
-    # on one side or the other it reaches through
+    # on one of the two sides it passes through
     assert ("facet 0", "facet 5") in [*others, *crossing_facets(structure, moved)]
 
 

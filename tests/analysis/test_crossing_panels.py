@@ -45,7 +45,7 @@ def depth(one, here, other, there, turn=None):
 def test_the_crossing_depth_of_a_blade_is_its_travel(far, turn, strips):
     floor, flat = sheet([4, 0, 0], [0, 3, 0])
     blade, upright = sheet([1.1, 0.2, 0], [0, 0, 2], across=strips)
-    # nodes that lie in the other panel are on neither side of it, and their edges do not go through
+    # nodes in the plane of the other panel are on neither side, so their edges do not pass through it
     assume(np.abs(upright[:, 2] - far).min() > 1e-5)
     assert depth(floor, flat, blade, moved(upright, [1.3, 1.1, -far]), turn) == pytest.approx(far, rel=1e-9)
 
@@ -57,7 +57,7 @@ def test_separate_panels_do_not_cross(gap, turn):
     blade, upright = sheet([1.1, 0.2, 0], [0, 0, 2])
     assert depth(floor, flat, blade, moved(upright, [1.3, 1.1, gap]), turn) == 0
     assert depth(floor, flat, blade, moved(upright, [5, 1.1, -1]), turn) == 0
-    # it lies beside the edge on both sides of the plane
+    # it passes outside the edge, with corners on both sides of the plane
     assert depth(floor, flat, blade, moved(upright, [1.3, -1.0, -1]), turn) == 0
 
 
@@ -101,7 +101,7 @@ def test_nodes_of_panels_move_with_their_bodies(reference_run):
 
 def test_the_reference_wing_passes_through_itself_and_gives_a_warning(reference_run, reference_outcome):
     found = panel_crossing(reference_run)
-    # the paper's has no contact either, and its authors say that it penetrates itself
+    # the paper's simulation has no contact either; its authors report self-penetration
     assert 0.01 < found.depth < 0.03
     assert summary(reference_run, reference_outcome, {})["crossing"]["depth_m"] == found.depth
     told = [each for each in run_warnings(reference_run) if "pass through each other" in each]

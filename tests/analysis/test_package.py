@@ -54,7 +54,7 @@ def test_the_folded_wing_has_the_smallest_packaged_size_in_its_summary(reference
     found = packages(reference_run)
     assert found["flat"][1].area_ratio == pytest.approx(1, abs=0.01)
     assert package.area_ratio == pytest.approx(package.area / open_package(reference_run).area)
-    # thicker than the three bars beside each other in one plane, thinner than the wing is wide
+    # thicker than three bars side by side, thinner than the wing's width
     assert 0.005 < package.height < package.width < package.length
     told = summary(reference_run, reference_outcome, versions={})["package"]
     assert (told["state"], told["height_m"]) == ("folded", package.height)

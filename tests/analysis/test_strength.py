@@ -61,7 +61,7 @@ def test_a_membrane_that_is_pulled_one_way_has_the_stress_of_plane_stress():
     record = planted("membrane")
     (peak,) = strain_peaks(record)
     law = record.structure.membranes[0].law
-    # Green's strain; the sheet cannot become narrower
+    # Green strain; the width is fixed
     strain = (STRETCH**2 - 1) / 2
     assert (peak.kind, peak.part, peak.time) == ("membranes", "sheet", 0.1)
     assert peak.strain == pytest.approx(strain, rel=1e-9)

@@ -87,7 +87,7 @@ def test_the_sparse_factorisation_of_mujoco_4_0_0_is_wrong_there(wing, rubbing):
         other, left, tries = solved(sparse, state)
         if np.abs(other - right).max() > 0.1 * np.abs(right).max():
             wrong += 1
-            # it gives up, and what it found is no solution
+            # it stops at its limit, without a solution
             assert tries == sparse.opt.iterations
             assert left > 1e-6
     assert wrong > 0

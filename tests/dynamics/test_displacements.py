@@ -60,7 +60,7 @@ def test_a_displaced_point_follows_its_target_and_is_released():
     way, end = moved(record, 8, 2), record.stages[0].end
     held = (record.time > 0.1) & (record.time < end)
     assert way[held] == pytest.approx(4e-3, rel=0.01)
-    # half way at half its rise, and free at the end
+    # half of the displacement at half its rise, free at the end
     assert way[np.searchsorted(record.time, 0.025)] == pytest.approx(2e-3, rel=0.1)
     assert way[-1] < 1e-3
     assert energy_balance(record).residual < 5e-3
@@ -90,7 +90,7 @@ def test_a_sheet_that_is_taken_along_rests_where_it_does_by_statics():
     assert there[8, 2] - net.nodes[8, 2] == pytest.approx(4e-3)
     apart = np.linalg.norm(record.series["point_position"][-1] - there, axis=1).max()
     assert apart < 1e-2 * 4e-3
-    # let go, it comes back
+    # it returns after its release
     assert course.rest.shape.positions == pytest.approx(net.nodes, abs=1e-5)
 
 
@@ -104,7 +104,7 @@ def test_the_work_of_a_displacement_is_force_times_travel_and_equals_that_of_sta
     work = np.sum((force[1:] + force[:-1]) / 2 * np.diff(way))
     assert work == pytest.approx(record.series["motor_work"][-1, 0], rel=0.01)
     assert force[-1] == pytest.approx(course.largest_force, rel=1e-2)
-    # what is stored changes by the force times the way
+    # the stored energy changes by the force times the displacement
     points = course.slow.points
     forces = [reaction(structure, net, course.drive, point.shape) for point in points]
     ways = [gone(structure, net, course.drive, point.shape) for point in points]

@@ -20,7 +20,7 @@ STIFFNESS, REST = 0.05, math.radians(40)  # N m/rad; folding
 
 def pendulum(one_hinge, *, stiffness=STIFFNESS, rest=REST, sense=1, **values):
     """Return a bar with a slack tendon on a sprung hinge; angles are > 0 when folding."""
-    # as long as the tendon ever gets
+    # the tendon's largest length
     hinge = one_hinge(0.11, **values)
 
     def build(own, units):
@@ -53,9 +53,9 @@ def test_a_pendulum_with_a_spring_has_the_period_of_the_closed_form(one_hinge, s
         duration=4.5 * period,
     )
     angles, record = hinge.run()
-    # it swings as far beyond as it was let go before
+    # it swings as far past its rest angle as it was released before it
     assert (angles.min(), angles.max()) == pytest.approx((math.radians(20), math.radians(60)), abs=1e-3)
-    # semi-implicit Euler: of second order in the phase, (2 pi / 2000)^2 / 24
+    # semi-implicit Euler: phase error of second order, (2 pi / 2000)^2 / 24
     assert period_of(record.time, angles - REST) == pytest.approx(period, rel=1e-6)
 
 
@@ -82,10 +82,10 @@ def test_the_energy_balance_with_springs_closes_to_the_order_of_the_integrator(o
 
 def test_a_bar_swings_about_where_its_weight_balances_its_spring(one_hinge):
     gravity = 9.81
-    values = {"protocol.gravity": -gravity, "hinge.damping": 0.0}  # up, that is towards folding
+    values = {"protocol.gravity": -gravity, "hinge.damping": 0.0}  # upward: towards folding
     plain = one_hinge(values=values)
     vein, reach = plain.wing.design.vein, plain.wing.design.pattern.distal_length
-    weight = vein.density * math.pi * vein.diameter**2 / 4 * reach * gravity * reach / 2  # N m, where it is straight
+    weight = vein.density * math.pi * vein.diameter**2 / 4 * reach * gravity * reach / 2  # N m, when straight
 
     def moment(angle):
         return -STIFFNESS * (angle - REST) + weight * math.cos(angle)
@@ -101,7 +101,7 @@ def test_a_bar_swings_about_where_its_weight_balances_its_spring(one_hinge):
         values=values,
     )
     angles, record = hinge.run()
-    # small swings: of second order, (0.2 deg)^2
+    # small swings: error of second order, (0.2 deg)^2
     assert period_of(record.time, angles - rest) == pytest.approx(period, rel=1e-4)
     balance = energy_balance(record)
     assert balance.hinges is not None

@@ -67,10 +67,10 @@ def test_a_motor_approaches_its_speed_along_the_closed_form(kind, inertia, way):
     assert angle == pytest.approx(expected, abs=0.01 * abs(expected[-1]))
     balance = energy_balance(record)
     assert balance.residual < 5e-3
-    # all of its work is in the panel, and no damping took any of it
+    # all of its work is the panel's kinetic energy, without damping
     assert balance.work == pytest.approx(record.series["kinetic_energy"][-1], rel=0.01)
     assert abs(balance.hinge_damping) < 1e-3 * balance.work
-    # near its speed there is hardly any power left
+    # near its no-load speed there is hardly any power
     power = record.series["motor_power"][:, 0]
     assert 0 < power[-1] < 0.25 * power.max()
 

@@ -147,7 +147,7 @@ def test_a_free_sheet_keeps_its_centre_and_its_angular_momentum():
     masses = np.array([body.mass for body in record.structure.bodies])
     centres = np.einsum("i,tix->tx", masses, places[:, : len(masses)]) / masses.sum()
     assert np.ptp(centres, axis=0) == pytest.approx(np.zeros(3), abs=1e-13)
-    # velocities between rows: their mean over a millisecond, off by its square
+    # velocities between rows: means over a millisecond, with an error of its square
     speeds = np.gradient(places[:, : len(masses)], record.time, axis=0)[5:-5]
     around = places[5:-5, : len(masses)] - centres[5:-5, None]
     spin = np.einsum("i,tix->tx", masses, np.cross(around, speeds))
@@ -201,7 +201,7 @@ def test_a_moving_miura_vertex_obeys_the_relation_of_half_angles():
 
 
 def test_sheets_side_by_side_move_as_each_alone_to_the_bit(monkeypatch):
-    # two workers have two each, and when the last one is done, one has three
+    # two workers have two each; when one run ends, one worker has three
     monkeypatch.setattr("forficula.dynamics.stepping.stepper._TOGETHER", 3)
     limits = {0.02: 0.012, 0.021: 0.012, 0.018: 0.012, 0.019: 0.005}
     designs = [

@@ -15,7 +15,7 @@ from forficula.structure import flap_angles
 from tests.plate_sheets import miura, plates, pleats, vertex
 
 OPENS = 'stiffness = "1e-2 N m/rad/m"\nrest_angle = "20 deg"\nextension = "1e4 N/m^2"\nextension_damping = "0 N s/m^2"'
-# a held plate, one that hangs on it, and a free one
+# a fixed plate, one hinged to it, and a free one
 MIXED = f'[[support]]\nof = "facet 0"\n[[crease.group]]\nof = "crease 1"\n{OPENS}'
 SHEETS = {
     "free": plates(vertex([87.5] * 4), crease=OPENS),
@@ -74,7 +74,7 @@ def test_the_engine_pushes_by_the_slope_of_the_energy_of_creases(moved):
     rest = np.zeros_like(data.qvel)
     _, values = rows.follow(data.qpos[None], rest[None], near, np.zeros((1, 0)))
     engine_rows(model.engine)[rows.rows] = values[0]
-    # a state at rest: dampers take nothing
+    # a state at rest: no damping
     data.qvel[:] = 0
     mujoco.mj_forward(model.engine, data)
     force = data.qfrc_passive.copy()

@@ -56,7 +56,7 @@ def test_the_energy_of_a_swing_goes_from_the_spring_into_motion_and_back():
     spring, motion = record.series["hinge_energy"].sum(axis=1), record.series["kinetic_energy"]
     assert spring[0] == pytest.approx(0.02 / 2, rel=1e-12)
     assert motion.max() == pytest.approx(0.01, rel=2e-3)
-    # of first order in the step, and it does not grow
+    # error of first order in the timestep, which does not grow
     np.testing.assert_allclose(spring + motion, 0.01, rtol=5e-3)
     balance = energy_balance(record)
     assert balance.hinges is not None
@@ -113,7 +113,7 @@ def test_a_tendon_across_three_creases_rests_where_the_least_energy_is():
     record = run(strip(4, letters="VMV", stages=[stage("rest", limit=30.0, hold=0.5)], **values))
 
     def energy(angles):
-        # valley positive: each turns the next panel upwards
+        # valley positive: each crease turns the next panel upwards
         directions = np.cumsum([0.0, *angles])
         steps = np.array([0.8, 1, 1, 0.7]) * LENGTH
         end = steps @ np.column_stack([np.cos(directions), np.sin(directions)])
@@ -143,7 +143,7 @@ def test_a_drive_brings_creases_to_their_goal_and_its_work_is_in_the_energy_bala
     assert balance.work > 0.1
     assert balance.residual < 1e-4
     assert balance.hinges is not None
-    # the two outer edges meet in the letter, both are an A4 sheet apart before
+    # the outer edges meet in the folded letter; before, they are an A4 sheet apart
     assert record.measured("mouth")[0, 0] == pytest.approx(0.297, abs=1e-4)
     assert record.measured("mouth")[last["close"], 0] < 0.1
 
@@ -179,7 +179,7 @@ def test_drives_that_share_creases_add_up():
     both = run(strip(3, stages=[stage("time", ["one", "every"], 0.02)], **values))
     speed = np.diff(both.series["hinge_angle"], axis=0)[-1] / np.diff(both.time)[-1]
     by_name = dict(zip([hinge.name for hinge in both.structure.hinges], speed, strict=True))
-    # T t / I on either side of the panel that is held
+    # T t / I on either side of the fixed panel
     assert by_name["crease0"] == pytest.approx(1.5e-3 * 0.02 / INERTIA, rel=1e-2)
     assert by_name["crease1"] == pytest.approx(5e-4 * 0.02 / INERTIA, rel=1e-2)
 
@@ -191,7 +191,7 @@ def test_a_goal_may_be_a_distance():
     design = strip(3, drive=drive, measure=measure, stages=[stage("gap < 8 cm", "push")], support=[{"of": "facet 1"}])
     record = run(design)
     assert record.stages[0].goal_time is not None
-    # both outer panels stand at one angle a: gap = L (1 + 2 cos a)
+    # both outer panels at the same angle a: gap = L (1 + 2 cos a)
     angle = math.acos((0.8 - 1) / 2)
     reached = int(np.argmin(np.abs(record.time - record.stages[0].goal_time)))
     assert record.measured("creases")[reached] == pytest.approx([angle] * 2, abs=0.02)
@@ -339,7 +339,7 @@ def test_the_drives_of_a_stage_rise_each_in_its_own_time():
     speed = np.gradient(record.measured("creases")[:, 0], record.time)
     expected = (at_once * record.time + slowly * np.where(record.time < rise, record.time**2 / (2 * rise), 0)) / INERTIA
     expected += np.where(record.time < rise, 0, slowly * (record.time - rise / 2)) / INERTIA
-    # a step is of the first order
+    # error of first order in the timestep
     assert speed[100:-5] == pytest.approx(expected[100:-5], rel=1e-2)
 
 

@@ -29,7 +29,7 @@ def through(hinge, stage, **protocol):
 
 def pushed(one_hinge, rise, duration):
     """Return a hinge with a slack tendon, folded by 60 deg, that a torque opens."""
-    # as long as the tendon ever gets
+    # the tendon's largest length
     hinge = one_hinge(0.11, start=math.radians(60), timestep=1e-4)
     return through(hinge, OPEN.model_copy(update={"time_limit": duration}), rise=rise, unfold_torque=TORQUE)
 
@@ -43,13 +43,13 @@ def test_a_rising_torque_gives_the_impulse_and_travel_of_its_ramp(one_hinge, sha
     angles, record = hinge.run()
     impulse = TORQUE * (time**2 / (2 * rise) if share <= 1 else time - rise / 2)
     speed = impulse / hinge.inertia
-    # every step has the torque of its middle: the sum over a ramp is exact
+    # every step has the torque of its midpoint, so the sum over a ramp is exact
     assert record.series["kinetic_energy"][-1] == pytest.approx(hinge.inertia * speed**2 / 2, rel=1e-9)
-    # a half of the rise, a half of the torque
+    # half of the rise, half of the torque
     torque = TORQUE * min(share, 1.0)
     assert record.series["motor_power"][-1].sum() == pytest.approx(torque * speed, rel=1e-9)
     way = (min(time, rise) ** 3 / (6 * rise) + max(time - rise, 0) * time / 2) * TORQUE / hinge.inertia
-    # the way is of first order in the step
+    # the travel's error is of first order in the timestep
     assert angles[0] - angles[-1] == pytest.approx(way, rel=0.02)
 
 

@@ -72,7 +72,7 @@ def test_a_bar_that_falls_on_another_stops_at_one_diameter(reference):
     data.qpos[1] = -0.3
     for _ in range(4000):
         mujoco.mj_step(engine, data)
-    # a length of 1 out, it lies as deep as the contact gives way: within 2 % of the diameter
+    # at a distance of 1, it rests at the contact's depth: within 2 % of the diameter
     assert 0 <= math.sin(data.qpos[1]) < 0.02 * THICK
     assert abs(data.qvel[1]) < 1e-9
 
@@ -88,13 +88,13 @@ def test_friction_takes_its_coefficient_times_the_normal_force(reference, fricti
         force[:] = 0
         if data.ncon:
             mujoco.mj_contactForce(engine, data, 0, force)
-        # the other bar is a length of 1 away, square to the way that this one lay first
+        # the other bar is at a distance of 1, at right angles to this one's first direction
         forces.append((force[0], math.hypot(force[1], force[2]), 1 / math.cos(data.qpos[0])))
     normal, along, out = np.array(forces).T
     np.testing.assert_allclose(along, friction * normal, rtol=1e-6, atol=1e-9)
     mass = 100 * math.pi / 4 * THICK**2 * LENGTH
     inertia = mass * (LENGTH**2 / 3 + THICK**2 / 16)
-    # it hops as it begins to slide, and on average bears half of the bar's weight times its length
+    # it bounces as it starts to slide; its mean moment is half of the bar's weight times its length
     assert (normal * out).mean() == pytest.approx(mass * DOWN * LENGTH / 2, rel=0.07)
     held_back = friction * (normal * out).mean()
     assert data.qvel[0] == pytest.approx((torque - held_back) / inertia * data.time, rel=2e-3)
@@ -133,10 +133,10 @@ def test_bars_that_meet_keep_their_momentum_and_a_diameter(reference):
         mujoco.mj_step(engine, data)
         nearest = min(nearest, data.qpos[1] - data.qpos[0])
         assert np.dot(inertias, data.qvel) == pytest.approx(momentum, rel=1e-12)
-    # they met at 3 rad/s, and part by a little
+    # they met at 3 rad/s, and separate slightly
     assert 0 <= data.qvel[1] - data.qvel[0] < 0.1 * 3
     expected = 2 * math.asin(THICK / 2 / begins)
-    # it runs in by less than a step's way
+    # the penetration is less than the travel of a step
     assert expected - 3 * STEP < nearest < expected
 
 
@@ -211,7 +211,7 @@ def test_the_work_of_contacts_is_separate_from_that_of_stops(folded_by_contact, 
     assert balance.residual < 0.005
     assert balance.contacts == pytest.approx(-series["contact_work"][-1])
     assert balance.contacts > 0.05
-    # while the flat wing settles nothing touches, and stops do what they do without contacts
+    # nothing touches while the flat wing settles, so stops act as without contact
     settled = int(np.searchsorted(folded_by_contact.time, 0.1))
     assert np.all(series["contact_work"][: settled + 1] == 0)
     assert series["stop_work"][settled] != 0
@@ -246,7 +246,7 @@ def test_bars_touch_their_neighbours_from_the_membrane_on_without_friction():
     data = mujoco.MjData(wing.engine)
     mujoco.mj_forward(wing.engine, data)
     assert data.ncon == 0
-    # the first vein swept onto the next one: its proximal bar lies on it, too
+    # the first vein is swept onto the next one, so the proximal bars coincide, too
     data.qpos[hinges_of(wing.structure, "sweep")[0]] = math.radians(12)
     mujoco.mj_forward(wing.engine, data)
     touching = {tuple(sorted(wing.engine.geom_bodyid[list(each.geom)])) for each in data.contact if each.geom[0] >= 0}

@@ -71,7 +71,7 @@ def test_a_spring_between_joints_turns_the_second_by_its_share():
 def test_a_stop_of_one_joint_stops_all_that_are_tied_to_it():
     built = levers(math.inf, (2.0, 1.0), upper=0.3)
     assert pushed(built, 1.0).position[0] == pytest.approx([0.15, 0.3, 0.3])
-    # what presses is what the springs do not take, whichever joint it is booked to
+    # a stop bears what the springs do not, whichever joint it is assigned to
     slope = pushed(built, 1.0).slope[0]
     assert slope @ [1.0, 2.0, 2.0] == pytest.approx(SPRINGS @ np.array([0.15, 0.6, 0.6]) - 1.0)
 
@@ -139,6 +139,6 @@ def test_the_landscape_of_a_coupled_wing_includes_the_energy_of_its_couplings():
     told = energy_landscape(tied(0.3), points=31)
     assert {"tendons", "membranes", "couplings"} == set(told.rests[0].stored)
     assert told.least_torques["fold"] == pytest.approx(least(tied(0.3)).torque[0])
-    # as every rest of a landscape is told
+    # as for every rest of a landscape
     wings = ensemble_of([TIED])
     assert "couplings" not in stored_energy(wings, start_state(wings).position)

@@ -23,7 +23,7 @@ from scipy.optimize import minimize, minimize_scalar
 from forficula.statics.tree.equilibrium import barrier_between, descend, states_along
 
 FREE = (-math.inf, math.inf)
-FORCE = 1e-9  # slope that counts as none
+FORCE = 1e-9  # slope that counts as zero
 
 
 def springs(squares, slopes, curvatures, stiffness, lengths):
@@ -116,11 +116,11 @@ def test_a_truss_falls_to_the_side_on_which_it_starts(shape, share, side):
     truss = Truss(*shape)
     found = truss.rest([0.0, side * share * truss.rise])
     assert found.rests.all()
-    # both bars, upright and aside: 2 k (r / L0)^2, 2 k (s / L0)^2
+    # both bars, vertically and sideways: 2 k (r / L0)^2, 2 k (s / L0)^2
     stiffness = 2 * truss.stiffness * min(truss.span, truss.rise) ** 2 / truss.length**2
     assert found.position[0] == pytest.approx([0, side * truss.rise], abs=2 * FORCE * truss.stiffness / stiffness)
     assert found.energy[0] == pytest.approx(0, abs=2 * (FORCE * truss.stiffness) ** 2 / stiffness)
-    # by the height that it is off, 4e-7 of 0.05 at most
+    # error from the height, at most 4e-7 of 0.05
     assert found.stiffness[0] == pytest.approx(stiffness, rel=1e-4)
 
 
@@ -131,7 +131,7 @@ def test_the_states_and_the_barrier_of_a_truss_are_those_of_the_closed_form(shap
     states = states_along(truss.path, heights, force=1e-9)
     assert [state.kind for state in states] == ["minimum", "maximum", "minimum"]
     assert [state.stable for state in states] == [True, False, True]
-    # rounding of a length, by the slope of the bars
+    # rounding of a length divided by the slope of the bars
     assert [state.coordinate for state in states] == pytest.approx([-truss.rise, 0, truss.rise], abs=1e-12)
     barrier = pytest.approx(truss.barrier, rel=1e-9)
     assert barrier_between(states, states[0], states[2]) == barrier
@@ -147,7 +147,7 @@ def test_a_truss_snaps_at_its_snap_load(shape):
     held = below.rest([0.0, below.rise])
     assert held.rests.all()
     assert held.position[0, 1] > below.snap_height
-    # the load by height is a parabola about its maximum: 1e-4 of the load is about 1e-2 of the height
+    # load over height is a parabola at its maximum: 1e-4 of the load is about 1e-2 of the height
     assert held.position[0, 1] == pytest.approx(below.snap_height, rel=0.03)
     gone = above.rest([0.0, above.rise])
     assert gone.rests.all()
@@ -211,7 +211,7 @@ def test_a_wide_stretch_without_a_slope_is_a_neutral_range():
 
     (neutral,) = states_along(slack, np.linspace(-3, 3, 61), force=1e-9)
     assert (neutral.kind, neutral.energy, neutral.press) == ("neutral", 0, 0)
-    # to the places looked at
+    # resolution of the sampled positions
     assert (neutral.coordinate, neutral.far_coordinate) == pytest.approx((-1, 1))
     (everything,) = states_along(lambda x: (0 * x, 0 * x), np.linspace(-3, 3, 61), force=0)
     assert (everything.coordinate, everything.far_coordinate) == (-3, 3)
@@ -245,7 +245,7 @@ def test_exactly_between_two_states_it_rests_on_the_barrier_with_a_negative_stif
     found = truss.rest([0.0, 0.0])
     assert found.rests.all()
     assert found.energy[0] == pytest.approx(truss.barrier)
-    # of both bars, compressed by L0 - s, across: - 2 k (L0 - s) / s
+    # sideways stiffness of both bars, compressed by L0 - s: -2 k (L0 - s) / s
     assert found.stiffness[0] == pytest.approx(-2 * truss.stiffness * (truss.length - truss.span) / truss.span)
 
 

@@ -32,7 +32,7 @@ def hinges(draw):
     """Return hinges with arm ratios up to four, any slant, stiffening or softening laws, stretched by 1 % at least."""
     proximal = draw(st.floats(0.01, 0.1))
     distal = proximal * draw(st.floats(0.25, 4))
-    # within 1/20 of each other the ends nearly meet, and a difference quotient no longer sees the passage
+    # arms within 1/20 of each other: the ends nearly meet, too sharply for difference quotients
     offset = draw(st.sampled_from([-1, 1])) * draw(st.floats(0.05, 1)) * proximal
     longest = math.hypot(proximal + distal, offset)
     linear, cubic = draw(st.floats(100, 6000)), draw(st.floats(0, 1)) / longest**2
@@ -64,7 +64,7 @@ def stiffness_scale(hinge):
 def test_the_moment_is_the_falling_slope_of_the_energy(hinge, angle):
     step = 1e-5
     slope = (hinge.energy(angle + step) - hinge.energy(angle - step)) / (2 * step)
-    # step^2 times a third derivative of up to 20^2, and rounding by the step
+    # step^2 times a third derivative of up to 20^2, and rounding divided by the step
     assert hinge.moment(angle) == pytest.approx(-slope, abs=1e-6 * stiffness_scale(hinge))
 
 
@@ -124,7 +124,7 @@ def test_the_length_is_that_of_a_distal_vein_turned_about_its_ring_crease(values
         before = design.tendon.proximal_attachment * unit(hub_points(design.fan)[vein] - vertex)
         beyond = design.tendon.distal_attachment * unit(tips(design.fan)[vein] - vertex)
         length = np.linalg.norm(turned(beyond, unit(ring[vein + 1] - vertex), angle) - before)
-        # rounding; where the ends meet, by a square root
+        # rounding; its square root where the ends meet
         assert hinge.length(angle) == pytest.approx(length, abs=1e-9)
 
 
@@ -172,7 +172,7 @@ def test_the_bar_turns_with_the_inertia_of_its_volume():
         (ideal_hinges(structure_of(design))[0], beside),
     ):
         inertia = density * np.sum(volume * np.sum(np.cross(points, axis) ** 2, axis=-1))
-        # the rule is exact
+        # the quadrature is exact
         assert hinge.inertia == pytest.approx(inertia, rel=1e-13)
 
 
@@ -195,7 +195,7 @@ def test_the_barrier_of_a_tendon_without_resting_length_is_its_energy_times_a_sq
     """docs/model/theory.md, section Tendon across a hinge: U(0) sin^2(overbend / 2)."""
     hinge = equal_arms(arm=arm, overbend=overbend)
     closed_form = float(hinge.energy(0)) * math.sin(overbend / 2) ** 2
-    # rounding of the energies, of which a small overbend leaves a small difference
+    # rounding of the energies, whose difference is small at a small overbend
     assert top_barrier(hinge) == pytest.approx(closed_form, rel=1e-13, abs=1e-15 * float(hinge.energy(0)))
 
 
@@ -205,7 +205,7 @@ def test_the_barrier_is_the_work_of_the_moment_on_the_way_to_straight(hinge):
     slack = hinge.slack_distance
     end = hinge.overbend if slack is None else min(slack, hinge.overbend)
     work = end / 2 * weights @ hinge.moment((nodes + 1) / 2 * end)
-    # rounding of extensions of at least a hundredth
+    # rounding of extensions of at least 1 %
     assert top_barrier(hinge) == pytest.approx(work, rel=1e-9, abs=1e-13 * float(hinge.energy(0)))
     assert holding_torque(hinge) == hinge.moment(hinge.overbend) >= 0
 
@@ -220,7 +220,7 @@ def test_the_released_energy_is_a_difference_of_energies(hinge, start, further):
 @given(st.floats(0, 0.9999))
 def test_equal_arms_go_slack_at_twice_the_arc_cosine(share):
     hinge = equal_arms(rest_length=0.11 * share)
-    # arc cosine of 0.9999: rounding by sin
+    # arc cosine of 0.9999: rounding divided by the sine
     assert slack_angle(hinge) == pytest.approx(-2 * math.acos(share), abs=1e-13)
 
 
@@ -250,7 +250,7 @@ def test_the_peak_of_equal_arms_is_at_its_closed_form(share):
     cosine = (share + math.sqrt(share**2 + 8)) / 4
     sine = math.sqrt(1 - cosine**2)
     peak = peak_opening_torque(equal_arms(rest_length=0.11 * share))
-    # the slope of the moment is 0 to rounding of an extension of a thousandth
+    # the slope of the moment is 0 up to rounding, at an extension of 0.1 %
     assert peak.angle == pytest.approx(-2 * math.acos(cosine), abs=1e-10)
     assert peak.torque == pytest.approx(1000 * 0.055**2 * 2 * sine * (cosine - share), rel=1e-10)
 
@@ -271,7 +271,7 @@ def test_a_scaled_design_has_energy_and_torque_by_the_cube(factor):
         *zip(tendon_hinges(structure_of(REFERENCE)), tendon_hinges(structure_of(scaled)), strict=True),
     ]
     for hinge, larger in pairs:
-        # rounding of extensions of a fifth, and of the position of the peak
+        # rounding of extensions of 20 %, and of the position of the peak
         assert top_barrier(larger) == pytest.approx(factor**3 * top_barrier(hinge), rel=1e-12)
         assert holding_torque(larger) == pytest.approx(factor**3 * holding_torque(hinge), rel=1e-12)
         assert peak_opening_torque(larger).torque == pytest.approx(

@@ -33,7 +33,7 @@ def test_it_rests_flat_closed_and_opened(landscape):
         ("opened", True),
     ]
     flat, closed, opened = landscape.rests
-    # on the stops that keep it from bending back
+    # at the stops against bending back
     assert flat.angles == pytest.approx(np.full(2, -math.radians(3)))
     assert opened.angles == pytest.approx(flat.angles)
     assert closed.energy < flat.energy
@@ -211,7 +211,7 @@ def test_states_and_barriers_of_hinges_that_a_tendon_couples(stiffness, rest_ang
     apart = np.abs(angles[wells][:, None] - found).max(axis=2)
     assert max(apart.min(axis=0).max(), apart.min(axis=1).max()) < math.radians(0.5)
 
-    # one of those that the grid has twice
+    # a position that the grid contains twice
     wells = wells[apart.argmin(axis=0)]
     first = tuple(wells[np.abs(angles[wells] - landscape.rests[0].angles).sum(axis=1).argmin()])
     low, high = energy[first], float(energy.max())
@@ -220,7 +220,7 @@ def test_states_and_barriers_of_hinges_that_a_tendon_couples(stiffness, rest_ang
         valleys, _ = ndimage.label(energy <= level, np.ones((3, 3)))
         joined = sum(valleys[tuple(well)] == valleys[first] for well in wells) > 1
         low, high = (low, level) if joined else (level, high)
-    if landscape.easiest_barrier is None:  # folded where it starts: no hinge is left to fold
+    if landscape.easiest_barrier is None:  # folded at the start: no hinge is left to fold
         assert (landscape.rests[0].angles > math.radians(90)).all()
     else:
         assert landscape.easiest_barrier == pytest.approx(high - energy[first], rel=0.005)

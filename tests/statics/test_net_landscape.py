@@ -94,7 +94,7 @@ def test_drives_snap_at_the_largest_force_of_the_bars(landscape, slanting):
         assert course.least == pytest.approx(largest, rel=5e-3)
         assert [snap.kind for snap in course.slow.snaps] == ["limit"]
         assert course.slow.ended == "stop"
-        # the equilibria go on from there, down to the force on the other side and up again
+        # the equilibria continue from there, down to the opposite limit force and up again
         assert min(point.factor for point in course.through.points) < -0.9 * course.slow.snaps[0].factor
 
 
@@ -106,7 +106,7 @@ def test_states_withstand_the_loads_of_the_closed_form(landscape, slanting):
     assert up["force pull"].kind == "none"
     assert up["force pull"].value > 5 * largest
     assert down["force pull"].value == pytest.approx(largest, rel=5e-3)
-    # the force of the supports' acceleration is that of the mass of the apex
+    # an acceleration of the supports acts on the mass of the apex
     mass = structure_of(pyramid()).bodies[0].mass
     assert up["supports accelerated along +z"].value == pytest.approx(largest / mass, rel=5e-3)
     assert up["supports accelerated along +x"].kind == "none"
@@ -119,7 +119,7 @@ def test_the_frequency_follows_from_the_bars_and_the_mass_of_the_apex(landscape,
 
 
 def test_degrees_of_freedom_and_self_stress_are_counted(landscape):
-    # the apex has three ways to go, which any three of its four bars take; the bars of the rim are between supports
+    # three of the apex's four bars fix its three displacements; the bars of the rim are between supports
     assert landscape.net.built.degrees_of_freedom == 0
     assert landscape.net.built.self_stresses == 1 + 4
     assert landscape.states[1].mobility == landscape.net.built

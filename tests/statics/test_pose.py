@@ -86,7 +86,7 @@ def test_the_moves_are_derivatives_of_the_points(seed):
     found[carried.pairs[0], carried.pairs[1]] = moves.T
     steps = small * np.eye(laid.size)
     differences = (placed(structure, angles + steps) - placed(structure, angles - steps)) / (2 * small)
-    # central differences of points of 0.5 m, times 1e-12; rounding by 1e-6
+    # central differences of points of 0.5 m, times 1e-12; rounding divided by 1e-6
     assert found == pytest.approx(np.swapaxes(differences, 0, 1), abs=1e-9)
 
 
@@ -94,7 +94,7 @@ def test_the_points_of_a_fan_are_where_the_simulator_has_them(reference_run):
     structure, data = reference_run.structure, reference_run.data
     angles = data["hinge_angle"].values
     assert np.degrees(np.ptp(angles, axis=0)).max() > 90
-    # rounding of the engine's, in its own units
+    # rounding of the engine's positions, in its units
     assert nodes_at(structure, angles) == pytest.approx(data["membrane_position"].values, abs=1e-12)
     tips = [number for number, point in enumerate(structure.points) if point.role == "tip"]
     simulated = data["point_position"].values

@@ -56,7 +56,7 @@ def check_derivatives(structures, angles, torques):
 @settings(deadline=None, max_examples=20)
 @given(st.integers(0, 1000), st.floats(-0.5, 0.5), st.floats(-0.5, 0.5))
 def test_slope_and_curvature_are_its_derivatives(seed, proximal, distal):
-    # tips close enough to leave the guards slack, tendons taut
+    # tips close enough for slack guards, and taut tendons
     angles = np.random.default_rng(seed).uniform(-0.05, 0.05, (1, 12))
     angles[:, TURNS] += 0.5
     check_derivatives(ensemble_of(DESIGNS[:1]), angles, np.array([proximal, distal]))
@@ -94,7 +94,7 @@ def test_the_energy_of_a_tree_is_that_of_its_tendons_springs_and_weights(seed):
             marked = replace(built.points[0], body=number, place=centre)
             at = turned_one_by_one(replace(built, points=(marked,)), angles)[0]
             expected += mass * 9.81 * at[2]
-    # a tendon between two points of what never moves stores the same all along, and is left out
+    # a tendon between two fixed points has constant energy and is omitted
     still = [
         float(tendon.law.elastic.energy(np.linalg.norm(points[tendon.points[1]] - points[tendon.points[0]])))
         for tendon in built.tendons
@@ -150,7 +150,7 @@ def test_structures_side_by_side_do_not_affect_each_other():
     together = rest(WINGS, start_angles(WINGS), FOLDING)
     for case in range(3):
         alone = rest(ensemble_of(DESIGNS[case : case + 1]), start_angles(WINGS)[case : case + 1], FOLDING)
-        # the same steps, but for what counts as no torque, which goes with the stiffest tendon
+        # the same steps except for the torque that counts as zero, which depends on the stiffest tendon
         assert alone.energy[0] == pytest.approx(together.energy[case], abs=1e-9)
         # a hinge with a slack tendon hardly resists
         assert alone.position[0] == pytest.approx(together.position[case], abs=0.01)
@@ -205,5 +205,5 @@ def test_a_hinge_comes_to_rest_where_its_tendon_is_slack_at_a_right_angle():
     for torque in (0.001, 0.02):
         found = rest(joint, np.array([[-0.3]]), [torque])
         assert found.rests.all()
-        # the tendon folds where its moment is positive, and balances the torque that opens
+        # the tendon folds where its moment is positive, and balances the opening torque
         assert -joint.tendons.moment(found.position)[0, 0] == pytest.approx(torque, rel=1e-9)

@@ -14,7 +14,7 @@ from forficula.structure import Drive, hinges_of, structure_of
 from tests.statics.hinge_numbers import peak_opening_torque
 
 REFERENCE = load_design("binder2025")
-# stiffness in N/cm, resting length in cm: on both sides of the edges of the map
+# stiffness in N/cm, resting length in cm: on both sides of the map's boundaries
 CELLS = [(10, 5), (10, 6), (10, 7), (10, 9), (20, 8), (20, 9), (30, 9), (40, 9)]
 FOLDS = [None, None, 10, 10, None, 10, None, None]
 OPENS = [None, 100, 70, 30, 90, 50, 70, 100]  # N cm
@@ -81,7 +81,7 @@ def test_the_least_torque_on_the_distal_hinges_is_the_largest_moment_of_their_te
     folded = folded_state(wings)
     peak = peak_opening_torque(tendon_hinges(structure_of(REFERENCE))[0]).torque
     found = quasi_static.least_slow_torque(wings, folded, UNFOLD, 4 * peak, DISTAL)
-    # 1 % of the search, always upwards
+    # 1 % from the search, which rounds up
     assert 0.99 * peak < found.torque[0] < 1.02 * peak
     assert (found.position[0, FOLDS_AT] > 0).all()
     below, above = (
@@ -103,7 +103,7 @@ def test_the_least_fold_torque_is_that_of_small_equal_steps(slowly_folded):
     wings, flat, least_torque = slowly_folded
     found = least_torque.torque[0]
     ramp = slow_transition(wings, flat, "fold", np.arange(0.0001, 0.01, 0.0001)).torque[0]
-    # 1 % of the search, and one step of 1e-4 N m of 7e-3
+    # 1 % from the search, and one step of 1e-4 N m of 7e-3
     assert found == pytest.approx(ramp, rel=0.03)
 
 

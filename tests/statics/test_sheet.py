@@ -49,8 +49,8 @@ def test_slope_and_curvature_are_derivatives_of_the_energy(sheet, seed, spread):
     _, slope, curvature = sheet_energy(sheet, angles)
     slopes, curvatures, pulls = zip(*(differences(sheet, angles, step) for step in (small, small / 2)), strict=True)
     stiff = np.abs(curvature).max()
-    # Richardson's extrapolation: an error of 1e-16 of the stiffness, four times differentiated; rounding of the energy
-    # by 1e-4; where a guard begins to pull the curvature jumps, which no step may cross
+    # Richardson extrapolation: errors of 1e-16 of the stiffness, from fourth derivatives; rounding of the energy
+    # divided by 1e-4; curvature jumps where a guard starts to pull, which no step may cross
     if not any(pulls):
         assert slope[0] == pytest.approx((4 * slopes[1] - slopes[0]) / 3, abs=1e-9 * stiff)
         assert curvature[0] == pytest.approx((4 * curvatures[1] - curvatures[0]) / 3, abs=1e-9 * stiff)

@@ -102,7 +102,7 @@ def test_a_membrane_stretched_one_way_stores_what_its_law_says():
     )
     net = replace(net, membranes=sheet_)
     strain = (1.1**2 - 1) / 2
-    across = np.sqrt(1 - 2 * 0.3 * strain)  # no stress that way
+    across = np.sqrt(1 - 2 * 0.3 * strain)  # no stress across
     here = shape_at(net, nodes * (1.1, across, 1))
     assert expand(net, here).stored == pytest.approx(1e6 * strain**2 / 2 * 1e-3)
     np.testing.assert_allclose(strength(net, here).stresses, [[1e6 * strain, 0]], atol=1e-6)

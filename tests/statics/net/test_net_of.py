@@ -34,7 +34,7 @@ def test_angles_count_in_the_sense_of_each_crease():
     shape = start_shape(MIURA, net)
     assert own_angles(MIURA, shape) == pytest.approx(built_creases(MIURA))
     creases = ~bends(MIURA)
-    # every crease is folded as its letter says, so that mountains are negative where valleys are positive
+    # creases are folded as assigned: mountain angles have the opposite sign of valley angles
     assert (own_angles(MIURA, shape)[creases] > 0).all()
     assert {float(np.sign(angle)) for angle in shape.angles[creases]} == {-1.0, 1.0}
 

@@ -38,7 +38,7 @@ def test_a_crease_beyond_half_a_turn_passes():
     there = net.nodes.copy()
     there[3] = [0.5, np.cos(0.1), np.sin(0.1)]
     assert not panels_pass(net, shape_at(net, there, np.array([np.pi - 0.1])), triangles)
-    # on the other side of the panel: folded back and round, or on through
+    # on the other side of the panel: folded around it, or passed through it
     there[3, 2] *= -1
     assert not panels_pass(net, shape_at(net, there, np.array([0.1 - np.pi])), triangles)
     assert panels_pass(net, shape_at(net, there, np.array([np.pi + 0.1])), triangles)

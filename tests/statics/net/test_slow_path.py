@@ -39,7 +39,7 @@ def test_it_snaps_at_the_largest_force_and_lands_beyond_its_mirror_image():
     landed = snap.after.shape.positions[2, 2]
     assert landed < -RISE
     assert force(landed) == pytest.approx(largest, rel=1e-3)
-    # what is lost is the work of the force less what the bars take up
+    # dissipated: the work of the force less the energy that the bars store
     before = snap.before.positions[2, 2]
     stored = [STIFFNESS * (np.hypot(HALF, height) - np.hypot(HALF, RISE)) ** 2 for height in (before, landed)]
     assert snap.released == pytest.approx(largest * (before - landed) + stored[0] - stored[1], rel=1e-3)

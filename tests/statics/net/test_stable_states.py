@@ -57,7 +57,7 @@ def test_the_search_finds_both_states_of_the_closed_form(found):
     assert len(states.states) == 2
     for state, (angle, stored) in zip(states.states, known, strict=True):
         assert state.stable
-        # bars are 1e6 times stiffer than what bends them
+        # bars are 1e6 times stiffer than the tendon
         assert state.shape.angles[0] == pytest.approx(angle, abs=1e-5)
         assert state.energy == pytest.approx(stored, rel=1e-5)
     assert sum(states.counts) + states.failed == states.tries + 1
