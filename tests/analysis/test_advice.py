@@ -1,4 +1,4 @@
-"""The advice of a failing run helps, can be followed as it is given, and is not given where it would lead away."""
+"""The advice on a failing run helps, names values that a design can have, and is omitted where it would not help."""
 
 import re
 
@@ -12,12 +12,12 @@ from forficula.study.running.runs import run_each
 from tests.analysis.test_outcome import ENDS, planted
 from tests.analysis.test_verdict import moving
 
-# the wings of `benchmarks/advice.py` fail in more ways and take minutes; a joint takes milliseconds
+# the wings of `benchmarks/advice.py` fail for more reasons but take minutes; a joint takes milliseconds
 DESIGNS = 14
 
 
 def joints():
-    """Random joints of which most fail, of a fixed seed."""
+    """Return random joints, most of which fail, drawn with a fixed seed."""
     rng = np.random.default_rng(4)
 
     def log(least, most):
@@ -50,7 +50,7 @@ def outcomes(designs):
 
 @pytest.fixture(scope="module")
 def advised():
-    """The design, the outcome and the margin of joints that fail with an advice."""
+    """Return design, outcome and margin of the failing joints that have an advice."""
     designs = joints()
     found = [(design, *each) for design, each in zip(designs, outcomes(designs), strict=True)]
     return [each for each in found if each[1].advised.values]
@@ -71,7 +71,7 @@ def test_the_advice_names_the_keys_that_a_design_takes_and_their_values(advised)
     for design, outcome, _ in advised:
         for key in outcome.advised.values:
             assert key in outcome.advice
-            if key.endswith("time_limit"):  # by the stage's name, as --set takes it
+            if key.endswith("time_limit"):  # the key contains the stage's name, as for --set
                 assert load_design("binder2025-joint", {key: "3 s"}).protocol != design.protocol
 
 

@@ -1,4 +1,4 @@
-"""Creases that are told where to go, and whether they get there."""
+"""Target angles of creases, and whether a run reaches them."""
 
 import math
 
@@ -12,7 +12,7 @@ from tests.sheets import sheet_design
 
 
 def folded(sectors):
-    """A vertex of four creases, told to fold flat."""
+    """Return the run of a vertex of four creases whose rest angles grow until it is folded flat."""
     pattern = vertex_pattern([math.radians(each) for each in sectors], 0.02, "MVMM")
     values = {
         "facet.youngs_modulus": 2e7,

@@ -1,4 +1,4 @@
-"""Which way a sheet leaves its flat state, and what is said to have decided it."""
+"""The branch on which a sheet leaves its flat state, and the reported cause of that choice."""
 
 import pytest
 
@@ -11,7 +11,7 @@ STAGE = {"name": "fold", "until": "time", "hold": 0.0, "time_limit": 0.02}
 
 
 def flat(**values):
-    """A flat Miura sheet of four facets, nothing held, for an instant."""
+    """Return a flat Miura sheet of four facets without supports, run for an instant."""
     changes = {
         "pattern.columns": 2,
         "pattern.rows": 2,
@@ -54,7 +54,7 @@ def test_a_seed_chooses_an_imperfection_and_the_same_one_chooses_the_same():
 
 def test_a_sheet_that_is_built_folded_has_no_branch():
     assert branch_taken(ff.run(flat(**{"pattern.fold": 0.5}), confirm=False)) is None
-    # however it is built beside its drawing
+    # whatever the deviation of the built shape from the drawing
     shifted = {"pattern.fold": 0.5, "imperfection.size": 1e-4}
     assert branch_taken(ff.run(flat(**shifted), confirm=False)) is None
 

@@ -1,4 +1,4 @@
-"""A run held against second runs of the same design, in which only the computation differs."""
+"""Confirmation of a run by second runs of the same design that differ in numerical settings only."""
 
 import json
 import math
@@ -34,7 +34,7 @@ def check(timestep, **values):
 
 
 def test_half_the_timestep_gives_the_whole_first_order_error():
-    """Of a planted v(h) = v(0) + C h the uncertainty at h is C h, from h / 2 and from 2 h alike."""
+    """For given values v(h) = v(0) + C h the uncertainty at h is C h, computed from h / 2 or from 2 h."""
     limit, slope, h = 3.0, 40.0, 1e-3
     value = {name: (limit + slope * step,) for name, step in (("own", h), ("half", h / 2), ("twice", 2 * h))}
     for other, step in (("half", h / 2), ("twice", 2 * h)):
@@ -100,7 +100,7 @@ def test_a_saved_run_keeps_its_confirmation(confirmed, tmp_path):
 
 @pytest.fixture(scope="module")
 def by_hand():
-    """Outcomes of the joint, of the joint at half the timestep, and of the joint from the other start."""
+    """Return the outcomes of the joint: as designed, at half the timestep, and from the other initial state."""
     half = with_values(JOINT, {"protocol.timestep": "0.05 ms"})
     return [measure(run(each)) for each in (JOINT, half, JOINT.with_other_start())]
 
@@ -116,7 +116,7 @@ def by_hand():
 def test_uncertainties_of_a_length_and_an_energy_are_differences_between_separate_runs(
     confirmed, by_hand, key, unit, attribute
 ):
-    """Return the larger of twice the difference to half the timestep and the difference to the other start."""
+    """Uncertainty: the larger of twice the difference at half the timestep and that from the other initial state."""
     states = summary(confirmed, measure(confirmed), {})["states"]
     for name in ("folded", "opened"):
         own, half, other = (np.array(getattr(each.states[name], attribute)) for each in by_hand)
@@ -137,7 +137,7 @@ def test_a_summary_with_uncertainties_follows_its_schema_and_one_without_second_
 
 
 def planted(own, half, h=1e-3):
-    """The confirmation of a folded state by half the timestep."""
+    """Return the confirmation of a folded state by a run at half the timestep."""
     ending = Ending(verdict=Verdict.REACHED, transition=None)
     values, others = ({f"folded.{name}": each for name, each in run.items()} for run in (own, half))
     return confirm(ending, values, h, [check(h / 2, **others)])
@@ -162,7 +162,7 @@ def test_a_number_that_a_second_run_does_not_have_has_no_uncertainty():
 
 
 def lost(record):
-    """The record with a second run that did not stay open."""
+    """Return the record and a second one that did not stay open."""
     first, second = record.checks
     other = {"verdict": "not held", "status": "did not stay open", "holds": {**first.holds, "opened": False}}
     return replace(record, checks=(replace(first, **other), second))

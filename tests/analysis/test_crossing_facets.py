@@ -1,4 +1,4 @@
-"""Plates that pass through each other: which, and since when, of places that are planted and of a run."""
+"""Plates that pass through each other: which ones and from when, for given positions and for a run."""
 
 from dataclasses import replace
 from time import perf_counter
@@ -16,7 +16,7 @@ from forficula.study.running.runs import run
 
 
 def strip(letters, *angles):
-    """A record of a strip of panels, a row every 10 ms with all its creases at one angle, deg."""
+    """Return a record of a strip of panels: a row every 10 ms, each with one angle of all creases, deg."""
     values = {"pattern.panels": len(letters) + 1, "pattern.assignment": letters}
     nothing = {"tendon": [], "measure": [], "support": [], "drive": []}
     stages = [{"name": "rest", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "1 s"}]
@@ -37,7 +37,7 @@ def strip(letters, *angles):
 
 
 def names(record):
-    """The plates that cross by the names of their bodies, and since when."""
+    """Return the names of the bodies whose plates cross, and from when."""
     return [(*(name.replace(" ", "") for name in each.names), each.time) for each in facets_that_cross(record)]
 
 
@@ -85,7 +85,7 @@ def test_a_letter_that_closes_too_fast_passes_through_itself_and_the_example_doe
 
 @pytest.fixture(scope="module")
 def sheet():
-    """A Miura sheet of nodes, and where its vertices are."""
+    """Return a Miura sheet of nodes, and the positions of its vertices."""
     structure = structure_of(load_design("miura-sheet"))
     return structure, built_points(structure)
 
@@ -118,7 +118,7 @@ def test_a_facet_whose_corner_goes_through_another_facet_is_named(sheet):
     moved[corner] = middle + 0.2 * normal / np.sqrt(np.linalg.norm(normal))
     others = crossing_facets(structure, moved)
     moved[corner] = middle - 0.2 * normal / np.sqrt(np.linalg.norm(normal))
-    # on one side or the other it reaches through
+    # on one of the two sides it passes through
     assert ("facet 0", "facet 5") in [*others, *crossing_facets(structure, moved)]
 
 

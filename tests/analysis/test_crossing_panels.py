@@ -1,4 +1,4 @@
-"""How far panels pass through each other, held to planted cases turned any way."""
+"""Depth to which panels pass through each other, compared with known cases in random orientations."""
 
 from dataclasses import replace
 
@@ -19,7 +19,7 @@ turns = st.tuples(*[st.floats(-np.pi, np.pi)] * 3).map(lambda angles: Rotation.f
 
 
 def sheet(first, second, across=4, along=3):
-    """A flat rectangle from the origin as a mesh, and its nodes, (node, 3)."""
+    """Return a flat rectangle with one corner at the origin as a mesh, and its nodes, (node, 3)."""
     u, v = np.meshgrid(np.linspace(0, 1, along + 1), np.linspace(0, 1, across + 1), indexing="ij")
     nodes = u.ravel()[:, None] * np.asarray(first, float) + v.ravel()[:, None] * np.asarray(second, float)
     corners = np.arange(len(nodes)).reshape(u.shape)
@@ -45,7 +45,7 @@ def depth(one, here, other, there, turn=None):
 def test_the_crossing_depth_of_a_blade_is_its_travel(far, turn, strips):
     floor, flat = sheet([4, 0, 0], [0, 3, 0])
     blade, upright = sheet([1.1, 0.2, 0], [0, 0, 2], across=strips)
-    # nodes that lie in the other panel are on neither side of it, and their edges do not go through
+    # nodes in the plane of the other panel are on neither side, so their edges do not pass through it
     assume(np.abs(upright[:, 2] - far).min() > 1e-5)
     assert depth(floor, flat, blade, moved(upright, [1.3, 1.1, -far]), turn) == pytest.approx(far, rel=1e-9)
 
@@ -57,7 +57,7 @@ def test_separate_panels_do_not_cross(gap, turn):
     blade, upright = sheet([1.1, 0.2, 0], [0, 0, 2])
     assert depth(floor, flat, blade, moved(upright, [1.3, 1.1, gap]), turn) == 0
     assert depth(floor, flat, blade, moved(upright, [5, 1.1, -1]), turn) == 0
-    # it lies beside the edge on both sides of the plane
+    # it passes outside the edge, with corners on both sides of the plane
     assert depth(floor, flat, blade, moved(upright, [1.3, -1.0, -1]), turn) == 0
 
 
@@ -71,7 +71,7 @@ def test_two_panels_that_fold_at_a_common_edge_do_not_cross(angle, turn):
 
 @pytest.mark.parametrize("height", [-0.2, 0.2])
 def test_plates_that_cross_in_the_middle_have_passed_by_the_part_that_reaches_less_far(height):
-    """Of a plate that leans through another by 30 deg, the ends reach length * sin."""
+    """The ends of a plate that crosses another one at 30 deg reach length * sin(30 deg)."""
     floor, flat = sheet([4, 0, 0], [0, 3, 0])
     along = np.array([np.cos(np.pi / 6), 0, np.sin(np.pi / 6)])
     leaning, nodes = sheet(2 * along, [0, 1, 0])
@@ -90,7 +90,7 @@ def test_a_finer_mesh_gives_the_same_depth():
 
 
 def test_nodes_of_panels_move_with_their_bodies(reference_run):
-    """Those at the edges of margins and on the next vein's axis are nodes of the membrane, too."""
+    """Nodes at the edges of margins and on the axis of the next vein belong to the membrane, too."""
     row = int(np.argmin(reference_run.angles("ring")[:, 1]))
     proximal = panel_places(reference_run, [row])[0][0]
     recorded = reference_run.series["membrane_position"][row]
@@ -101,7 +101,7 @@ def test_nodes_of_panels_move_with_their_bodies(reference_run):
 
 def test_the_reference_wing_passes_through_itself_and_gives_a_warning(reference_run, reference_outcome):
     found = panel_crossing(reference_run)
-    # the paper's has no contact either, and its authors say that it penetrates itself
+    # the paper's simulation has no contact either; its authors report self-penetration
     assert 0.01 < found.depth < 0.03
     assert summary(reference_run, reference_outcome, {})["crossing"]["depth_m"] == found.depth
     told = [each for each in run_warnings(reference_run) if "pass through each other" in each]
@@ -112,7 +112,7 @@ def test_the_reference_wing_passes_through_itself_and_gives_a_warning(reference_
 
 
 def test_thick_panels_that_contact_lets_through_give_a_warning(reference_run):
-    """Their middles cross: they are deeper in each other, the thicker they are."""
+    """Their midplanes cross, so the depth grows with their thickness."""
     thick = replace(reference_run.structure, contact=Contact(thickness=0.03, stops=Stops(time_constant=4e-4)))
     (told,) = (each for each in run_warnings(replace(reference_run, structure=thick)) if "pass through" in each)
     assert "more than contact should allow" in told

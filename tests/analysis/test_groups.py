@@ -1,4 +1,4 @@
-"""Dimensionless groups against closed forms, computed by hand of a design's numbers (shared figures: similarity)."""
+"""Dimensionless groups compared with closed forms that are computed by hand from a design's numbers."""
 
 import json
 import math
@@ -17,9 +17,9 @@ from forficula.serial import plain
 from forficula.structure import GROUND, Body, Hinge, Point, Structure, structure_of
 
 REFERENCE = load_design("binder2025")
-# sums and products of a few floats
+# rounding of sums and products of a few floats
 ROUNDING = 1e-12
-# of the reference, by hand: k a b, and a distal bar about the middle of its end, m (l^2 / 3 + r^2 / 4)
+# reference, by hand: k a b, and the inertia of a distal bar about the centre of its end, m (l^2 / 3 + r^2 / 4)
 MOMENT = 1000.0 * 0.055**2
 BAR = 1270.0 * math.pi / 4 * 0.005**2 * 0.10
 INERTIA = BAR * (0.10**2 / 3 + 0.0025**2 / 4)
@@ -27,7 +27,7 @@ TIME = math.sqrt(INERTIA / MOMENT)
 # ring vertices lie on a circle, a sector of 20 deg apart
 RADIUS = math.hypot(0.12, 0.015)
 WIDTH = 2 * RADIUS * math.sin(math.radians(10))
-# of a bar of the length and the inertia of the distal one; the speed of its tip
+# tip speed of a bar with the distal bar's length and inertia
 BY_LENGTH, SPEED = 3 * INERTIA / 0.10**3, 0.10 / TIME
 # sine between the distal bar of vein 0 and the ring crease: 90 deg - 20 deg / 2 - eps
 TILT = math.sin(math.radians(80) - math.asin(0.015 / RADIUS))
@@ -78,7 +78,7 @@ def test_the_groups_of_the_reference_equal_published_values():
         "drag_left_out": 0.20,
     }
     found = values(REFERENCE)
-    # two or three digits were known
+    # the reference values have two or three digits
     assert {name: round(found[name], len(str(value)) - 2) for name, value in known.items()} == known
     assert f"{found['gravity_left_out']:.0e}" == "4e-04"
     assert f"{found['reynolds_left_out']:.1e}" == "1.7e+05"
@@ -108,7 +108,7 @@ def test_a_medium_that_is_there_resists_and_is_that_of_the_run(name):
 
 def test_masses_on_the_distal_bar_slow_the_tendon_and_an_armature_does_not():
     heavy = with_values(REFERENCE, {"vein.added_mass": 1e-3, "tendon.area": 1e-5, "tendon.density": 1200.0})
-    # half of the tendon is at its distal end; the hinge's mass is on its axis
+    # half of the tendon's mass is at its distal end; the hinge's mass is on its axis
     end = 1200.0 * 1e-5 * 0.09 / 2
     assert scale_of(structure_of(heavy)).inertia == pytest.approx(INERTIA + end * (0.055 * TILT) ** 2, rel=1e-9)
     stiller = with_values(REFERENCE, {"hinge.armature": 1e-3})
@@ -135,7 +135,7 @@ def test_a_plate_on_a_crease_has_the_inertia_of_a_plate_about_its_edge():
 
 
 def two_flaps(held=()):
-    """Two corners beside a crease along y, of 1 g at 3 cm and of 2 g at 1 cm."""
+    """Return two corners beside a crease along y: 1 g at 3 cm and 2 g at 1 cm."""
     places = [(0.0, 0.0), (0.0, 0.1), (-0.03, 0.05), (0.01, 0.05)]
     masses = [1.0, 1.0, 1e-3, 2e-3]
     return Structure(
@@ -186,7 +186,7 @@ def test_every_named_design_has_groups_that_json_can_hold(name):
 
 
 def test_tendons_across_two_ring_folds_have_no_groups():
-    """They have no single moment k a b."""
+    """Such tendons have no single moment k a b."""
     assert groups(load_design("binder2025-thick")) is None
 
 
@@ -203,7 +203,7 @@ def test_scaling_changes_only_groups_of_natural_constants(factor, name):
         speeds = [each.pop("reynolds_left_out") for each in (before, after)]
         assert speeds[1] == pytest.approx(factor * speeds[0], rel=1e-9)
     assert after == pytest.approx(before, rel=1e-9)
-    # m g l / (k a b): a cube of mass, a length, by a cube of energy
+    # m g l / (k a b) scales as s^3 s / s^3
     assert weight[1] == pytest.approx(factor * weight[0], rel=1e-9)
 
 

@@ -1,4 +1,4 @@
-"""What commands write as JSON is what its schema says, and a schema refuses what it does not."""
+"""The JSON that commands write conforms to its schema, and the schema rejects other content."""
 
 import json
 

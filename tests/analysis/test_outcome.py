@@ -22,19 +22,19 @@ MOTORS = [motor.name for motor in STRUCTURE.motors]
 # s: settle, fold, release folded, unfold, release opened; the window of a state is 0.1 s
 ENDS = (0.3, 0.4, 0.7, 0.9, 1.2)
 DEG = math.radians(1)
-ROUNDING = 1e-12  # of sums of some hundred numbers of like size
+ROUNDING = 1e-12  # of sums of some hundred numbers of similar size
 
 
 def planted(
     times=(0.0, 1.2), angles=(0.0, 0.0), *, ends=ENDS, goals=None, diverged_at=None, design=REFERENCE, **series
 ):
-    """A record with an angle, deg, of all ring hinges and other series that run straight between some times, s.
+    """Return a record with one angle, deg, of all ring hinges and other series, piecewise linear between times, s.
 
     Series are (times, values) with values of one number or one of every hinge or tendon; `proximal_work` and
     `distal_work` are those of the motors. Goals are reached at the end of a stage where nothing else is said, rest as
     long before as its stage holds it.
     """
-    time = np.round(np.arange(0, round(1e3 * ends[-1]) + 1) * 1e-3, 9)  # a row a millisecond
+    time = np.round(np.arange(0, round(1e3 * ends[-1]) + 1) * 1e-3, 9)  # one row per millisecond
 
     def line(at, values):
         return np.array([np.interp(time, at, part) for part in np.array(values, dtype=float).T.reshape(-1, len(at))]).T
@@ -43,7 +43,7 @@ def planted(
         name: np.zeros((len(time), *(SIZES[dimension] for dimension in dimensions)))
         for name, (dimensions, _, _) in VARIABLES.items()
     }
-    # at its nodes as built a membrane is not strained
+    # with its nodes as built the membrane is unstrained
     arrays["membrane_position"][:] = np.concatenate([each.built for each in structure_of(design).membranes])
     arrays["hinge_angle"][:, RINGS] = line(times, DEG * np.array(angles, dtype=float))
     for name, (at, values) in series.items():
@@ -91,7 +91,7 @@ def test_states_are_taken_at_the_end_of_the_rest_that_follows():
 
 
 def test_a_state_is_the_mean_over_the_window_with_the_envelope_of_every_vein():
-    # straight through the window from 0.6 to 0.7 s: the mean is the middle, the envelope the ends
+    # linear in the window from 0.6 to 0.7 s: the mean is the middle, the envelope the ends
     times = (0.0, 0.3, 0.4, 0.6, 0.7)
     angles = [[0, 0, 0], [0, 0, 0], [-160, -160, -160], [-160, -170, -150], [-170, -160, -150]]
     lengths = [[0.1, 0.1, 0.1]] * 3 + [[0.02, 0.03, 0.04], [0.04, 0.05, 0.04]]
@@ -121,7 +121,7 @@ def test_a_state_swings_where_a_hinge_moves_by_more_than_a_tenth_of_a_degree(swi
 
 
 def test_a_stage_shorter_than_the_window_is_averaged_whole():
-    # flat until 0.3 s; the release of 20 ms goes straight from -150 to -170 deg
+    # flat until 0.3 s; the release of 20 ms is linear from -150 to -170 deg
     outcome = measure(planted((0.3, 0.4, 0.42), (0, -150, -170), ends=(0.3, 0.4, 0.42)))
     assert outcome.states["folded"].readings["distal_angle"].mean / DEG == pytest.approx(np.full(3, -160), rel=ROUNDING)
 
@@ -231,7 +231,7 @@ def test_opened_is_at_straight_or_past_it(angle, opened):
 
 
 def test_a_wing_that_swings_about_straight_is_judged_by_the_mean():
-    # up and down by 1 deg about 0.5 deg, a whole number of times within the window
+    # oscillates by 1 deg about 0.5 deg, with a whole number of periods in the window
     swings = np.arange(1.0, 1.2001, 0.01)
     around = [0.5 + (-1) ** index for index in range(len(swings))]
     record = planted((0.3, 0.4, 0.7, 0.8, *swings), (3, -170, -170, 3, *around))
@@ -361,7 +361,7 @@ def test_a_missed_goal_is_not_a_success_whatever_the_angles():
 
 @pytest.mark.parametrize(("until", "status"), [("folded", "moving"), ("ring < -150 deg", "moving")])
 def test_a_missed_goal_given_as_text_is_reported_as_one_given_by_name(until, status):
-    """A hinge's weak push goes nowhere, and its stage runs out of time: no state is held, however it is written."""
+    """A weak push on a hinge reaches nothing within the stage's time: no state is held, in both notations."""
     design = with_values(REFERENCE, {"protocol.fold_torque": 0.01, "protocol.stages.1.until": until})
     outcome = measure(ff.run(design, confirm=False))
     assert outcome.verdict.value == status

@@ -1,4 +1,4 @@
-"""The room that shapes take, held to boxes, balls and tetrahedra turned any way."""
+"""The room that shapes take, compared with boxes, balls and tetrahedra in random orientations."""
 
 import math
 
@@ -54,7 +54,7 @@ def test_the_folded_wing_has_the_smallest_packaged_size_in_its_summary(reference
     found = packages(reference_run)
     assert found["flat"][1].area_ratio == pytest.approx(1, abs=0.01)
     assert package.area_ratio == pytest.approx(package.area / open_package(reference_run).area)
-    # thicker than the three bars beside each other in one plane, thinner than the wing is wide
+    # thicker than three bars side by side, thinner than the wing's width
     assert 0.005 < package.height < package.width < package.length
     told = summary(reference_run, reference_outcome, versions={})["package"]
     assert (told["state"], told["height_m"]) == ("folded", package.height)
@@ -62,7 +62,7 @@ def test_the_folded_wing_has_the_smallest_packaged_size_in_its_summary(reference
 
 
 def wing_of(values):
-    """The wing as built, after one step."""
+    """Return the wing as built, after one step."""
     stage = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 2e-4}
     design = with_values(
         load_design("binder2025"), {"protocol.initial_overbend": 0.0, "protocol.stages": [stage]} | values
@@ -76,7 +76,7 @@ def test_a_flat_wing_is_as_high_as_its_veins_are_thick(diameter):
 
 
 def test_two_plates_at_a_right_angle_have_the_packaged_size_of_their_sides_and_thickness():
-    """3 and 4 cm long, 2 cm wide and 2 mm thick: thinnest across the width, which a margin of 1 mm adds to twice."""
+    """Plates 3 and 4 cm long, 2 cm wide and 2 mm thick: smallest across the width plus twice the margin of 1 mm."""
     stage = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 4e-5}
     design = with_values(
         load_design("force-clasp"),

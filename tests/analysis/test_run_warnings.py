@@ -1,4 +1,4 @@
-"""A run says where its tendons move far faster than their material was ever tested."""
+"""A run warns where its tendons stretch far faster than in the tests of their material."""
 
 from dataclasses import replace
 from importlib import import_module
@@ -26,7 +26,7 @@ def design(**law):
 
 
 def moving(speed, *, start=1.5, of=None, rows=11):
-    """A record of two tendons: one that is pulled at a speed in m/s, one that stays slack and moves fast."""
+    """Return a record of two tendons: one stretched at a speed in m/s, one slack and fast."""
     time = np.linspace(0, 1e-3, rows)
     length = np.stack([start * LENGTH + speed * time, 0.5 * LENGTH + 100 * abs(speed) * (time - 1e-3)], axis=1)
     series = MappingProxyType({"tendon_length": length})
@@ -37,13 +37,13 @@ def moving(speed, *, start=1.5, of=None, rows=11):
 
 
 def tables(wing):
-    """Its tendons as a table, SI."""
+    """Return the record's tendons as a table, SI."""
     return wing.tendon.as_tables(lambda value, _: value)
 
 
 @pytest.mark.parametrize("speed", [1.2, -1.2])
 def test_tendons_a_hundred_times_faster_than_the_tests_give_a_warning_with_both_rates(speed):
-    # 1.2 m/s by 6 cm is 20 1/s
+    # 1.2 m/s / 6 cm = 20 1/s
     (warning,) = run_warnings(moving(speed))
     assert warning.startswith(
         "taut tendons reach a strain rate of 20 1/s, 200 times the 0.1 1/s up to which tpu was measured"
@@ -90,7 +90,7 @@ def test_a_goal_that_is_met_before_its_stage_is_reported_as_such_and_not_as_lost
     assert outcome.advice == "Choose a goal that is not met before its drive acts."
     held = measure(planted((0.0, *steps, 0.8), (3, -180, -180, 3, 3, 3), goals=(None, *steps)))
     assert (held.ending.verdict, held.holds) == (Verdict.NOT_HELD, {"folded": False, "opened": False})
-    # a release has no drive, and may rest at once
+    # a release stage has no drive, and may rest immediately
     assert run_warnings(record) == [
         f'the goal of stage "{name}" is already met before the stage begins' for name in ("fold", "unfold")
     ]
@@ -102,7 +102,7 @@ def test_a_wing_of_the_papers_tpu_folds_far_faster_than_the_papers_machine_pulle
     wing = load_design("binder2025", {"tendon.law": "tpu-82a", "tendon.area": "12.5 mm^2"})
     record = run(wing)
     rate, tested = highest_strain_rates(record).max(), wing.tendon.law.highest_strain_rate
-    # of a hinge's speed and the arms of its tendon no more can come than their sum
+    # at most the hinge's speed times the sum of the tendon's arms
     speed = np.abs(np.diff(record.angles("ring"), axis=0)) / np.diff(record.time)[:, None]
     arms = wing.tendon.proximal_attachment + wing.tendon.distal_attachment
     assert 1e3 * tested < rate < speed.max() * arms / wing.tendon.rest_length
@@ -117,7 +117,7 @@ def test_the_rate_of_strain_does_not_depend_on_how_often_the_record_is_sampled(t
         for interval in ("0.5 ms", "1e30 s")
     ]
     assert rates[0] == rates[1]
-    # every step is a row: the rows say the same
+    # every step is a row, so the rows give the same maximum
     every = run(joint.with_values({"protocol.sample_interval": joint.protocol.timestep}))
     assert highest_strain_rates(replace(every, strain_rates=None)) == pytest.approx(rates[0], rel=1e-9)
     save_record(every, tmp_path / "record.nc")

@@ -17,13 +17,13 @@ from forficula.structure import hinges_of, structure_of
 
 
 def snap_of(record):
-    """Of the hinge of an inner tendon."""
+    """Return the simulated snap of the hinge of an inner tendon."""
     crossed = crossed_hinges(record.structure, 2)
     return simulated_snap(record, next(each for each in crossed if each.tendon == inner_tendon(record.structure)))
 
 
 def folding(record, angle):
-    """A record whose hinges all fold as they are told, rad over s, before anything opens."""
+    """Return a record whose hinges all fold along the given angles, rad over s, before any opens."""
     time = np.linspace(0, 0.2, 2001)
     fold = angle(time)
     angles = np.zeros((len(time), len(record.structure.hinges)))
@@ -33,10 +33,10 @@ def folding(record, angle):
 
 def test_a_known_fold_is_timed_to_what_straight_lines_between_rows_allow(reference_run):
     rate, start = 30.0, math.radians(1)
-    # grows as a hinge does that leaves straight, and stops at its limit
+    # exponential growth, as of a hinge that leaves straight, up to its limit
     record = folding(reference_run, lambda time: np.minimum(start / 2 * np.exp(rate * time), math.pi))
     snap = snap_of(record)
-    # rows 0.1 ms apart: the chord of an exponential errs by (rate * interval)^2 / 8 of its height, so by 4e-8 s
+    # rows every 0.1 ms: linear interpolation of an exponential is off by (rate * interval)^2 / 8 of it, or 4e-8 s
     assert snap.folded_time == pytest.approx(math.log(150) / rate, abs=1e-7)
     assert snap.fold_time == pytest.approx(math.log(180) / rate, abs=1e-4)
     assert snap.peak_speed == pytest.approx(rate * math.pi, rel=5e-3)
@@ -44,7 +44,7 @@ def test_a_known_fold_is_timed_to_what_straight_lines_between_rows_allow(referen
 
 def test_a_fold_counts_from_the_last_time_that_the_hinge_leaves_straight(reference_run):
     def angle(time):
-        early = 0.1 * np.sin(2 * math.pi * time / 0.1)  # beyond 1 deg, and back
+        early = 0.1 * np.sin(2 * math.pi * time / 0.1)  # past 1 deg and back
         return np.where(time < 0.1, early, 100 * (time - 0.1))
 
     snap = snap_of(folding(reference_run, angle))
@@ -81,7 +81,7 @@ def test_a_shorter_sample_interval_does_not_change_the_motion(reference, referen
 def test_the_representative_tendon_is_an_inner_one_and_its_hinge_has_a_name(reference):
     fan, letter = structure_of(reference), structure_of(ff.load_design("letter-fold"))
     assert (inner_tendon(fan), hinge_name(fan, 1)) == (1, "second hinge")
-    # of two none is between others
+    # of two hinges none is between others
     assert (inner_tendon(letter), hinge_name(letter, 0)) == (0, "crease 0 (left)")
     assert inner_tendon(replace(fan, tendons=())) is None
 
@@ -102,7 +102,7 @@ def test_a_fold_counts_from_beside_where_an_offset_tendon_is_longest():
     record = ff.run(ff.load_design("binder2025", offset), confirm=False).record
     snap = snap_of(folding(record, lambda time: np.minimum(20 * time, math.pi)))
     crossing = record.structure.tendons[1].crossing
-    # the top is the offset angle past straight, and 1 deg more is where it is let go
+    # the energy maximum is at the offset angle, and the hinge starts 1 deg past it
     start = crossing.offset_angle + math.radians(1)
     assert snap.folded_time == pytest.approx((math.radians(150) - start) / 20, abs=1e-9)
 

@@ -80,7 +80,7 @@ def test_each_resting_length_is_stretched_by_the_tendons_that_have_it():
     design = load_design("binder2025", {"tendon": [{"vein": 0}, vein, {"vein": 2}]})
     strains = {each.length: each.flat_strain for each in size_tendons(design, load_law("tpu-82a"), [1000.0])}
     assert strains[0.04] == pytest.approx(0.240, abs=5e-4)
-    # 11 cm or a little less where the rest is 9 cm; of the specimens' 6 cm there is none, so the longest of all counts
+    # a rest length of 9 cm gives 11 cm or slightly less; none has the specimens' 6 cm, so the longest counts
     assert strains[0.09] == pytest.approx(0.11 / 0.09 - 1, rel=0.1)
     assert strains[0.06] == pytest.approx(0.11 / 0.06 - 1, rel=0.02)
     (given, *_) = size_tendons(design, load_law("tpu-82a"), [1000.0], length=0.04)

@@ -1,4 +1,4 @@
-"""What became of every stage: its drive, its goal, how long it took, and what its torques did."""
+"""Results of every stage: its drive, its goal, its duration, and the work of its torques."""
 
 import json
 from dataclasses import replace
@@ -56,7 +56,7 @@ def test_a_stage_that_missed_its_goal_has_no_time_and_those_after_it_are_not_the
     outcome = measure(planted((0.3, 0.4), (0, -4), ends=ENDS[:2], goals=(None, None)))
     assert [stage.name for stage in outcome.stages] == NAMES[:2]
     settle, fold = outcome.stages
-    # what ends by the time took that time
+    # a stage that ends by its time limit took that time
     assert (settle.reached, settle.time) == (None, pytest.approx(0.3))
     assert (fold.reached, fold.time) == (False, None)
 
@@ -75,7 +75,7 @@ def test_a_stage_with_a_list_of_drives_says_all_of_them():
     design = with_values(REFERENCE, {"protocol.stages.1.drive": ["fold"]})
     record = planted(**FOLDS_AND_OPENS, design=design)
     assert summary(record, measure(record), {})["stages"]["fold"]["drive"] == "fold"
-    # two at once, which a fan does not have
+    # two drives at once, which a fan does not have
     fold = record.stages[1].stage.model_copy(update={"drive": ("fold", "unfold")})
     both = replace(record, stages=(record.stages[0], replace(record.stages[1], stage=fold), *record.stages[2:]))
     outcome = measure(both)

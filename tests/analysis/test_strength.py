@@ -1,4 +1,4 @@
-"""The largest strains, stresses and folds of a run, of places that are planted, beside closed forms."""
+"""The largest strains, stresses and folds of a run, computed from given positions, compared with closed forms."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ STRETCH = 1.02
 
 
 def planted(kind):
-    """A sheet as built, then stretched evenly by 2 % along x."""
+    """Return a record of a sheet as built, then stretched evenly by 2 % along x."""
     design = load_design("miura-sheet", {"facet.kind": kind, "pattern.fold": "0 deg", "support": []})
     structure = structure_of(design)
     built = np.array([body.position for body in structure.bodies])
@@ -61,7 +61,7 @@ def test_a_membrane_that_is_pulled_one_way_has_the_stress_of_plane_stress():
     record = planted("membrane")
     (peak,) = strain_peaks(record)
     law = record.structure.membranes[0].law
-    # Green's strain; the sheet cannot become narrower
+    # Green strain; the width is fixed
     strain = (STRETCH**2 - 1) / 2
     assert (peak.kind, peak.part, peak.time) == ("membranes", "sheet", 0.1)
     assert peak.strain == pytest.approx(strain, rel=1e-9)
@@ -94,7 +94,7 @@ def test_a_diverged_run_has_no_strains():
 
 
 def test_a_bar_with_a_stress_above_its_strength_gives_a_warning():
-    """The same run beside a strength above and below its largest stress."""
+    """The same run with a strength above and below its largest stress."""
     stage = {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0, "time_limit": 0.02}
     values = {"pattern.columns": 1, "pattern.rows": 2, "measure": [], "support": []}
     values |= {"protocol.timestep": 2e-5, "protocol.stages": [stage], "facet.youngs_modulus": 2e7}

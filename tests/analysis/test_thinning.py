@@ -1,4 +1,4 @@
-"""A thinned record means the same, to the bit, and shows every motion."""
+"""A thinned record has the same outcome, bit for bit, and shows every motion."""
 
 from dataclasses import asdict, replace
 
@@ -12,8 +12,8 @@ from tests.places import places
 
 
 def same(one, other):
-    """Whether two outcomes have the same bits."""
-    # what finds advice knows its own record
+    """Return whether two outcomes are equal bit for bit."""
+    # advice depends on the record itself
     return repr(asdict(replace(one, advise=None))) == repr(asdict(replace(other, advise=None)))
 
 
@@ -49,7 +49,7 @@ def test_between_two_rows_no_point_moves_far_and_little_time_passes(reference_ru
     size = np.ptp(np.concatenate([places(reference_run, role)[0] for role in ("hub", "ring", "tip")]), axis=0).max()
     interval = reference_run.design.protocol.sample_interval
     assert gaps.max() < 5e-3 + 1.5 * interval
-    # a row of the whole record may jump further than the share; nothing can be kept between two of its rows
+    # rows of the full record may differ by more than the share; no row between them can be kept
     apart = gaps > 1.5 * interval
     fastest = np.linalg.norm(np.diff(places(reference_run, "tip"), axis=0), axis=2).max()
     assert moved[apart].max() < 0.005 * size + fastest

@@ -1,4 +1,4 @@
-"""Every verdict: from planted records, from real runs, and as it is told."""
+"""Every verdict: from constructed records, from runs, and as a text."""
 
 import json
 import math
@@ -19,7 +19,7 @@ from tests.analysis.test_outcome import ENDS, FOLDS_AND_OPENS, REFERENCE, plante
 
 DEG = math.radians(1)
 SETTLE, FOLD = REFERENCE.protocol.stages[:2]
-# that much is enough for a verdict on folding
+# sufficient for a verdict on folding
 SHORT = [SETTLE.model_copy(update={"time_limit": 0.02}), FOLD.model_copy(update={"time_limit": 0.1})]
 
 
@@ -29,12 +29,12 @@ def short(**values):
 
 
 def moving(record):
-    """As if the time limits had ended its stages."""
+    """Return a record in which the time limits ended all stages."""
     return replace(record, stages=tuple(replace(end, at_rest=False) for end in record.stages))
 
 
 def missing(record, joule):
-    """With so much energy that nobody accounts for."""
+    """Return a record in which this much energy is unaccounted for."""
     lost = record.series["stop_work"].copy()
     lost[-1] -= joule
     return replace(record, series={**record.series, "stop_work": lost})
@@ -211,7 +211,7 @@ def test_a_timestep_far_too_long_diverges_and_never_folds(timestep):
     assert outcome.verdict is Verdict.DIVERGED
     assert outcome.status.startswith("diverged at t = ")
     assert "folded" not in json.dumps(summary(record, outcome, {})["status"])
-    # what is kept of it is still a wing: no hinge is 45 deg beyond its stop
+    # the recorded part is valid: no hinge is 45 deg beyond its stop
     hinge = REFERENCE.hinge
     angles = record.angles("ring")
     assert angles.min() >= -hinge.fold_limit - 45 * DEG
@@ -221,11 +221,11 @@ def test_a_timestep_far_too_long_diverges_and_never_folds(timestep):
 
 @pytest.fixture(scope="module")
 def bent():
-    """A wing whose hinges are at -79 deg after its first stage."""
+    """Return a wing whose hinges are at -79 deg after its first stage."""
     stages = [SETTLE.model_dump() | {"time_limit": 0.002}, FOLD.model_dump() | {"time_limit": 0.002}]
     values = {
         "protocol.initial_overbend": "-79 deg",
-        "guard.stretch": 1e3,  # all hinges bent so far, neighbouring tips are far apart
+        "guard.stretch": 1e3,  # with all hinges bent so far, neighbouring tips are far apart
         "protocol.stages": stages,
         "protocol.timestep": "20 µs",
     }
@@ -235,7 +235,7 @@ def bent():
 
 @pytest.fixture(scope="module")
 def doubtful():
-    """A run whose membrane is too stiff for its timestep."""
+    """Return a run whose membrane is too stiff for its timestep."""
     record = ff.run(short(membrane__youngs_modulus="20 MPa"), confirm=False)
     return record, measure(record)
 
@@ -274,7 +274,7 @@ def test_an_unreliable_run_is_marked_wherever_it_is_shown(doubtful, capsys):
     assert said in page
     assert "Take a timestep of about 0.1 ms" in page
     for name, drawing in run_drawings(record, outcome).items():
-        # the pattern is what it is
+        # the pattern file does not change
         assert (said in drawing(7.0).get_suptitle()) == (name != "pattern")
 
 

@@ -1,4 +1,4 @@
-"""One compiled model on several protocols."""
+"""Runs of one compiled model with several protocols."""
 
 from dataclasses import replace
 
@@ -8,7 +8,7 @@ from forficula.structure import with_protocol
 
 
 def on_protocol(model: Model, design: Design) -> Model:
-    """The model, its engine shared, on the protocol of a design that differs in nothing else."""
+    """Return the model with the protocol of a design that differs in its protocol only; both share the engine model."""
     return replace(
         model,
         design=design,

@@ -1,4 +1,4 @@
-"""Bars that touch: MuJoCo 4.0.0 factorises their sparse Hessian wrongly, and 4.0.1 does not."""
+"""Touching bars: MuJoCo 4.0.0 factorizes their sparse Hessian wrongly, 4.0.1 does not."""
 
 import mujoco
 import numpy as np
@@ -14,7 +14,7 @@ STEPS = 220
 
 @pytest.fixture(scope="module")
 def wing():
-    """Seven units with contact: 60 degrees of freedom, from which on MuJoCo by itself goes sparse."""
+    """Return a wing of seven units with contact: 60 degrees of freedom, at which MuJoCo switches to sparse matrices."""
     values = {
         "pattern.units": 7,
         "pattern.sector_angle": "10 deg",
@@ -26,7 +26,7 @@ def wing():
 
 @pytest.fixture(scope="module")
 def rubbing(wing):
-    """The source of the same wing whose bars alone touch, with friction, and not the proximal ones each other."""
+    """Return the source of the same wing in which only bars touch, with friction, except proximal bars each other."""
     spec = wing.spec.copy()
     spec.option.cone = mujoco.mjtCone.mjCONE_PYRAMIDAL
     spec.delete(spec.flex("panels"))
@@ -38,7 +38,7 @@ def rubbing(wing):
 
 
 def solved(engine, state):
-    """Accelerations in a state, what is left of the forces, by the largest, and how often it was tried."""
+    """Return accelerations in a state, the relative residual of the forces, and the number of iterations."""
     data = mujoco.MjData(engine)
     mujoco.mj_setState(engine, data, state, STATE)
     mujoco.mj_forward(engine, data)
@@ -50,7 +50,7 @@ def solved(engine, state):
 
 
 def touching_states(wing, engine):
-    """States in which bars touch, or panels, as the fan folds."""
+    """Return states in which bars or panels touch while the fan folds."""
     data, found = mujoco.MjData(engine), []
     data.qpos[:] = [hinge.sense * hinge.start for hinge in wing.in_units.hinges]
     data.ctrl[:] = np.array(drive_of(wing.in_units, "fold").strengths)[wing.motors]
@@ -87,7 +87,7 @@ def test_the_sparse_factorisation_of_mujoco_4_0_0_is_wrong_there(wing, rubbing):
         other, left, tries = solved(sparse, state)
         if np.abs(other - right).max() > 0.1 * np.abs(right).max():
             wrong += 1
-            # it gives up, and what it found is no solution
+            # it stops at its limit, without a solution
             assert tries == sparse.opt.iterations
             assert left > 1e-6
     assert wrong > 0

@@ -1,7 +1,7 @@
-"""Joints that are tied: two pendulums have the frequencies of closed forms, and work is booked where a motor turns.
+"""Coupled joints: the frequencies of two pendulums have closed forms, and work is counted at the driven joint.
 
-Two alike, I phi'' = -k phi each, with a spring kc between them: sqrt(k / I) side by side, sqrt((k + 2 kc) / I) against
-each other. Tied rigidly at a ratio r: sqrt((k0 + r^2 k1) / (I (1 + r^2))).
+Two equal ones, I phi'' = -k phi, with a spring kc between them: sqrt(k / I) in phase, sqrt((k + 2 kc) / I) in
+antiphase. Rigidly coupled at a ratio r: sqrt((k0 + r^2 k1) / (I (1 + r^2))).
 """
 
 import math
@@ -22,7 +22,7 @@ from tests.structures import compiled, motor_work, straight_vein
 
 STIFFNESS, TIE, START = 0.05, 0.2, math.radians(5)  # N m/rad
 TIED = with_values(load_design("binder2025-coupled"), {"protocol.rise": 0.0})
-# folding only, under torques that come at once
+# folding only, under torques without rise
 FOLDING = [
     {"name": "fold", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.02},
     {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0, "time_limit": 0.06},
@@ -30,7 +30,7 @@ FOLDING = [
 
 
 def pendulums(one_hinge, starts, *, tie, ratio=1.0, springs=(STIFFNESS, STIFFNESS), senses=(1, -1), **values):
-    """Two bars beside each other, each on a hinge with a spring, one spring between them; no tendon pulls."""
+    """Return two bars side by side, each on a sprung hinge, with a spring between them and slack tendons."""
     hinge = one_hinge(0.11, start=0.0, **values)
 
     def build(own, units):
@@ -51,7 +51,7 @@ def pendulums(one_hinge, starts, *, tie, ratio=1.0, springs=(STIFFNESS, STIFFNES
 
 
 def swing(model):
-    """Times and angles in own senses."""
+    """Return times, and angles in the hinges' own senses."""
     record = simulate([model])[0]
     return record, record.time, record.series["hinge_angle"]
 
@@ -66,7 +66,7 @@ def test_two_tied_pendulums_swing_side_by_side_and_against_each_other_as_in_clos
         one_hinge, (START, way * START), tie=TIE, senses=senses, timestep=timestep, duration=2500 * timestep
     )
     record, times, angles = swing(model)
-    # the phase of semi-implicit Euler, half a step
+    # phase error of semi-implicit Euler: half a timestep
     assert angles[:, 0] == pytest.approx(START * np.cos(speed * times), abs=4e-3 * START)
     assert angles[:, 1] == pytest.approx(way * angles[:, 0], abs=1e-9)
     twist = angles[:, 1] - angles[:, 0]
@@ -93,7 +93,7 @@ def test_two_pendulums_tied_rigidly_turn_in_their_ratio_with_the_inertia_of_both
     assert angles[:, 0] == pytest.approx(START * np.cos(speed * times), abs=4e-3 * START)
     assert "coupling_energy" not in record.series
     balance = energy_balance(record)
-    # what ties them does no work
+    # the coupling does no work
     assert abs(balance.stops) < 1e-4 * balance.at_hand
     assert balance.couplings is None
 
@@ -122,14 +122,14 @@ def test_veins_tied_rigidly_fold_under_one_motor_as_under_motors_with_the_same_t
     by_more = folded(torque, veins)
     angles, others = by_one.series["hinge_angle"], by_more.series["hinge_angle"]
     assert np.ptp(angles, axis=0).max() > math.radians(90)
-    # a constraint of the engine gives a little
+    # the engine's constraints yield slightly
     assert others == pytest.approx(angles, abs=math.radians(0.1))
     assert by_more.work[-1] == pytest.approx(by_one.work[-1], rel=1e-4)
 
 
 def test_the_work_is_that_of_the_motor_on_its_own_vein(by_one):
     turns = hinges_of(by_one.structure, "turn")
-    # the torque stands all the stage
+    # the torque is constant in the stage
     turned = (
         by_one.series["hinge_angle"][-1, turns[0]] - by_one.series["hinge_angle"][by_one.time <= 0.02][-1, turns[0]]
     )

@@ -1,4 +1,4 @@
-"""Points that a drive takes along, with whatever force it needs."""
+"""Drives that displace points, with whatever force this takes."""
 
 import numpy as np
 import pytest
@@ -40,17 +40,17 @@ def stage(drive, limit):
 
 
 def sheet(*stages, **values):
-    """Two by two parallelograms, the first held."""
+    """Return two by two parallelograms, the first held."""
     return with_values(MIURA, SOFT | {"drive": [LIFT], "protocol.stages": list(stages)} | values)
 
 
 def _without(key):
-    """The drive without one of its keys."""
+    """Return the drive without one of its keys."""
     return {name: value for name, value in LIFT.items() if name != key}
 
 
 def moved(record, point, axis):
-    """How far a point has gone from where it was, m, (time,)."""
+    """Return the distance of a point from its first position, m, (time,)."""
     places = record.series["point_position"][:, point, axis]
     return places - places[0]
 
@@ -60,7 +60,7 @@ def test_a_displaced_point_follows_its_target_and_is_released():
     way, end = moved(record, 8, 2), record.stages[0].end
     held = (record.time > 0.1) & (record.time < end)
     assert way[held] == pytest.approx(4e-3, rel=0.01)
-    # half way at half its rise, and free at the end
+    # half of the displacement at half its rise, free at the end
     assert way[np.searchsorted(record.time, 0.025)] == pytest.approx(2e-3, rel=0.1)
     assert way[-1] < 1e-3
     assert energy_balance(record).residual < 5e-3
@@ -70,7 +70,7 @@ def test_a_displaced_point_follows_its_target_and_is_released():
 
 
 def test_a_displacement_starts_at_the_present_position():
-    """Springs that rest further on have lifted it before: it does not go back to where it was built."""
+    """Growing rest angles have lifted the point before: it does not return to its built position."""
     further = {"name": "further", "kind": "rest-angle", "of": "creases", "angle": 0.3, "rise": 0.05}
     both = sheet(stage("further", 0.1), stage(["further", "lift"], 0.15), drive=[further | {"rise": 0.0}, LIFT])
     (record,) = simulate([compile_model(both)])
@@ -90,7 +90,7 @@ def test_a_sheet_that_is_taken_along_rests_where_it_does_by_statics():
     assert there[8, 2] - net.nodes[8, 2] == pytest.approx(4e-3)
     apart = np.linalg.norm(record.series["point_position"][-1] - there, axis=1).max()
     assert apart < 1e-2 * 4e-3
-    # let go, it comes back
+    # it returns after its release
     assert course.rest.shape.positions == pytest.approx(net.nodes, abs=1e-5)
 
 
@@ -104,7 +104,7 @@ def test_the_work_of_a_displacement_is_force_times_travel_and_equals_that_of_sta
     work = np.sum((force[1:] + force[:-1]) / 2 * np.diff(way))
     assert work == pytest.approx(record.series["motor_work"][-1, 0], rel=0.01)
     assert force[-1] == pytest.approx(course.largest_force, rel=1e-2)
-    # what is stored changes by the force times the way
+    # the stored energy changes by the force times the displacement
     points = course.slow.points
     forces = [reaction(structure, net, course.drive, point.shape) for point in points]
     ways = [gone(structure, net, course.drive, point.shape) for point in points]

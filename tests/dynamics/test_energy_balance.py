@@ -1,4 +1,4 @@
-"""What is missing of the energy, as a share of what torques, springs and weight gave or took."""
+"""The energy residual, as a share of the energies that torques, springs and weight gave or took."""
 
 import pytest
 
@@ -24,7 +24,7 @@ CLOSED = {
         ({}, 0.0, 9.5),
         ({"stops": 2.9}, 0.1, 9.5),
         ({"stops": 3.1}, -0.1, 9.5),
-        # motion and what is taken are where the energy went, not where it came from
+        # kinetic energy and losses are where the energy went, not where it came from
         ({"kinetic": 1.25, "hinge_damping": 3.1}, -0.1, 9.5),
         ({"work": 0.0}, -5.0, 4.5),
         ({"branches": -2.0, "branch_damping": 1.5}, 0.5, 11.5),

@@ -19,7 +19,7 @@ TORQUE, PUSHED = 0.02, 0.02  # N m; s
 
 
 def pushed(friction: str, timestep: str = "0.1 ms") -> Record:
-    """Push a joint without damping, whose tendon is slack, with 2 N cm for 20 ms, then let it go."""
+    """Push an undamped joint with a slack tendon by 2 N cm for 20 ms, then release it."""
     stages = [
         {"name": name, "drive": drive, "until": "time", "hold": "0 s", "time_limit": limit}
         for name, drive, limit in (("settle", "none", "1 ms"), ("fold", "fold", "20 ms"), ("release", "none", "0.2 s"))
@@ -39,7 +39,7 @@ def pushed(friction: str, timestep: str = "0.1 ms") -> Record:
 
 
 def travelled(record: Record) -> np.ndarray:
-    """How far the hinge has folded from its start, rad, (time,)."""
+    """Return the hinge's angle from its start, rad, (time,)."""
     angle = record.series["hinge_angle"][:, 0]
     return angle[0] - angle
 
@@ -49,11 +49,11 @@ def test_a_hinge_accelerates_by_the_torque_beyond_its_friction_and_slides_to_res
     record = pushed(f"{friction} N m")
     acceleration = (TORQUE - friction) / inertia_about(record.structure, 0)
     folded = acceleration * PUSHED**2 / 2
-    # a semi-implicit step of h at a constant acceleration goes on by h / t too far
+    # at constant acceleration, semi-implicit steps of h travel too far by the share h / t
     assert travelled(record)[np.searchsorted(record.time, 0.001 + PUSHED)] == pytest.approx(
         folded * (1 + 1e-4 / PUSHED)
     )
-    # the kinetic energy at the end of the push is what the friction takes afterwards
+    # friction dissipates the kinetic energy at the end of the push
     assert travelled(record)[-1] == pytest.approx(folded * TORQUE / friction, rel=5e-4)
     balance = energy_balance(record)
     assert balance.friction == pytest.approx(friction * travelled(record)[-1], rel=5e-4)
@@ -91,7 +91,7 @@ def test_a_wing_with_dry_friction_folds_later_and_its_balance_has_a_row_for_it()
     balance = energy_balance(rough)
     assert energy_balance(smooth).friction is None
     path = sum(np.abs(np.diff(angle)).sum() for angle in rough.series["hinge_angle"].T)
-    # samples miss a part of the path of hinges that swing
+    # samples miss part of the path of swinging hinges
     assert 0.9 * 0.01 * path < balance.friction < 1.3 * 0.01 * path
     assert balance.residual < 0.002
 

@@ -1,4 +1,4 @@
-"""Goals as text, lists of drives and states by name, in runs."""
+"""Goals given as text, lists of drives, and named states, in runs."""
 
 from dataclasses import replace
 
@@ -100,7 +100,7 @@ def test_a_state_that_a_stage_names_is_that_of_its_end():
     outcome = measure(record)
     assert outcome.states["flat"] is None
     assert outcome.states["folded"].time == record.stages[1].end
-    # under the torque, in the moment of its goal
+    # under the torque, when its goal is reached
     row = np.flatnonzero(np.abs(record.time - record.stages[1].end) < 1e-9)
     readings = outcome.states["folded"].readings["distal_angle"]
     assert readings.mean == pytest.approx(record.angles("ring")[row[0]], rel=1e-12)
@@ -112,7 +112,7 @@ def test_a_state_that_a_stage_names_is_that_of_its_end():
 
 
 def with_gap(*, until="time", **protocol):
-    """The reference whose outer tips' distance is watched, on a protocol of one driven stage."""
+    """Return the reference with a gauge between its outer tips, and a protocol of one driven stage."""
     settle = SHORT.protocol.stages[0]
     fold = SHORT.protocol.stages[1].model_copy(update={"until": until, "time_limit": 0.1})
     changed = SHORT.protocol.model_copy(
@@ -140,7 +140,7 @@ def test_a_measured_distance_is_that_of_its_two_points(watched):
     apart = np.linalg.norm(tips[:, -1] - tips[:, 0], axis=1)
     assert np.ptp(apart) > 0.01
     assert watched.measured("gap")[:, 0] == pytest.approx(apart, abs=1e-9)
-    # as built, where no hinge is turned
+    # as built, with all hinges at 0
     points = built_points(watched.structure)
     ends = watched.structure.measures[-1].points
     flat = np.linalg.norm(points[ends[1]] - points[ends[0]])
@@ -192,7 +192,7 @@ SLOW = {
 
 
 def test_nothing_is_stuck_while_its_torque_rises():
-    """Of 3 N cm within 2 s, 0.203 N cm, which the letter's stops hold, come after 0.135 s: longer than a window."""
+    """Rising to 3 N cm in 2 s, the torque reaches 0.203 N cm, held by the stops, at 0.135 s: later than a window."""
     letter = ff.load_design("letter-fold", SLOW)
     assert letter.protocol.window < 0.203 / 3 * 2
     outcome = measure(ff.run(letter, confirm=False))
@@ -203,5 +203,5 @@ def test_nothing_is_stuck_while_its_torque_rises():
     assert cut.status == "at rest while its torque was still rising when its stage ended"
     weak = measure(ff.run(with_values(letter, {"drive.close.value": "0.1 N cm"}), confirm=False))
     assert (weak.ending.verdict, weak.status) == (Verdict.STUCK, "did not get closed")
-    # flat for 0.3 s, 2 s to rise, a window to be called stuck
+    # 0.3 s flat, 2 s rise, a window to count as stuck
     assert weak.states["closed"].time == pytest.approx(2.4)

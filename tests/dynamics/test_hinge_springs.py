@@ -1,4 +1,4 @@
-"""Springs of hinges: a pendulum about its resting angle has the period of the closed form, and its energy is kept.
+"""Springs of hinges: a pendulum about its rest angle has the period of the closed form and keeps its energy.
 
 I phi'' = -k (phi - phi0): omega = sqrt(k / I). With a weight m g a that pulls towards phi = pi/2 the small swings about
 the balance have k + m g a sin(phi) in its place.
@@ -19,8 +19,8 @@ STIFFNESS, REST = 0.05, math.radians(40)  # N m/rad; folding
 
 
 def pendulum(one_hinge, *, stiffness=STIFFNESS, rest=REST, sense=1, **values):
-    """One bar whose tendon is slack, on a hinge with a spring; angles are > 0 when folding."""
-    # as long as the tendon ever gets
+    """Return a bar with a slack tendon on a sprung hinge; angles are > 0 when folding."""
+    # the tendon's largest length
     hinge = one_hinge(0.11, **values)
 
     def build(own, units):
@@ -34,7 +34,7 @@ def pendulum(one_hinge, *, stiffness=STIFFNESS, rest=REST, sense=1, **values):
 
 
 def period_of(times, away):
-    """Of a swing, from where it passes the middle upwards, between rows."""
+    """Return the period, from upward passages of the middle, interpolated between rows."""
     rows = np.flatnonzero((away[:-1] < 0) & (away[1:] >= 0))
     moments = times[rows] - away[rows] * (times[rows + 1] - times[rows]) / (away[rows + 1] - away[rows])
     return float(np.mean(np.diff(moments)))
@@ -53,9 +53,9 @@ def test_a_pendulum_with_a_spring_has_the_period_of_the_closed_form(one_hinge, s
         duration=4.5 * period,
     )
     angles, record = hinge.run()
-    # it swings as far beyond as it was let go before
+    # it swings as far past its rest angle as it was released before it
     assert (angles.min(), angles.max()) == pytest.approx((math.radians(20), math.radians(60)), abs=1e-3)
-    # semi-implicit Euler: of second order in the phase, (2 pi / 2000)^2 / 24
+    # semi-implicit Euler: phase error of second order, (2 pi / 2000)^2 / 24
     assert period_of(record.time, angles - REST) == pytest.approx(period, rel=1e-6)
 
 
@@ -82,10 +82,10 @@ def test_the_energy_balance_with_springs_closes_to_the_order_of_the_integrator(o
 
 def test_a_bar_swings_about_where_its_weight_balances_its_spring(one_hinge):
     gravity = 9.81
-    values = {"protocol.gravity": -gravity, "hinge.damping": 0.0}  # up, that is towards folding
+    values = {"protocol.gravity": -gravity, "hinge.damping": 0.0}  # upward: towards folding
     plain = one_hinge(values=values)
     vein, reach = plain.wing.design.vein, plain.wing.design.pattern.distal_length
-    weight = vein.density * math.pi * vein.diameter**2 / 4 * reach * gravity * reach / 2  # N m, where it is straight
+    weight = vein.density * math.pi * vein.diameter**2 / 4 * reach * gravity * reach / 2  # N m, when straight
 
     def moment(angle):
         return -STIFFNESS * (angle - REST) + weight * math.cos(angle)
@@ -101,7 +101,7 @@ def test_a_bar_swings_about_where_its_weight_balances_its_spring(one_hinge):
         values=values,
     )
     angles, record = hinge.run()
-    # small swings: of second order, (0.2 deg)^2
+    # small swings: error of second order, (0.2 deg)^2
     assert period_of(record.time, angles - rest) == pytest.approx(period, rel=1e-4)
     balance = energy_balance(record)
     assert balance.hinges is not None

@@ -21,7 +21,7 @@ def ring_hinges(wing):
 
 
 def placed(wing, data, role):
-    """Points of a role in a state of the engine, m, (point, 3)."""
+    """Return the points of a role in a state of the engine, m, (point, 3)."""
     points = [number for number, point in enumerate(wing.structure.points) if point.role == role]
     at_origin = wing.sites[points] < 0
     if at_origin.all():
@@ -50,7 +50,7 @@ def test_the_flat_wing_lies_where_the_pattern_does(wing):
 
 
 def test_a_vein_folded_by_180_deg_comes_back_beside_itself_at_the_sector_angle(wing):
-    # flat-folded degree-4 vertex: the distal crease lies one sector angle beside the proximal one (Kawasaki)
+    # flat-folded degree-4 vertex: one sector angle between distal and proximal crease (Kawasaki)
     data = mujoco.MjData(wing.engine)
     data.qpos[ring_hinges(wing)] = -math.pi * wing.folds.senses[ring_hinges(wing)]
     mujoco.mj_forward(wing.engine, data)
@@ -104,7 +104,7 @@ def test_the_model_file_names_the_viewers_that_show_the_same_motion(name, keys, 
 
 def test_a_wing_a_hundredth_of_the_size_still_compiles():
     small = compile_model(scale_design(load_design("binder2025"), 0.01))
-    # in SI its smallest inertia is far below what MuJoCo takes, 1e-15 kg m^2
+    # in SI its smallest inertia is far below MuJoCo's minimum of 1e-15 kg m^2
     smallest = small.engine.body_inertia[1:].min() * small.units.mass * small.units.length**2
     assert smallest < 1e-15
     assert small.engine.body_inertia[1:].min() > 1e-9
@@ -120,7 +120,7 @@ def test_gravity_pulls_the_flat_wing_down_and_is_in_the_energy_balance():
     record = run(load_design("binder2025", short))
     series = record.data["gravitational_energy"].values
     assert series[-1] < series[0]
-    # m g h by hand: the mean height of each bar is that of its middle
+    # m g h by hand: the mean height of a bar is that of its centre
     proximal, distal = (1270 * length * math.pi / 4 * 0.005**2 for length in (0.12, 0.10))
     height = np.stack([places(record, role)[:, :, 2] for role in ("hub", "ring", "tip")], axis=2)
     middle = (height[:, :, :-1] + height[:, :, 1:]) / 2

@@ -1,4 +1,4 @@
-"""Motors whose torque falls with the speed of what they turn: closed forms of a panel of known inertia."""
+"""Motors whose torque falls with speed: closed forms of a panel of known inertia."""
 
 import math
 
@@ -19,7 +19,7 @@ TURN = {"name": "turn", "kind": "torque", "of": "creases", "value": TORQUE, "no_
 
 
 def strip(kind="rigid", drive=TURN, **values):
-    """Two panels without springs, the first held."""
+    """Return two panels without springs, the first held."""
     stage = {"name": "turn", "drive": "turn", "until": "time", "hold": 0.0, "time_limit": 0.13}
     changes = {
         "pattern.panels": 2,
@@ -51,7 +51,7 @@ def strip(kind="rigid", drive=TURN, **values):
 
 
 def turned(inertia, time):
-    """Angle by I dw/dt = T (1 - w / w0), from rest."""
+    """Return the angle by I dw/dt = T (1 - w / w0), from rest."""
     scale = inertia * SPEED / TORQUE
     return SPEED * (time - scale * (1 - np.exp(-time / scale)))
 
@@ -59,7 +59,7 @@ def turned(inertia, time):
 @pytest.mark.parametrize(("kind", "inertia"), [("rigid", MASS * LENGTH**2 / 3), ("bars", MASS * LENGTH**2 / 2)])
 @pytest.mark.parametrize("way", [1, -1])
 def test_a_motor_approaches_its_speed_along_the_closed_form(kind, inertia, way):
-    """A plate has m L^2 / 3; nodes, with a third of each triangle, m L^2 / 2."""
+    """Inertia: a plate has m L^2 / 3; nodes, each with a third of its triangles, m L^2 / 2."""
     (record,) = simulate([compile_model(strip(kind, TURN | {"value": way * TORQUE}))])
     expected = way * turned(inertia, record.time)
     assert abs(expected[-1]) > 1.0
@@ -67,10 +67,10 @@ def test_a_motor_approaches_its_speed_along_the_closed_form(kind, inertia, way):
     assert angle == pytest.approx(expected, abs=0.01 * abs(expected[-1]))
     balance = energy_balance(record)
     assert balance.residual < 5e-3
-    # all of its work is in the panel, and no damping took any of it
+    # all of its work is the panel's kinetic energy, without damping
     assert balance.work == pytest.approx(record.series["kinetic_energy"][-1], rel=0.01)
     assert abs(balance.hinge_damping) < 1e-3 * balance.work
-    # near its speed there is hardly any power left
+    # near its no-load speed there is hardly any power
     power = record.series["motor_power"][:, 0]
     assert 0 < power[-1] < 0.25 * power.max()
 
@@ -97,7 +97,7 @@ def test_an_impossible_torque_speed_line_is_rejected(drives, message):
 
 
 def test_the_energy_balance_with_motor_lines_closes_for_plates_in_loops():
-    """Steps of Runge and Kutta: what speed takes of the torque changes within them."""
+    """The speed, and so the torque, changes within a Runge-Kutta step."""
     turn = TURN | {"of": "creases", "value": 1e-4, "no_load_speed": math.radians(720)}
     stage = {"name": "turn", "drive": "turn", "until": "time", "hold": 0.0, "time_limit": 0.1}
     values = {"pattern.columns": 2, "pattern.rows": 2, "facet.kind": "rigid", "support": [{"of": "facet 0"}]}
@@ -120,7 +120,7 @@ def test_a_servo_that_is_too_steep_for_the_timestep_is_named():
 
 @pytest.mark.parametrize("kind", ["rigid", "bars"])
 def test_the_longest_timestep_accounts_for_a_steep_torque_speed_line(kind):
-    """One step of a damper alone flips the speed where h T / (I w) > 2."""
+    """A step with a damper only reverses the speed where h T / (I w) > 2."""
     steep = TURN | {"value": 100 * TORQUE, "no_load_speed": SPEED / 100}
     longest, flipping = stable_timestep(strip(kind, steep)), 2 * MASS * LENGTH**2 / 3 * SPEED / (1e4 * TORQUE)
     assert longest < 2 * flipping
@@ -128,7 +128,7 @@ def test_the_longest_timestep_accounts_for_a_steep_torque_speed_line(kind):
 
 
 def servo_joint(**values):
-    """A printed joint that a servo folds from straight, without a tendon that pulls and without damping."""
+    """Return a printed joint that a servo folds from straight, with a slack tendon and without damping."""
     settle = {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.01}
     fold = {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0, "time_limit": 0.2}
     changes = {
@@ -149,7 +149,7 @@ def servo_joint(**values):
 
 
 def test_a_servo_turns_a_joint_by_the_closed_form():
-    """A bar about one end has m L^2 / 3 + m d^2 / 16 across, m d^2 / 8 along; the motor's armature turns with it."""
+    """Inertia of a bar about one end: m L^2 / 3 + m d^2 / 16 across, m d^2 / 8 along; plus the motor's armature."""
     design = servo_joint()
     (record,) = simulate([compile_model(design)])
     length, diameter = design.pattern.distal_length, design.vein.diameter

@@ -1,4 +1,4 @@
-"""Sheets of nodes in motion: creases, bars, drives and their account, beside closed forms."""
+"""Sheets of nodes in motion: creases, bars, drives and the energy balance, compared with closed forms."""
 
 import copy
 import math
@@ -39,13 +39,13 @@ PLAIN = {
 
 
 def miura(**values):
-    """Two by two parallelograms, nothing held."""
+    """Return two by two parallelograms without supports."""
     changes = {"pattern.columns": 2, "pattern.rows": 2, "protocol.stages": [stage("fold")]}
     return with_values(MIURA, PLAIN | changes | values)
 
 
 def strip(**values):
-    """Two panels of 5 cm by 4 cm, the first held."""
+    """Return two panels of 5 cm by 4 cm, the first held."""
     changes = {
         "pattern.panels": 2,
         "pattern.panel_lengths": [LENGTH],
@@ -73,7 +73,7 @@ def total_energy(record):
 
 @pytest.mark.parametrize("seed", range(4))
 def test_the_engine_pushes_nodes_by_the_moments_of_creases_and_in_no_other_way(seed):
-    """Force = - moment times gradient of the fold angle, by differences, far from the built shape."""
+    """Force = -moment times gradient of the fold angle, by differences, far from the built shape."""
     model = compile_model(miura(**{"facet.youngs_modulus": 1e-9, "facet.stretch_damping": 0.0}))
     rows, random = crease_rows([model]), np.random.default_rng(seed)
     size, dof = 0.3 * np.ptp(model.folds.built, axis=0).max(), model.engine.nv
@@ -131,7 +131,7 @@ def test_the_energy_balance_closes_for_every_kind_of_drive(drive):
     "held", [{"crease.law": "locking", "crease.lock_angle": math.radians(60)}, {"crease.fold_limit": math.radians(60)}]
 )
 def test_the_energy_balance_closes_for_rest_angles_beyond_locking_or_stops(held):
-    """Only the spring turns on: what it presses on takes no work."""
+    """Only the spring's rest angle moves: a stop takes no work."""
     drive = {"name": "fold", "kind": "rest-angle", "of": "creases", "angle": math.radians(150), "rise": 0.1}
     values = {"drive": [drive], "crease.damping": 1e-4, "protocol.stages": [stage("fold", limit=0.15)]}
     (record,) = run(strip(**values, **held))
@@ -147,7 +147,7 @@ def test_a_free_sheet_keeps_its_centre_and_its_angular_momentum():
     masses = np.array([body.mass for body in record.structure.bodies])
     centres = np.einsum("i,tix->tx", masses, places[:, : len(masses)]) / masses.sum()
     assert np.ptp(centres, axis=0) == pytest.approx(np.zeros(3), abs=1e-13)
-    # velocities between rows: their mean over a millisecond, off by its square
+    # velocities between rows: means over a millisecond, with an error of its square
     speeds = np.gradient(places[:, : len(masses)], record.time, axis=0)[5:-5]
     around = places[5:-5, : len(masses)] - centres[5:-5, None]
     spin = np.einsum("i,tix->tx", masses, np.cross(around, speeds))
@@ -156,7 +156,7 @@ def test_a_free_sheet_keeps_its_centre_and_its_angular_momentum():
 
 
 def test_a_panel_swings_on_its_crease_like_a_pendulum_of_its_nodes():
-    """2 pi sqrt(I / k), with I of the two outer nodes at the panel's length; the period to half a per cent."""
+    """2 pi sqrt(I / k), I that of the two outer nodes at the panel's length; the period agrees to 0.5 %."""
     design = strip(
         **{
             "crease.rest_angle": 0.05,
@@ -201,7 +201,7 @@ def test_a_moving_miura_vertex_obeys_the_relation_of_half_angles():
 
 
 def test_sheets_side_by_side_move_as_each_alone_to_the_bit(monkeypatch):
-    # two workers have two each, and when the last one is done, one has three
+    # two workers have two each; when one run ends, one worker has three
     monkeypatch.setattr("forficula.dynamics.stepping.stepper._TOGETHER", 3)
     limits = {0.02: 0.012, 0.021: 0.012, 0.018: 0.012, 0.019: 0.005}
     designs = [
@@ -226,7 +226,7 @@ def test_the_angle_of_a_panel_past_180_deg_has_no_jump():
 
 
 def test_a_locking_crease_keeps_its_panels_from_passing_through_each_other():
-    """At rest k (lock + 2 w / pi tan(pi x / (2 w))) is the torque, x beyond the lock and w from there to 180 deg."""
+    """At rest: torque k (lock + 2 w / pi tan(pi x / (2 w))); x: angle beyond the lock, w: lock to 180 deg."""
     torque, stiffness = 3e-3, 0.02 * WIDTH
     drive = {"name": "turn", "kind": "torque", "of": "creases", "value": torque, "rise": 0.1}
     values = {"drive": [drive], "crease.law": "locking", "crease.damping": 2e-3, "facet.bend_stiffness": 5.0}
@@ -247,7 +247,7 @@ def test_a_stop_of_a_crease_holds_it():
 
 @pytest.mark.parametrize(("share", "sound"), [(1.0, True), (1.5, False)])
 def test_the_longest_timestep_is_about_that_at_which_bars_blow_up(share, sound):
-    """Four fifths of the limit are given: one and a half times that is beyond it."""
+    """The recommended timestep is four fifths of the limit: 1.5 times as much is beyond it."""
     design = miura()
     longest = stable_timestep(design)
     (record,) = run(with_values(design, {"protocol.timestep": share * longest}))

@@ -1,4 +1,4 @@
-"""Bodies that turn: where they are and what acts between them, beside what the engine says."""
+"""Turning bodies: their positions and the forces between them, compared with the engine's."""
 
 import math
 
@@ -15,7 +15,7 @@ from forficula.structure import flap_angles
 from tests.plate_sheets import miura, plates, pleats, vertex
 
 OPENS = 'stiffness = "1e-2 N m/rad/m"\nrest_angle = "20 deg"\nextension = "1e4 N/m^2"\nextension_damping = "0 N s/m^2"'
-# a held plate, one that hangs on it, and a free one
+# a fixed plate, one hinged to it, and a free one
 MIXED = f'[[support]]\nof = "facet 0"\n[[crease.group]]\nof = "crease 1"\n{OPENS}'
 SHEETS = {
     "free": plates(vertex([87.5] * 4), crease=OPENS),
@@ -25,7 +25,7 @@ SHEETS = {
 
 @pytest.fixture(params=SHEETS)
 def moved(request):
-    """A model, and its data in a state with every body somewhere else, turning."""
+    """Return a model, and its data in a state in which every body is displaced and turns."""
     model = compile_model(SHEETS[request.param])
     data, draw = mujoco.MjData(model.engine), np.random.default_rng(1)
     mujoco.mj_integratePos(model.engine, data.qpos, draw.normal(scale=0.2, size=model.engine.nv), 1.0)
@@ -67,14 +67,14 @@ def test_the_parts_of_an_angle_are_that_angle_and_its_slope_is_that_of_differenc
 
 
 def test_the_engine_pushes_by_the_slope_of_the_energy_of_creases(moved):
-    """Beside differences of k (angle - rest)^2 / 2 and of the springs, however askew the creases are."""
+    """Compare with differences of k (angle - rest)^2 / 2 and of the springs, for skew creases."""
     model, data = moved
     rows = plate_rows([model])
     near = model.folds.angles(data.qpos)[model.folds.creases][None]
     rest = np.zeros_like(data.qvel)
     _, values = rows.follow(data.qpos[None], rest[None], near, np.zeros((1, 0)))
     engine_rows(model.engine)[rows.rows] = values[0]
-    # a state at rest: dampers take nothing
+    # a state at rest: no damping
     data.qvel[:] = 0
     mujoco.mj_forward(model.engine, data)
     force = data.qfrc_passive.copy()
@@ -123,7 +123,7 @@ def test_a_hinged_plate_starts_at_the_angle_at_which_it_is_built():
 
 
 def test_sheets_with_loops_give_the_same_bits_side_by_side_and_sparse():
-    """At stops, too, whose work is told apart step by step."""
+    """Also at stops, whose work is separated step by step."""
     drive = '[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "2e-3 N cm"\nrise = "20 ms"'
     crease = 'stiffness = "1e-3 N m/rad/m"\ndamping = "1e-5 N m s/rad/m"\nfold_limit = "60 deg"'
     stages = [{"name": "fold", "drive": "fold", "limit": "80 ms"}, {"name": "release", "limit": "30 ms"}]

@@ -1,4 +1,4 @@
-"""Plates that swing, fold and come to rest, beside closed forms and a minimum that is found without the simulator."""
+"""Plates that swing, fold and come to rest, compared with closed forms and a minimum found without the simulator."""
 
 import math
 
@@ -30,7 +30,7 @@ def run(design, **options):
 
 
 def period(time, angle, about):
-    """Mean time between rising passages of an angle, s."""
+    """Return the mean time between rising passages of an angle, s."""
     away = angle - about
     rising = np.flatnonzero((away[:-1] < 0) & (away[1:] >= 0))
     at = time[rising] - away[rising] * (time[rising + 1] - time[rising]) / (away[rising + 1] - away[rising])
@@ -40,7 +40,7 @@ def period(time, angle, about):
 
 @pytest.mark.parametrize("letters", ["V", "M"])
 def test_a_panel_swings_about_its_spring_as_a_pendulum_does(letters):
-    """2 pi sqrt(I / k), at any amplitude, for the spring is linear and the axis is fixed."""
+    """2 pi sqrt(I / k) at any amplitude: the spring is linear and the axis fixed."""
     stiffness, rest = 0.02, math.radians(50)
     by_length = stiffness / WIDTH
     values = {"crease.stiffness": by_length, "crease.rest_angle": rest, "crease.start": math.radians(120)}
@@ -56,7 +56,7 @@ def test_the_energy_of_a_swing_goes_from_the_spring_into_motion_and_back():
     spring, motion = record.series["hinge_energy"].sum(axis=1), record.series["kinetic_energy"]
     assert spring[0] == pytest.approx(0.02 / 2, rel=1e-12)
     assert motion.max() == pytest.approx(0.01, rel=2e-3)
-    # of first order in the step, and it does not grow
+    # error of first order in the timestep, which does not grow
     np.testing.assert_allclose(spring + motion, 0.01, rtol=5e-3)
     balance = energy_balance(record)
     assert balance.hinges is not None
@@ -64,7 +64,7 @@ def test_the_energy_of_a_swing_goes_from_the_spring_into_motion_and_back():
 
 
 def test_a_panel_hangs_and_swings_under_its_weight():
-    """A physical pendulum: 4 sqrt(I / (m g d)) K(sin^2(a / 2)), hanging where a mountain is folded by 90 deg."""
+    """A physical pendulum: 4 sqrt(I / (m g d)) K(sin^2(a / 2)); it hangs at a mountain fold of 90 deg."""
     amplitude, gravity = math.radians(60), 9.81
     values = {"crease.start": math.pi / 2 - amplitude, "protocol.gravity": gravity}
     record = run(strip(letters="M", stages=[stage(limit=4.0)], **values))
@@ -102,7 +102,7 @@ def test_a_panel_comes_to_rest_where_tendon_and_spring_are_in_balance():
 
 
 def test_a_tendon_across_three_creases_rests_where_the_least_energy_is():
-    """Four panels in a plane, as a chain of angles that is written out here."""
+    """Four panels in a plane, as a chain of angles written out in this test."""
     spring, rests = 0.01, np.radians([30, -10, 40])
     tendon = {"name": "t", "from": "facet 0 at 0.2, 0.5", "to": "facet 3 at 0.7, 0.5", "damping": 1.0}
     tendon |= {"stiffness": 8.0, "rest_length": 0.12}
@@ -113,7 +113,7 @@ def test_a_tendon_across_three_creases_rests_where_the_least_energy_is():
     record = run(strip(4, letters="VMV", stages=[stage("rest", limit=30.0, hold=0.5)], **values))
 
     def energy(angles):
-        # valley positive: each turns the next panel upwards
+        # valley positive: each crease turns the next panel upwards
         directions = np.cumsum([0.0, *angles])
         steps = np.array([0.8, 1, 1, 0.7]) * LENGTH
         end = steps @ np.column_stack([np.cos(directions), np.sin(directions)])
@@ -143,13 +143,13 @@ def test_a_drive_brings_creases_to_their_goal_and_its_work_is_in_the_energy_bala
     assert balance.work > 0.1
     assert balance.residual < 1e-4
     assert balance.hinges is not None
-    # the two outer edges meet in the letter, both are an A4 sheet apart before
+    # the outer edges meet in the folded letter; before, they are an A4 sheet apart
     assert record.measured("mouth")[0, 0] == pytest.approx(0.297, abs=1e-4)
     assert record.measured("mouth")[last["close"], 0] < 0.1
 
 
 def test_a_closed_letter_rests_where_its_springs_and_tendons_are_in_balance():
-    """Of a letter each crease for itself: tendon and spring, by the law of cosines, from the closed side."""
+    """Each crease of a letter by itself: tendon and spring, by the law of cosines, from the closed side."""
     record = run(with_values(LETTER, {"protocol.rest_speed": 1e-6, "protocol.stages.2.time_limit": 20.0}))
     near, far, spring = 0.5 * 0.099, 0.4 * 0.099, 2e-2 * 0.21
 
@@ -163,7 +163,7 @@ def test_a_closed_letter_rests_where_its_springs_and_tendons_are_in_balance():
 
 
 def test_the_work_of_a_torque_is_the_energy_of_the_moved_plates():
-    """Without anything else a constant torque gives I w^2 / 2 = T a."""
+    """A constant torque alone gives I w^2 / 2 = T a."""
     drive = [{"name": "push", "kind": "torque", "of": "creases", "value": 1e-3}]
     record = run(strip(letters="M", drive=drive, stages=[stage("creases > 120 deg", "push")]))
     end = record.stages[0]
@@ -179,19 +179,19 @@ def test_drives_that_share_creases_add_up():
     both = run(strip(3, stages=[stage("time", ["one", "every"], 0.02)], **values))
     speed = np.diff(both.series["hinge_angle"], axis=0)[-1] / np.diff(both.time)[-1]
     by_name = dict(zip([hinge.name for hinge in both.structure.hinges], speed, strict=True))
-    # T t / I on either side of the panel that is held
+    # T t / I on either side of the fixed panel
     assert by_name["crease0"] == pytest.approx(1.5e-3 * 0.02 / INERTIA, rel=1e-2)
     assert by_name["crease1"] == pytest.approx(5e-4 * 0.02 / INERTIA, rel=1e-2)
 
 
 def test_a_goal_may_be_a_distance():
-    """The free ends of three panels come together to less than 8 cm, whatever units the model has."""
+    """The free ends of three panels approach to less than 8 cm, whatever the model's units."""
     drive = [{"name": "push", "kind": "torque", "of": "creases", "value": 1e-3}]
     measure = [{"name": "gap", "kind": "distance", "from": "edge 2 at 0.5", "to": "edge 3 at 0.5"}]
     design = strip(3, drive=drive, measure=measure, stages=[stage("gap < 8 cm", "push")], support=[{"of": "facet 1"}])
     record = run(design)
     assert record.stages[0].goal_time is not None
-    # both outer panels stand at one angle a: gap = L (1 + 2 cos a)
+    # both outer panels at the same angle a: gap = L (1 + 2 cos a)
     angle = math.acos((0.8 - 1) / 2)
     reached = int(np.argmin(np.abs(record.time - record.stages[0].goal_time)))
     assert record.measured("creases")[reached] == pytest.approx([angle] * 2, abs=0.02)
@@ -217,7 +217,7 @@ def test_the_engine_puts_plates_where_the_pattern_folds_to(held):
 
 
 def cross_file(path):
-    """A square facet with one more on each side, each with yet one more: a tree that branches."""
+    """Return a pattern file of a square facet with a chain of two facets on each side: a branching tree."""
     vertices, faces, edges, letters = [(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2, 3)], [], []
     square = np.array(vertices, dtype=float)
     for side in range(4):
@@ -267,7 +267,7 @@ def test_hinges_of_a_tree_that_branches_are_in_the_order_of_the_engine(tmp_path)
 
 
 def test_inertia_of_many_plates_is_that_of_the_engine_s_own_boxes():
-    """The mass matrix of three panels against boxes that the engine weighs itself."""
+    """The mass matrix of three panels agrees with that of boxes whose inertia the engine computes."""
     model = compile_model(strip(3, letters="VM"))
     unit = model.units
     box = '<geom type="box" size="{} {} {}" pos="{} {} 0" density="{}"/>'
@@ -315,7 +315,7 @@ def test_a_sparse_record_has_the_same_bits():
 
 
 def test_the_longest_timestep_of_a_spring_is_that_of_its_mode():
-    """Half of 2 / w, w = sqrt(k / I), for folding may be stiffer."""
+    """Half of 2 / w, w = sqrt(k / I): a margin for stiffer folded states."""
     design = strip(**{"crease.stiffness": 0.02 / WIDTH, "stops.time_constant": 1.0})
     assert stable_timestep(design) == pytest.approx(math.sqrt(INERTIA / 0.02), rel=1e-3)
     chosen = with_timestep(with_values(design, {"protocol.timestep": "auto"})).protocol.timestep
@@ -329,7 +329,7 @@ def test_a_strip_without_springs_tendons_or_drives_stays_at_rest():
 
 
 def test_the_drives_of_a_stage_rise_each_in_its_own_time():
-    """Without anything else the momentum is that of both: I w = T t + U (t - rise / 2)."""
+    """Both torques alone give the momentum I w = T t + U (t - rise / 2)."""
     at_once, slowly, rise, end = 1e-3, 2e-3, 0.1, 0.15
     drives = [
         {"name": "jerk", "kind": "torque", "of": "creases", "value": at_once, "rise": 0.0},
@@ -339,12 +339,12 @@ def test_the_drives_of_a_stage_rise_each_in_its_own_time():
     speed = np.gradient(record.measured("creases")[:, 0], record.time)
     expected = (at_once * record.time + slowly * np.where(record.time < rise, record.time**2 / (2 * rise), 0)) / INERTIA
     expected += np.where(record.time < rise, 0, slowly * (record.time - rise / 2)) / INERTIA
-    # a step is of the first order
+    # error of first order in the timestep
     assert speed[100:-5] == pytest.approx(expected[100:-5], rel=1e-2)
 
 
 def test_the_largest_kinetic_energy_is_the_work_up_to_a_stop_though_no_row_is_there():
-    """A panel without damping, from rest: torque times angle, all of which the stop takes between two rows."""
+    """Undamped panel from rest: torque times angle, which the stop absorbs between two rows."""
     torque, stop = 0.01, math.pi / 2
     values = {"crease.fold_limit": stop, "protocol.sample_interval": 20e-3}
     record = run(pushed(torque, [stage("time", "push", 0.3)], **values))

@@ -1,4 +1,4 @@
-"""Torques that rise, goals that must hold, and what is far beyond a stop."""
+"""Rising torques, goals that must hold for a while, and angles far beyond a stop."""
 
 import math
 from dataclasses import replace
@@ -21,15 +21,15 @@ TORQUE = 0.02  # N m
 
 
 def through(hinge, stage, **protocol):
-    """A hinge that goes through one stage only, as no design file can ask for."""
+    """Return a hinge with a protocol of one stage, which no design file can express."""
     changed = hinge.wing.design.protocol.model_copy(update={"stages": (stage,), **protocol})
     design = hinge.wing.design.model_copy(update={"protocol": changed})
     return replace(hinge, wing=on_protocol(hinge.wing, design))
 
 
 def pushed(one_hinge, rise, duration):
-    """A hinge with a slack tendon, folded by 60 deg, that a torque opens."""
-    # as long as the tendon ever gets
+    """Return a hinge with a slack tendon, folded by 60 deg, that a torque opens."""
+    # the tendon's largest length
     hinge = one_hinge(0.11, start=math.radians(60), timestep=1e-4)
     return through(hinge, OPEN.model_copy(update={"time_limit": duration}), rise=rise, unfold_torque=TORQUE)
 
@@ -43,13 +43,13 @@ def test_a_rising_torque_gives_the_impulse_and_travel_of_its_ramp(one_hinge, sha
     angles, record = hinge.run()
     impulse = TORQUE * (time**2 / (2 * rise) if share <= 1 else time - rise / 2)
     speed = impulse / hinge.inertia
-    # every step has the torque of its middle: the sum over a ramp is exact
+    # every step has the torque of its midpoint, so the sum over a ramp is exact
     assert record.series["kinetic_energy"][-1] == pytest.approx(hinge.inertia * speed**2 / 2, rel=1e-9)
-    # a half of the rise, a half of the torque
+    # half of the rise, half of the torque
     torque = TORQUE * min(share, 1.0)
     assert record.series["motor_power"][-1].sum() == pytest.approx(torque * speed, rel=1e-9)
     way = (min(time, rise) ** 3 / (6 * rise) + max(time - rise, 0) * time / 2) * TORQUE / hinge.inertia
-    # the way is of first order in the step
+    # the travel's error is of first order in the timestep
     assert angles[0] - angles[-1] == pytest.approx(way, rel=0.02)
 
 
@@ -100,7 +100,7 @@ def test_a_rise_begins_anew_with_every_stage(short):
 
 
 def held_since(angles, timestep, folded, least_hold):
-    """When the hinge came to stay folded for that share of the time it took, s, and when that was seen; or None."""
+    """Return when the hinge folded to stay (for a share of the elapsed time), s, and when that was found; or None."""
     since = None
     for number, angle in enumerate(angles):
         if angle < folded:
@@ -114,7 +114,7 @@ def held_since(angles, timestep, folded, least_hold):
 
 @pytest.mark.parametrize("least_hold", [0.0, 0.05, 0.25, 1.0, 3.0])
 def test_a_goal_that_is_met_for_an_instant_only_does_not_end_a_stage(one_hinge, least_hold):
-    """A hinge without damping snaps past 150 deg and bounces off its stop back over it."""
+    """An undamped hinge snaps past 150 deg and bounces back from its stop to less."""
     timestep = 1e-4
 
     hinge = one_hinge(0.03, timestep=timestep, start=math.radians(10))
@@ -129,7 +129,7 @@ def test_a_goal_that_is_met_for_an_instant_only_does_not_end_a_stage(one_hinge, 
 
 
 def test_bounces_are_what_the_least_hold_is_for(one_hinge):
-    """The instant at which the hinge first passes 150 deg is a goal for no hold, and none for a long one."""
+    """The instant at which the hinge first passes 150 deg meets a goal without hold, not one with a long hold."""
     ends = []
     for hold in (0.0, 3.0):
         _, record = through(one_hinge(0.03, timestep=1e-4, start=math.radians(10)), FOLD, least_hold=hold).run()
@@ -139,7 +139,7 @@ def test_bounces_are_what_the_least_hold_is_for(one_hinge):
 
 
 def test_a_hold_scales_with_the_wing_and_not_with_a_stage_that_waits(short):
-    """What ends by rest or by time waits for no share of it."""
+    """Stages that end by rest or by time do not wait for a share of it."""
     settling = [short.protocol.stages[0].model_dump() | {"until": "rest", "hold": 0.01, "time_limit": 1.0}]
     runs = [
         ff.run(with_values(short, {"protocol.stages": settling, "protocol.least_hold": hold}), confirm=False)

@@ -24,7 +24,7 @@ SIZES = {"hinge": 12, "tendon": 3, "motor": 2, "point": 15, "axis": 3, "node": 2
 
 
 def planted(seed=0, goal_times=(None, 0.02), diverged_at=None, times=5):
-    """A record of random numbers; no wing moved."""
+    """Return a record of random numbers, without a run."""
     random = np.random.default_rng(seed)
     series = {
         name: random.normal(size=(times, *(SIZES[dimension] for dimension in dimensions)))
@@ -46,7 +46,7 @@ def planted(seed=0, goal_times=(None, 0.02), diverged_at=None, times=5):
 
 @pytest.fixture(scope="module")
 def short_run():
-    """A run of 30.4 ms, that is 152 steps: at rest up to 10.4 ms, then folding until time is up."""
+    """Return a run of 30.4 ms, or 152 steps: at rest up to 10.4 ms, then folding up to its time limit."""
     stages = [
         {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.0104},
         {"name": "fold", "drive": "fold", "until": "folded", "hold": 0.0, "time_limit": 0.02},
@@ -114,7 +114,7 @@ def test_a_record_file_contains_design_and_versions(tmp_path):
 def test_rows_lie_at_the_sample_interval_and_where_stages_begin_and_end(short_run):
     every_millisecond = 1e-3 * np.arange(31)
     expected = np.sort([*every_millisecond, 0.0104, 0.0304])
-    # s; multiples of the timestep up to rounding
+    # s; multiples of the timestep, except for rounding
     assert short_run.data["time"].values == pytest.approx(expected, abs=1e-15)
     (settle, fold) = short_run.stages
     assert (settle.start, settle.end, fold.start, fold.end) == pytest.approx((0, 0.0104, 0.0104, 0.0304), abs=1e-15)
@@ -140,8 +140,8 @@ def test_no_torque_works_at_rest_and_no_distal_one_while_folding(short_run):
 
 
 def test_work_of_folding_is_the_torque_times_the_angles_turned(short_run):
-    # 50 N cm about every proximal turn axis. A step turns by its later velocity, power has the mean of both, so the
-    # two differ by half a step (0.1 ms) at the last velocity, for three veins below 100 rad/s
+    # 50 N cm about every proximal axis. A step turns with its final velocity; power uses the mean velocity, so the
+    # works differ by half a step (0.1 ms) at the last velocity, below 100 rad/s for three veins
     angle = short_run.angles("turn").sum(axis=1)
     turned = angle[-1] - angle[np.argmin(np.abs(short_run.time - 0.0104))]
     assert motor_work(short_run, "proximal")[-1] == pytest.approx(0.5 * turned, abs=0.5 * 1e-4 * 3 * 100)
@@ -177,7 +177,7 @@ def test_a_record_that_was_cut_off_is_one_error(tmp_path):
 
 
 def flips(size, count):
-    """Places of bits, spread over a file, and those of its checksum."""
+    """Return positions of bits spread over a file, and those of its checksum."""
     random = np.random.default_rng(11)
     return sorted({*random.integers(0, 8 * size, count).tolist(), *range(8 * (size - 90), 8 * size, 3)})
 
@@ -272,7 +272,7 @@ def test_a_disk_that_fills_up_is_one_error_and_leaves_nothing(tmp_path):
     save_record(planted(), tmp_path / "old.nc")
     (tmp_path / "new").mkdir()
     target = tmp_path / "new" / "record.nc"
-    # a limit of the size of a file stands for a full disk; HDF5 does not stand that in this process
+    # a limit on file size emulates a full disk; in a process of its own, because HDF5 then fails for good
     done = subprocess.run(
         [sys.executable, "-c", FULL_DISK, tmp_path / "old.nc", target], capture_output=True, text=True, check=False
     )

@@ -1,4 +1,4 @@
-"""Runs side by side: what wings share is run once, what is not asked for is not kept, and no bit depends on either."""
+"""Batches of runs: shared stages run once and only requested records are kept, without changing a bit."""
 
 import importlib
 import threading
@@ -32,13 +32,13 @@ STAGES = {
 }
 SHORT = with_values(ff.load_design("binder2025"), STAGES | {"tendon.rest_length": 0.05})
 WING = compile_model(SHORT)
-# energies that a sparse record has at its start and at its end only
+# energies that a sparse record has only at the start and the end
 AT_ENDS = ("membrane_energy", "kinetic_energy", "gravitational_energy")
 MODULE = importlib.import_module("forficula.dynamics.stepping.simulate")
 
 
 def sharing(fold, unfold, stages=5):
-    """A wing with the engine model of the others, and its own torques and as many of the stages."""
+    """Return a wing with the others' engine model, its own torques and a number of its stages."""
     protocol = SHORT.protocol.model_copy(
         update={"fold_torque": fold, "unfold_torque": unfold, "stages": SHORT.protocol.stages[:stages]}
     )
@@ -66,7 +66,7 @@ TORQUES = st.sampled_from([0.0, 0.1, 0.2, 0.5, 5.0])
     st.sampled_from([0, 2, 16]),
 )
 def test_wings_that_share_their_first_stages_give_the_same_bits_as_alone(courses, threads, sparse, few):
-    # a course that others start with, twice, and in any order: leaders follow others in turn
+    # a course with which others start, twice and in any order: a run may share the stages of one that shares others'
     wings = [sharing(*course) for course in courses]
     with mock.patch.object(MODULE, "_FEW", few):
         records = simulate(wings, threads, sparse)
@@ -86,7 +86,7 @@ def test_every_record_is_yielded_once(few):
 @pytest.mark.parametrize("few", [0, 16])
 @pytest.mark.parametrize("opens", [None, 0, 1])
 def test_wings_that_differ_only_in_unfold_torque_are_tried_until_one_is_enough(few, opens):
-    # without a fold torque none folds, and those that wait for the first end where it does
+    # without a fold torque none folds, and runs that share its stages end there, too
     torques = [0.1, 0.5, 1.0]
     wings = [sharing(fold, torque) for fold in (0.0, 0.5) for torque in torques]
     last = None if opens is None else torques[opens]
@@ -129,7 +129,7 @@ def test_a_sparse_record_has_the_same_bits_for_what_it_keeps_and_for_what_is_mea
     assert sparse.stages == full.stages
     assert sparse.diverged_at == full.diverged_at
     assert len(sparse.time) <= len(full.time)
-    # stages meet in two rows of the same moment: those count in their order
+    # successive stages have two rows at the same time, which count in their order
     places, place = [], 0
     for moment in sparse.time:
         place += int(np.argmax(full.time[place:] == moment))
@@ -138,14 +138,14 @@ def test_a_sparse_record_has_the_same_bits_for_what_it_keeps_and_for_what_is_mea
     for name, values_kept in sparse.series.items():
         for row, kept in zip(places, values_kept, strict=True):
             same = np.flatnonzero(full.time == full.time[row])
-            # what takes long is known at the start and at the end only
+            # costly series are computed at the start and the end only
             unknown = name in AT_ENDS and 0 < row < len(full.time) - 1 and np.isnan(kept)
             assert unknown or any(kept.tobytes() == full.series[name][each].tobytes() for each in same), name
         assert name not in AT_ENDS or np.isfinite(values_kept[[0, -1]]).all() or full.diverged_at is not None
     measured, expected = ff.measure(sparse), ff.measure(full)
     assert (measured.status, measured.holds, measured.stages) == (expected.status, expected.holds, expected.stages)
     assert measured.transitions == expected.transitions
-    # every term of it to the last bit
+    # every term, bit for bit
     assert repr(measured.energy_balance) == repr(expected.energy_balance)
     assert repr(measured.ending) == repr(expected.ending)
     assert list(measured.states) == list(expected.states) == ["flat", "folded", "opened"]
@@ -162,7 +162,7 @@ def test_a_sparse_record_has_the_same_bits_for_what_it_keeps_and_for_what_is_mea
 
 def test_a_sparse_record_keeps_little():
     (full,), (sparse,) = simulate([WING]), simulate([WING], sparse=True)
-    # of each of five stages no more than the window and a chunk of 50 steps, and its two ends
+    # each of five stages keeps at most the window, a chunk of 50 steps, and its two ends
     assert len(sparse.time) < 5 * (25 + 50 + 2) / 2 < len(full.time)
     for name in AT_ENDS:
         assert np.isfinite(full.series[name]).all()
@@ -183,7 +183,7 @@ def test_a_diverging_wing_ends_only_the_wings_that_follow_it():
 
 def test_progress_reports_every_stage_and_never_exceeds_the_longest_time():
     seen = []
-    # told after every chunk, of 50 steps, 20 ms, but not at the end
+    # reported after every chunk (50 steps, 20 ms), except the last
     longer = with_values(SHORT, {f"protocol.stages.{stage}.hold": 0.03 for stage in range(1, 5)})
     longer = with_values(longer, {"protocol.stages.0.time_limit": 0.05})
     with mock.patch.object(MODULE, "_CHUNK", 50):

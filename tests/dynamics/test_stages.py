@@ -1,4 +1,4 @@
-"""What is made of the steps of many structures."""
+"""Stages of many structures, from their steps."""
 
 import numpy as np
 

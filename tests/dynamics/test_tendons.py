@@ -1,4 +1,4 @@
-"""Tendons of a material in the compiled model, and what a run keeps of them."""
+"""Tendons of a material in the compiled model and in the record of a run."""
 
 import importlib
 import json
@@ -59,7 +59,7 @@ def assert_same_bits(record, other):
 def test_the_engine_has_the_law_scaled_by_length_and_area():
     engine, units = WING.engine, WING.units
     force, length, time = units.energy / units.length, units.length, units.time
-    # by hand: E A / L, and with every further power another 1 / L
+    # by hand: E A / L, and another 1 / L for every further power
     by_length = [18.75e-6 / 0.09**power for power in (1, 2, 3)]
     for tendon in WING.tendons:
         spring = [engine.tendon_stiffness[tendon], *engine.tendon_stiffnesspoly[tendon]]
@@ -109,7 +109,7 @@ def test_the_model_file_of_pull_only_tendons_gives_the_forces_of_the_compiled_mo
             data.qvel[RING] = wing.folds.senses[RING]
             mujoco.mj_forward(engine, data)
             torques.append(data.qfrc_actuator[RING])
-        # MuJoCo writes six digits, of which the sum of springs that stiffen and soften loses some
+        # MuJoCo writes six digits, of which sums of stiffening and softening springs lose some
         np.testing.assert_allclose(torques[0], torques[1], rtol=1e-3, atol=1e-6)
 
 
@@ -170,7 +170,7 @@ def test_a_sparse_record_keeps_the_states(run_alone):
     for series in ("tendon_energy", "tendon_rest_length", "branch_energy", "yield_work"):
         assert sparse.series[series][-1].tobytes() == run_alone.series[series][-1].tobytes()
     ours, theirs = ff.measure(sparse), ff.measure(run_alone)
-    # to the last bit
+    # bit for bit
     assert repr(ours.energy_balance) == repr(theirs.energy_balance)
     assert ours.status == theirs.status
     assert ours.states["flat"].tendon_energy.tobytes() == theirs.states["flat"].tendon_energy.tobytes()
@@ -188,7 +188,7 @@ def test_energies_of_a_material_law_are_recorded_and_read_back(tmp_path, run_alo
     taken = {"branch_damping_J", "yielding_J"}
     assert taken | {"branch_energy_change_J"} <= set(balance)
     assert all(balance[name] > 0 for name in taken)
-    # the parts make up the whole
+    # the parts add up
     stored = sum(value for name, value in balance.items() if name.endswith("_change_J"))
     lost = sum(balance[name] for name in ("hinge_damping_J", "elastic_damping_J", "stops_J", *taken))
     assert balance["work_J"] - stored - lost == pytest.approx(balance["missing_J"], abs=1e-11)
@@ -204,7 +204,7 @@ def test_a_record_without_branches_and_yield_has_no_terms_for_them(reference_run
 def test_a_tendon_that_the_flat_wing_stretches_beyond_its_yield_has_yielded_there():
     (record,) = simulate([WING])
     start = record.data.isel(time=0)
-    # 11 cm are more than 9 cm and 15 %
+    # 11 cm are more than 1.15 * 9 cm
     assert start["tendon_length"].values.min() > 0.09 * 1.15
     expected = start["tendon_length"].values - 0.15 * 0.09
     assert start["tendon_rest_length"].values == pytest.approx(expected, abs=1e-12)
@@ -212,7 +212,7 @@ def test_a_tendon_that_the_flat_wing_stretches_beyond_its_yield_has_yielded_ther
 
 
 def test_a_wing_is_not_stuck_before_its_branches_have_relaxed():
-    """It rests short of its goal: without branches for the window, 10 ms, with one for three of its times."""
+    """It rests short of its goal: without branches for the window of 10 ms, with one for three relaxation times."""
     waits = []
     for branches in ([], [{"modulus": 1e3, "time": 0.02}]):
         held = with_values(

@@ -1,4 +1,4 @@
-"""Tendons of one structure with laws of their own: each is what its own law says, and the account closes."""
+"""Tendons of one structure with different laws: each follows its own law, and the energy balance closes."""
 
 from dataclasses import replace
 
@@ -29,7 +29,7 @@ def of_law(**law):
 
 
 def mixed(*designs):
-    """The wing of the first design with the tendon of another design on each vein; None for none."""
+    """Return the first design's wing with the tendon of another design on each vein; None for no tendon."""
 
     def build(own, units):
         structure = structure_of(own)
@@ -98,7 +98,7 @@ def test_each_tendon_has_the_energy_of_its_own_law():
     assert [law.rest_length for law in laws] == [0.09, 0.08, 0.09]
     assert_each_has_its_own_energy(record)
     assert ff.measure(record).energy_balance.residual < 5e-3
-    # one law does not do for all of them
+    # a single law does not fit all of them
     own = record.series["tendon_energy"][0]
     assert len(set(own.round(6))) == 3
 
@@ -107,7 +107,7 @@ def test_a_tendon_that_yields_beside_others_that_do_not():
     record = run(mixed(LINEAR, of_law(yield_strain=0.15), LINEAR))
     rests = record.series["tendon_rest_length"]
     assert rests[:, [0, 2]].tolist() == [[0.09, 0.09]] * len(rests)
-    # 11 cm are more than 9 cm and 15 %
+    # 11 cm are more than 1.15 * 9 cm
     assert rests[0, 1] == pytest.approx(record.series["tendon_length"][0, 1] - 0.15 * 0.09, abs=1e-12)
     assert_each_has_its_own_energy(record)
     balance = ff.measure(record).energy_balance
@@ -117,9 +117,9 @@ def test_a_tendon_that_yields_beside_others_that_do_not():
 
 
 def maxwell_energy(record, number):
-    """Energy of a tendon's branches along its recorded lengths, J, by the exact solution over steps of one velocity."""
+    """Return the energy of a tendon's branches, J, by the exact solution for lengths linear between rows."""
     length, timestep = record.series["tendon_length"][:, number], record.design.protocol.timestep
-    # a row for every step, but two where stages meet
+    # one row per step, two where stages meet
     rows = np.concatenate([[True], np.diff(record.time) > timestep / 2])
     length = length[rows]
     energy = np.zeros(len(length))
@@ -146,7 +146,7 @@ def test_numbers_of_branches_may_differ_from_tendon_to_tendon(order):
             assert not energies[:, number].any()
             continue
         expected, rows = maxwell_energy(record, number)
-        # the engine takes the velocity of the step before, a step late: 0.1 ms of 2 ms
+        # the engine uses the velocity of the previous step: 0.1 ms of 2 ms
         assert np.abs(energies[rows, number] - expected).max() < 0.1 * expected.max()
     balance = ff.measure(record).energy_balance
     assert balance.branch_damping > 0

@@ -37,7 +37,7 @@ def test_a_given_timestep_is_kept():
     assert with_timestep(REFERENCE) is REFERENCE
 
 
-@settings(max_examples=10, deadline=None)  # each compiles and linearises two wings
+@settings(max_examples=10, deadline=None)  # each example compiles and linearizes two wings
 @given(st.floats(-1, 1).map(lambda power: 10.0**power), st.integers(1, 3))
 def test_the_automatic_timestep_is_at_most_a_quarter_of_the_stable_one_and_has_one_digit(stiffness, units):
     design = changed(
@@ -56,7 +56,7 @@ def test_the_allowed_timestep_does_not_depend_on_the_one_that_is_given():
 
 
 def test_the_allowed_timestep_of_a_scaled_wing_is_scaled():
-    # time goes with size (theory of similarity); found by bisection of its logarithm to 1e-4 of a decade
+    # time scales with size (docs/model/theory.md, section Similarity); bisection to 1e-4 of a decade
     ratio = stable_timestep(scale_design(REFERENCE, 0.1)) / stable_timestep(REFERENCE)
     assert ratio == pytest.approx(0.1, rel=2e-4 * math.log(10))
 
@@ -86,7 +86,7 @@ def test_a_wing_is_bounded_below_the_allowed_timestep_and_diverges_far_above_it(
         for share in (0.9, 4)
     )
     assert stable.diverged_at is None
-    # what the tendons gave at most, J: the wing started at rest
+    # largest energy that the tendons released, J: the wing started at rest
     assert stable.data["kinetic_energy"].max() < stable.data["tendon_energy"][0].sum()
     assert unstable.diverged_at is not None or unstable.data["kinetic_energy"].max() > 1
 
@@ -122,7 +122,7 @@ def test_the_tendons_limit_is_that_of_a_hinge_that_they_hold_at_their_longest_le
     mass = 1270 * math.pi / 4 * 0.005**2 * 0.1
     inertia = mass * 0.1**2 / 3 + 1e-5
     expected = 2 / math.sqrt(5e9 * 12.5e-6 / 0.06 * 0.055**2 / inertia)
-    # the crease is not square to the bar, by 3 deg and more, and the vein it hangs on gives way
+    # the crease is at least 3 deg off the bar's normal, and the vein that carries it yields
     assert stable_timestep(design) == pytest.approx(expected, rel=0.1)
 
 
@@ -132,7 +132,7 @@ def test_the_tendons_limit_is_that_of_a_hinge_that_they_hold_at_their_longest_le
         {"linear_modulus": 1e9},
         {"linear_modulus": 1e6, "cubic_modulus": 1e9},
         {"linear_modulus": 1e6, "linear_viscosity": 1e6},
-        {"linear_modulus": 1e6, "cubic_viscosity": 1e3},  # pushes, too
+        {"linear_modulus": 1e6, "cubic_viscosity": 1e3},  # also pushes
         {"linear_modulus": 1e6, "branches": [{"modulus": 5e9, "time": 1.0}]},
         {"linear_modulus": 1e6, "branches": [{"modulus": 5e9, "time": 1e-4}]},
     ],
@@ -152,7 +152,7 @@ def test_a_stiff_or_viscous_law_needs_a_shorter_timestep_at_which_the_wing_is_bo
     assert "is too long" in warning
     record = ff.run(changed_step(design, 0.9 * allowed), confirm=False)
     assert record.diverged_at is None
-    # what torques and tendons can give, J
+    # energy that torques and tendons can release, J
     assert record.data["kinetic_energy"].max() < 6
 
 
@@ -161,7 +161,7 @@ def changed_step(design, timestep):
 
 
 def test_a_tendon_without_a_largest_length_affects_the_timestep():
-    """Over creases that open; with a stiff tendon the step is that of its mode, which is faster than all others."""
+    """Across opening creases; a stiff tendon's mode is the fastest and sets the timestep."""
     snap, band = ff.load_design("four-plate-snap"), {"name": "band", "from": "vertex 1", "to": "vertex 3"}
     soft, stiff = (
         stable_timestep(

@@ -1,4 +1,4 @@
-"""Bars and panels that touch, held to closed forms: one diameter, one thickness, momentum, Coulomb's friction."""
+"""Touching bars and panels, compared with closed forms: one diameter, one thickness, momentum, Coulomb friction."""
 
 import math
 from dataclasses import replace
@@ -34,7 +34,7 @@ DOWN = 10.0
 
 
 def engine_of(reference, **parts):
-    """The compiled model of a structure in units of its own."""
+    """Return the compiled model of a structure in its own units."""
     built = Structure(name="bars", span=1.0, mass=1.0, **parts)
     design = ff.design.with_values(reference, {"protocol.timestep": STEP})
     return compile_structure(design, built, built, ONE).engine
@@ -53,7 +53,7 @@ def turning(number, axis, **more):
 
 
 def resting_bar(reference, friction):
-    """A bar on a swivel that lies across a fixed one, a length of 1 from the swivel; level where their axes are one
+    """Return a swivelling bar that rests on a fixed one, 1 from the swivel; level where their axes are one
     diameter apart."""
     return engine_of(
         reference,
@@ -72,7 +72,7 @@ def test_a_bar_that_falls_on_another_stops_at_one_diameter(reference):
     data.qpos[1] = -0.3
     for _ in range(4000):
         mujoco.mj_step(engine, data)
-    # a length of 1 out, it lies as deep as the contact gives way: within 2 % of the diameter
+    # at a distance of 1, it rests at the contact's depth: within 2 % of the diameter
     assert 0 <= math.sin(data.qpos[1]) < 0.02 * THICK
     assert abs(data.qvel[1]) < 1e-9
 
@@ -88,13 +88,13 @@ def test_friction_takes_its_coefficient_times_the_normal_force(reference, fricti
         force[:] = 0
         if data.ncon:
             mujoco.mj_contactForce(engine, data, 0, force)
-        # the other bar is a length of 1 away, square to the way that this one lay first
+        # the other bar is at a distance of 1, at right angles to this one's first direction
         forces.append((force[0], math.hypot(force[1], force[2]), 1 / math.cos(data.qpos[0])))
     normal, along, out = np.array(forces).T
     np.testing.assert_allclose(along, friction * normal, rtol=1e-6, atol=1e-9)
     mass = 100 * math.pi / 4 * THICK**2 * LENGTH
     inertia = mass * (LENGTH**2 / 3 + THICK**2 / 16)
-    # it hops as it begins to slide, and on average bears half of the bar's weight times its length
+    # it bounces as it starts to slide; its mean moment is half of the bar's weight times its length
     assert (normal * out).mean() == pytest.approx(mass * DOWN * LENGTH / 2, rel=0.07)
     held_back = friction * (normal * out).mean()
     assert data.qvel[0] == pytest.approx((torque - held_back) / inertia * data.time, rel=2e-3)
@@ -115,7 +115,7 @@ def test_a_small_push_does_not_overcome_friction(reference):
 
 
 def test_bars_that_meet_keep_their_momentum_and_a_diameter(reference):
-    """Two bars on one axis, which touch from a place on: they meet where that place is a diameter from its like."""
+    """Two bars on one axis, solid beyond a distance from it, meet where these points are one diameter apart."""
     begins = 0.6
     engine = engine_of(
         reference,
@@ -133,15 +133,15 @@ def test_bars_that_meet_keep_their_momentum_and_a_diameter(reference):
         mujoco.mj_step(engine, data)
         nearest = min(nearest, data.qpos[1] - data.qpos[0])
         assert np.dot(inertias, data.qvel) == pytest.approx(momentum, rel=1e-12)
-    # they met at 3 rad/s, and part by a little
+    # they met at 3 rad/s, and separate slightly
     assert 0 <= data.qvel[1] - data.qvel[0] < 0.1 * 3
     expected = 2 * math.asin(THICK / 2 / begins)
-    # it runs in by less than a step's way
+    # the penetration is less than the travel of a step
     assert expected - 3 * STEP < nearest < expected
 
 
 def strip(number, sides):
-    """A rectangle of two triangles a strip on a body, along y, with sides at these places of x."""
+    """Return a rectangle on a body: strips along y between these values of x, two triangles each."""
     places = np.array([[x, y, 0.0] for x in sides for y in (0.0, 1.0)])
     first = 2 * np.arange(len(sides) - 1)[:, None]
     triangles = np.concatenate([first + np.array(corners) for corners in ([0, 2, 3], [0, 3, 1])])
@@ -166,7 +166,7 @@ def strip(number, sides):
 
 
 def test_panels_that_fold_on_each_other_end_one_thickness_apart(reference):
-    """Hinged at a common line, one of them touches from a distance c on: c sin(angle) is the thickness."""
+    """Panels on a common hinge line, one solid beyond a distance c from it: c sin(angle) is the thickness."""
     thickness, beside = 0.02, 0.2
     lid = strip(1, (0.0, beside, 1.0))
     floor = strip(0, (0.0, 1.1))
@@ -190,7 +190,7 @@ def test_panels_that_fold_on_each_other_end_one_thickness_apart(reference):
 
 @pytest.fixture(scope="module")
 def folded_by_contact():
-    """The reference wing, folded at once, its panels in contact."""
+    """Return the reference wing folded without waiting, its panels in contact."""
     stages = [
         {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "0.1 s"},
         {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "0.2 s"},
@@ -211,7 +211,7 @@ def test_the_work_of_contacts_is_separate_from_that_of_stops(folded_by_contact, 
     assert balance.residual < 0.005
     assert balance.contacts == pytest.approx(-series["contact_work"][-1])
     assert balance.contacts > 0.05
-    # while the flat wing settles nothing touches, and stops do what they do without contacts
+    # nothing touches while the flat wing settles, so stops act as without contact
     settled = int(np.searchsorted(folded_by_contact.time, 0.1))
     assert np.all(series["contact_work"][: settled + 1] == 0)
     assert series["stop_work"][settled] != 0
@@ -220,7 +220,7 @@ def test_the_work_of_contacts_is_separate_from_that_of_stops(folded_by_contact, 
 
 
 def test_a_slow_fold_lets_nothing_through():
-    """Damped three hundred times as much as the reference, with a tendon that pulls nearly all the way."""
+    """Damping is 300 times the reference's, with a tendon that pulls along nearly the whole fold."""
     stages = [
         {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "10 ms"},
         {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "3 s"},
@@ -246,7 +246,7 @@ def test_bars_touch_their_neighbours_from_the_membrane_on_without_friction():
     data = mujoco.MjData(wing.engine)
     mujoco.mj_forward(wing.engine, data)
     assert data.ncon == 0
-    # the first vein swept onto the next one: its proximal bar lies on it, too
+    # the first vein is swept onto the next one, so the proximal bars coincide, too
     data.qpos[hinges_of(wing.structure, "sweep")[0]] = math.radians(12)
     mujoco.mj_forward(wing.engine, data)
     touching = {tuple(sorted(wing.engine.geom_bodyid[list(each.geom)])) for each in data.contact if each.geom[0] >= 0}
@@ -262,7 +262,7 @@ def test_bars_touch_their_neighbours_from_the_membrane_on_without_friction():
 
 @pytest.mark.parametrize("units", [1, 3])
 def test_panels_that_contact_would_push_apart_as_built_are_refused(units):
-    """Nothing touches in the flat fan up to the thickness that is named; beyond, contact would give energy."""
+    """Nothing touches in the flat fan up to the thickness in the message; beyond, contact would add energy."""
     wing = ff.load_design("binder2025", {"protocol.contact": True, "pattern.units": units})
     with pytest.raises(ff.InputError, match=r"contact.thickness: .* need <= 3.632 mm, got 5 mm"):
         compile_model(wing.with_values({"contact.thickness": "5 mm"}))

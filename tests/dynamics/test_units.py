@@ -47,7 +47,7 @@ def test_energy_and_power_have_their_units():
 def test_wings_from_a_cell_to_a_building_compile_into_the_same_numbers(size):
     compiled = compile_model(scale_design(REFERENCE, size)).engine
     reference = compile_model(REFERENCE).engine
-    # what is left of the size is the rest of the decade, the same up to a power of ten for all masses
+    # the scaled size is the same up to a power of ten for all masses
     ratios = compiled.body_mass[1:] / reference.body_mass[1:]
     assert ratios == pytest.approx(ratios[0], rel=1e-9)  # products of many factors, none of them ill-conditioned
     assert 0.1 < ratios[0] < 10

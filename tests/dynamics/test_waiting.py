@@ -1,8 +1,8 @@
-"""A stage that waits ages what it holds as stepping through the time would.
+"""A waiting stage ages the held state as simulating the whole time would.
 
 A hinge that its tendon holds against a weight is a standard linear solid under a load: quasi-statically its angle obeys
 an ordinary differential equation, which is integrated here (Dormand and Prince 1980). A tendon that only just holds its
-bar lets go when k + k1 exp(-t / tau) has fallen to what the weight asks for.
+bar releases it when k + k1 exp(-t / tau) has fallen to the stiffness that the weight requires.
 """
 
 import math
@@ -31,12 +31,12 @@ def stage(name, until="rest", limit=3.0, wait=None, drive="none"):
 
 
 def held(one_hinge, *stages, **values):
-    """The record of a bar."""
+    """Return the record of a bar."""
     return simulate([built(one_hinge, *stages, **values)])[0]
 
 
 def built(one_hinge, *stages, start=TAUT, gravity=-GRAVITY, law=LAW, **values):
-    """A bar that its weight pulls upright, folded by 90 deg, its tendon beyond, rather damped; a row every 10 ms."""
+    """Return a damped bar, folded by 90 deg: its weight pulls it upright, its tendon further; rows every 10 ms."""
     return one_hinge(
         REST,
         timestep=5e-4,
@@ -66,7 +66,7 @@ def angles(record):
 
 
 def creeping(record):
-    """The angle over the clock from the second stage on, by the equation of what rests under its weight."""
+    """Return the angle over time from the second stage on, by the quasi-static equation under the weight."""
     vein, reach = record.design.vein, record.design.pattern.distal_length
     moment = vein.density * math.pi * vein.diameter**2 / 4 * reach * GRAVITY * reach / 2
     spring, branch = SPRING * AREA / REST, BRANCH * AREA / REST
@@ -76,7 +76,7 @@ def creeping(record):
         return 2 * ARM * np.cos(angle / 2)
 
     def pull(angle):
-        """Of the branch, so that the tendon's lever holds the weight's."""
+        """Return the branch's stiffness with which the tendon's lever holds the weight."""
         return -moment * np.cos(angle) / (ARM * np.sin(angle / 2)) - spring * (length(angle) - REST)
 
     def rate(_, angle, step=1e-6):
@@ -100,7 +100,7 @@ def test_under_a_load_it_creeps_as_the_quasi_static_equation_says(one_hinge, sha
     stored = sum(change[f"{name}_energy"] for name in ("tendon", "branch", "gravitational", "kinetic"))
     done = sum(change[f"{name}_work"] for name in ("hinge_damping", "elastic_damping", "branch_damping", "stop"))
     assert stored == pytest.approx(done, abs=1e-3 * abs(done))
-    # it is over within the steps to a rest
+    # it ends within the steps to rest
     assert end.waited + end.end - end.start == pytest.approx(share * TIME, rel=1e-3)
     assert 5 < len(storages(record)[0].clock) < 60
 
@@ -145,8 +145,8 @@ def test_without_branches_a_month_changes_nothing(one_hinge):
 
 
 def test_a_bar_that_its_tendon_holds_open_falls_when_that_has_relaxed(one_hinge, reference):
-    """In the overbend a taut tendon presses the bar onto its stop, and its weight pulls it off."""
-    # opened by a drive, its branch is fresh; folding is only there for unfolding to follow
+    """In the overbend a taut tendon presses the bar against its stop, and the weight pulls it off."""
+    # opened by a drive, its branch is not relaxed; the fold stage only precedes the unfold stage
     stages = [
         stage("fold", until="time", limit=0.01, drive="fold"),
         stage("open", until="opened", drive="unfold"),
@@ -163,7 +163,7 @@ def test_a_bar_that_its_tendon_holds_open_falls_when_that_has_relaxed(one_hinge,
     assert rested < needed < rested + branch
     falls = TIME * math.log(branch / (needed - rested))
     fallen = store.clock[np.argmax(store.pulls[:, 0] < 0.9 * rested)]
-    # within the leap that takes it there, twice as long as the one before at most
+    # within the last leap of time, at most twice as long as the one before
     assert falls <= fallen <= 2.2 * falls
     assert energy_balance(record).residual < 5e-3
 
@@ -215,7 +215,7 @@ def test_designs_without_a_wait_keep_their_hashes(reference):
 
 
 def fading(time):
-    """What a month leaves of a branch."""
+    """Return the share of a branch's force that remains after a month."""
     return math.exp(-30 * 86400 / time)
 
 
@@ -226,11 +226,11 @@ def test_a_month_folded_and_a_month_open_are_reported(stored_run, tmp_path):
     assert (folded.state, opened.state) == ("folded", "opened")
     assert folded.slack
     assert folded.weakened is None
-    # pulled fast it has all branches, of which the slowest lasts as long as the month
+    # pulled fast it has the force of all branches, of which the slowest relaxes in a month
     law = stored_run.design.tendon.law
     fresh, left = (sum(b.modulus * part(b.time) for b in law.branches) for part in (lambda _: 1, fading))
     most = 1 - (law.linear_modulus + left) / (law.linear_modulus + fresh)
-    # less: its branches had not recovered for longer than a month
+    # less: its branches had a month to recover at most
     assert 0.75 * most < opened.weakened < most
     first, second = storage_texts(stored_run, outcome)
     assert first.startswith("After 30 d folded the holding force is unchanged, because its tendons are slack")
@@ -261,5 +261,5 @@ def test_bars_with_different_waits_give_the_same_bits_side_by_side(one_hinge):
 def test_a_wing_of_the_same_materials_at_another_size_waits_as_long():
     stored = ff.load_design("binder2025-stored")
     assert ff.scale_design(stored, 0.5, natural=True).protocol.stages[2].wait == stored.protocol.stages[2].wait
-    # where what relaxes is scaled, too, a wait is
+    # waits scale together with relaxation times
     assert ff.scale_design(stored, 0.5).protocol.stages[2].wait == pytest.approx(stored.protocol.stages[2].wait / 2)

@@ -1,4 +1,4 @@
-"""What the paper reports beside planted tables in which the answer is known, one way and the other."""
+"""The paper's claims compared with constructed tables that confirm or contradict them."""
 
 import json
 import math
@@ -38,7 +38,7 @@ def mask(columns):
 
 
 def papers_table():
-    """A table in which every claim of the paper holds."""
+    """Return a table in which every claim of the paper holds."""
     folds, opens = mask(FOLD), mask(OPEN)
     assert (folds.sum(), opens.sum()) == (32, 13)
     stiffness, rest_length = np.meshgrid(np.arange(1, 7), np.arange(10), indexing="ij")
@@ -227,7 +227,7 @@ def test_a_study_in_which_nothing_folds_is_compared_too(table):
         "energy of one tendon when flat, k = 60 N/cm, l0 = 0 cm",
         "energy of one tendon when flat, k = 10 N/cm, l0 = 0 cm",
         "l0 = 9 cm with k <= 30 N/cm: those that fold",
-        # planted apart
+        # constructed difference
         "tendons that fold with 500 N cm",
     ]
 
@@ -299,8 +299,8 @@ def test_inertia_folds_the_wing_with_long_slack_tendons_as_stated_in_the_reason(
     damped = ff.measure(
         ff.run(ff.load_design("binder2025", values | {"hinge.damping": "1e-2 N m s/rad"}), confirm=False)
     )
-    # it creeps on, and is no further when its second to fold is over
+    # it creeps, and is no further when its time limit of 1 s ends
     assert damped.verdict is ff.Verdict.MOVING
-    # the last hinge to fold, within 5 deg of the angle at which its tendon slackens
+    # the last hinge to fold is within 5 deg of the angle at which its tendon becomes slack
     slack = 2 * math.degrees(math.acos(9 / 11))
     assert -np.degrees(damped.states["folded"].readings["distal_angle"].mean).max() == pytest.approx(slack, abs=5)

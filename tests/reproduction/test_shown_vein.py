@@ -1,4 +1,4 @@
-"""Which vein stands for all: the paper's where a design names it, otherwise one that any wing has."""
+"""The vein that represents all: the paper's where a design has it, otherwise one that every wing has."""
 
 import pytest
 

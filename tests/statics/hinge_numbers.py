@@ -1,4 +1,4 @@
-"""Numbers of a hinge that tests ask for, as its landscape has them, and the closed forms that some of them have."""
+"""Numbers of a hinge for tests, as its landscape has them, and closed forms of some of them."""
 
 import math
 
@@ -27,7 +27,7 @@ def hinge_states(hinge):
 
 
 def closed_barrier(hinge):
-    """What the tendon gives back from its top to the overbend stop, as a product that keeps its digits."""
+    """Return the energy released from the tendon's maximum to the overbend stop, in a form without cancellation."""
     if not hinge.pulls or hinge.top_to_overbend <= 0 or hinge.top_to_fold <= 0:
         return None
     return float(released_energy(hinge, 0.0, hinge.top_to_overbend))
@@ -40,14 +40,14 @@ def closed_holding_torque(hinge):
 
 
 def closed_growth_rate(hinge):
-    """sqrt(-stiffness / inertia) at the top (docs/model/theory.md, section Snap of a hinge)."""
+    """Return sqrt(-stiffness / inertia) at the maximum (docs/model/theory.md, section Snap of a hinge)."""
     if not hinge.pulls or hinge.nearest > 0:
         return None
     return math.sqrt(-float(hinge.stiffness(hinge.top)) / hinge.inertia)
 
 
 def closed_states(hinge):
-    """Ends of the ranges in which a hinge stays, rad, from the overbend to the fold limit.
+    """Return the ends of the ranges of angles at which a hinge rests, rad, from the overbend to the fold limit.
 
     The energy falls from the top to both sides for half a turn, because the law pulls and the tendon is longest there.
     So a state is at a stop, or is the range up to it over which the tendon is slack. Beyond half a turn the energy

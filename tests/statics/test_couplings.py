@@ -1,4 +1,4 @@
-"""Tied joints at rest: springs between them add up, and rigid ties are what ever stiffer springs come to."""
+"""Coupled joints at rest: springs between them add up, and rigid couplings are the limit of stiff ones."""
 
 import math
 from dataclasses import replace
@@ -22,7 +22,7 @@ MOST = 0.5
 
 
 def levers(stiffness, ratios=(1.0, 1.0), springs=SPRINGS, **limits):
-    """Bodies beside each other on one hinge each, with springs, tied one after another; a motor on the first."""
+    """Return bodies side by side, each on a sprung hinge coupled to the next; a motor drives the first."""
     hinges = [
         Hinge(name=f"h{number}", role="hinge", body=number, axis=np.array([0.0, 0.0, 1.0]), stiffness=spring, **limits)
         for number, spring in enumerate(springs)
@@ -59,7 +59,7 @@ def test_joints_tied_rigidly_turn_as_their_springs_together_let_them(ratios):
 
 
 def test_a_spring_between_joints_turns_the_second_by_its_share():
-    """The second is on k2 and the tie c in a row: k2 c / (k2 + c) beside the spring of the first."""
+    """k2 and the coupling c act in series: k2 c / (k2 + c), in parallel with the spring of the first."""
     first, second, tie = 0.03, 0.05, 0.04
     found = pushed(levers(tie, (1.0,), (first, second)), 0.04)
     angle = 0.04 / (first + second * tie / (second + tie))
@@ -71,7 +71,7 @@ def test_a_spring_between_joints_turns_the_second_by_its_share():
 def test_a_stop_of_one_joint_stops_all_that_are_tied_to_it():
     built = levers(math.inf, (2.0, 1.0), upper=0.3)
     assert pushed(built, 1.0).position[0] == pytest.approx([0.15, 0.3, 0.3])
-    # what presses is what the springs do not take, whichever joint it is booked to
+    # a stop bears what the springs do not, whichever joint it is assigned to
     slope = pushed(built, 1.0).slope[0]
     assert slope @ [1.0, 2.0, 2.0] == pytest.approx(SPRINGS @ np.array([0.15, 0.6, 0.6]) - 1.0)
 
@@ -139,6 +139,6 @@ def test_the_landscape_of_a_coupled_wing_includes_the_energy_of_its_couplings():
     told = energy_landscape(tied(0.3), points=31)
     assert {"tendons", "membranes", "couplings"} == set(told.rests[0].stored)
     assert told.least_torques["fold"] == pytest.approx(least(tied(0.3)).torque[0])
-    # as every rest of a landscape is told
+    # as for every rest of a landscape
     wings = ensemble_of([TIED])
     assert "couplings" not in stored_energy(wings, start_state(wings).position)

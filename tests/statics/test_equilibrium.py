@@ -1,4 +1,4 @@
-"""Equilibria and barriers of mechanisms that are no wings: a von Mises truss and a Kresling cell of sprung bars.
+"""Equilibria and barriers of mechanisms other than wings: a von Mises truss and a Kresling cell of elastic bars.
 
 Von Mises truss (von Mises 1923; Bazant and Cedolin 1991, Stability of Structures, section 4.4): two bars of length L0
 from two supports, half a span s on either side, meet at an apex at the height r, L0^2 = s^2 + r^2. With springs of
@@ -23,11 +23,11 @@ from scipy.optimize import minimize, minimize_scalar
 from forficula.statics.tree.equilibrium import barrier_between, descend, states_along
 
 FREE = (-math.inf, math.inf)
-FORCE = 1e-9  # slope that counts as none
+FORCE = 1e-9  # slope that counts as zero
 
 
 def springs(squares, slopes, curvatures, stiffness, lengths):
-    """Sum of k / 2 (L - L0)^2 and its derivatives, from those of L^2, (case, bar), (..., i), (..., i, j)."""
+    """Return the sum of k / 2 (L - L0)^2 and its derivatives, from those of L^2, (case, bar), (..., i), (..., i, j)."""
     length = np.sqrt(squares)
     by = slopes / (2 * length[..., None])
     outer = by[..., :, None] * by[..., None, :]
@@ -67,7 +67,7 @@ class Truss:
         return energy - position @ self.load, slope - self.load, curvature
 
     def path(self, heights):
-        """Along the upright, x = 0."""
+        """Return the path along the vertical, x = 0."""
         energy, slope, _ = self.energy(np.stack([np.zeros_like(heights), heights], axis=1))
         return energy, slope[:, 1]
 
@@ -76,7 +76,7 @@ class Truss:
 
 
 class Kresling:
-    """A Kresling cell of radius 1 that is without energy at two heights; coordinates are height and twist."""
+    """A Kresling cell of radius 1 with zero energy at two heights; coordinates are height and twist."""
 
     def __init__(self, high=2.0, low=1.3, corners=6, mountain=3.0, valley=1.0):
         step = 2 * math.pi / corners
@@ -95,7 +95,7 @@ class Kresling:
         return springs(squares, slopes, curvatures, self.stiffness, self.lengths)
 
     def path(self, twists):
-        """The least energy over the height at every twist, and its slope (envelope theorem)."""
+        """Return the least energy over all heights at every twist, and its slope (envelope theorem)."""
         start = np.stack([np.full_like(twists, self.states[:, 0].mean()), twists], axis=1)
         found = descend(
             self.energy,
@@ -116,11 +116,11 @@ def test_a_truss_falls_to_the_side_on_which_it_starts(shape, share, side):
     truss = Truss(*shape)
     found = truss.rest([0.0, side * share * truss.rise])
     assert found.rests.all()
-    # both bars, upright and aside: 2 k (r / L0)^2, 2 k (s / L0)^2
+    # both bars, vertically and sideways: 2 k (r / L0)^2, 2 k (s / L0)^2
     stiffness = 2 * truss.stiffness * min(truss.span, truss.rise) ** 2 / truss.length**2
     assert found.position[0] == pytest.approx([0, side * truss.rise], abs=2 * FORCE * truss.stiffness / stiffness)
     assert found.energy[0] == pytest.approx(0, abs=2 * (FORCE * truss.stiffness) ** 2 / stiffness)
-    # by the height that it is off, 4e-7 of 0.05 at most
+    # error from the height, at most 4e-7 of 0.05
     assert found.stiffness[0] == pytest.approx(stiffness, rel=1e-4)
 
 
@@ -131,7 +131,7 @@ def test_the_states_and_the_barrier_of_a_truss_are_those_of_the_closed_form(shap
     states = states_along(truss.path, heights, force=1e-9)
     assert [state.kind for state in states] == ["minimum", "maximum", "minimum"]
     assert [state.stable for state in states] == [True, False, True]
-    # rounding of a length, by the slope of the bars
+    # rounding of a length divided by the slope of the bars
     assert [state.coordinate for state in states] == pytest.approx([-truss.rise, 0, truss.rise], abs=1e-12)
     barrier = pytest.approx(truss.barrier, rel=1e-9)
     assert barrier_between(states, states[0], states[2]) == barrier
@@ -147,7 +147,7 @@ def test_a_truss_snaps_at_its_snap_load(shape):
     held = below.rest([0.0, below.rise])
     assert held.rests.all()
     assert held.position[0, 1] > below.snap_height
-    # the load by height is a parabola about its maximum: 1e-4 of the load is about 1e-2 of the height
+    # load over height is a parabola at its maximum: 1e-4 of the load is about 1e-2 of the height
     assert held.position[0, 1] == pytest.approx(below.snap_height, rel=0.03)
     gone = above.rest([0.0, above.rise])
     assert gone.rests.all()
@@ -211,7 +211,7 @@ def test_a_wide_stretch_without_a_slope_is_a_neutral_range():
 
     (neutral,) = states_along(slack, np.linspace(-3, 3, 61), force=1e-9)
     assert (neutral.kind, neutral.energy, neutral.press) == ("neutral", 0, 0)
-    # to the places looked at
+    # resolution of the sampled positions
     assert (neutral.coordinate, neutral.far_coordinate) == pytest.approx((-1, 1))
     (everything,) = states_along(lambda x: (0 * x, 0 * x), np.linspace(-3, 3, 61), force=0)
     assert (everything.coordinate, everything.far_coordinate) == (-3, 3)
@@ -245,7 +245,7 @@ def test_exactly_between_two_states_it_rests_on_the_barrier_with_a_negative_stif
     found = truss.rest([0.0, 0.0])
     assert found.rests.all()
     assert found.energy[0] == pytest.approx(truss.barrier)
-    # of both bars, compressed by L0 - s, across: - 2 k (L0 - s) / s
+    # sideways stiffness of both bars, compressed by L0 - s: -2 k (L0 - s) / s
     assert found.stiffness[0] == pytest.approx(-2 * truss.stiffness * (truss.length - truss.span) / truss.span)
 
 

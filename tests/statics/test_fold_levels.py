@@ -1,4 +1,4 @@
-"""What independent hinges store, and where the energies of single hinges do not add up."""
+"""Energies of independent hinges, and where the energies of single hinges do not add up."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_a_hinge_without_a_tendon_counts_as_one_that_stores_nothing():
 
 
 def test_where_nothing_holds_plates_they_stay_all_the_same():
-    """Slack tendons and no springs: a neutral state, however rounding turns its stiffness."""
+    """Slack tendons and no springs: a neutral state, whatever sign rounding gives its stiffness."""
     landscape = ff.landscape(ff.load_design("letter-fold", LOOSE), points=11)
     assert [state.stable for state in landscape.partial_folds] == [True] * 4
     assert [(rest.name, rest.stable) for rest in landscape.rests] == [

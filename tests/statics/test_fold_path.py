@@ -1,4 +1,4 @@
-"""The wing along its rigid fold: energies of its hinges, its moment, its states, and what does not exist."""
+"""The wing along its rigid fold: energies of its hinges, its moment, its states, and designs without such a fold."""
 
 import math
 
@@ -46,7 +46,7 @@ def test_the_energy_is_that_of_the_hinges_and_what_little_the_membrane_stretches
     by_hinge = sum(hinge.energy(-path.ring_angle) for hinge in hinges)
     assert path.tendon_energy == pytest.approx(by_hinge, rel=1e-9, abs=1e-12)
     assert (path.sheet_energy >= -1e-15).all()
-    # at camber every hinge is at its overbend, flat at straight, at the end folded
+    # cambered: every hinge at its overbend; then flat: straight; at the end: folded
     # (docs/model/theory.md, section Fan pattern)
     for place, angle in ((0, wing.hinge.overbend), (np.flatnonzero(path.pleat_angle == 0)[0], 0.0), (-1, -math.pi)):
         expected = sum(hinge.energy(angle) for hinge in hinges)
@@ -69,7 +69,7 @@ def test_the_ring_folds_as_the_pattern_does(wing):
 )
 def test_the_moment_is_what_the_energy_loses_by_the_pleat_angle(wing):
     path = fold_path(wing, 721)
-    # trapezoids of steps of 5e-3, over which the ring moves up to eight times as far
+    # trapezoidal rule with steps of 5e-3, in which the ring moves up to eight times as far
     lost = cumulative_trapezoid(path.moment, path.pleat_angle, initial=0)
     assert path.energy[0] - path.energy == pytest.approx(lost, abs=1e-3 * path.energy.max())
     moved = cumulative_trapezoid(path.fold_slope, path.pleat_angle, initial=0)
@@ -80,7 +80,7 @@ def test_the_moment_is_what_the_energy_loses_by_the_pleat_angle(wing):
 @given(st.floats(0.012, 0.03), st.floats(12, 30), st.floats(0.05, 0.1), st.floats(1000, 6000))
 @example(0.015, 20.0, 0.09, 1000.0)
 def test_a_cambered_wing_is_pressed_on_its_overbend_and_climbs_to_flat(hub, sector, rest, stiffness):
-    """Panels hardly stretch: the torques are the tendons', by how the ring moves with the pleats."""
+    """Panels hardly stretch, so the torques are the tendons', by the kinematics of ring and pleats."""
     wing = design(hub, sector, rest, stiffness)
     path, hinge = fold_path(wing, 181), tendon_hinges(structure_of(wing))[0]
     first, second = path.states[:2]
@@ -90,7 +90,7 @@ def test_a_cambered_wing_is_pressed_on_its_overbend_and_climbs_to_flat(hub, sect
     expected = veins * holding_torque(hinge) * path.fold_slope[0]
     assert first.press == pytest.approx(expected, rel=0.01)
     assert path.fold_torque >= first.press * 2 / veins * (1 - 1e-9)
-    # the torque opens the distal joints and turns the proximal ones back, by half of the pleat angle
+    # the torque opens the distal joints and turns the proximal ones back by half the pleat angle
     climbs = -hinge.moment(-path.ring_angle) * path.fold_slope / (path.fold_slope + 0.5)
     assert path.unfold_torque == pytest.approx(climbs[path.pleat_angle > 0].max(), rel=0.01)
 

@@ -1,4 +1,4 @@
-"""Statics of one tendon across one hinge against geometry in space, differentiation, and closed forms."""
+"""Statics of one tendon across one hinge, compared with vector geometry, differences, and closed forms."""
 
 import math
 
@@ -21,7 +21,7 @@ ANGLES = st.floats(-math.pi, math.radians(30))
 
 
 def equal_arms(rest_length=0.0, arm=0.055, **changes):
-    """The ideal hinge of the paper's tendons, 10 N/cm."""
+    """Return the ideal hinge of the paper's tendons, 10 N/cm."""
     law = ElasticLaw(rest_length=rest_length, linear=1000.0)
     fixed = {"overbend": math.radians(3), "fold_limit": math.pi, "inertia": 2e-5}
     return TendonHinge(law=law, proximal_arm=arm, distal_arm=arm, **{**fixed, **changes})
@@ -29,10 +29,10 @@ def equal_arms(rest_length=0.0, arm=0.055, **changes):
 
 @st.composite
 def hinges(draw):
-    """Arms of any ratio up to four, at any slant, and laws that stiffen and soften; taut by a hundredth at least."""
+    """Return hinges with arm ratios up to four, any slant, stiffening or softening laws, stretched by 1 % at least."""
     proximal = draw(st.floats(0.01, 0.1))
     distal = proximal * draw(st.floats(0.25, 4))
-    # within 1/20 of each other the ends nearly meet, and a difference quotient no longer sees the passage
+    # arms within 1/20 of each other: the ends nearly meet, too sharply for difference quotients
     offset = draw(st.sampled_from([-1, 1])) * draw(st.floats(0.05, 1)) * proximal
     longest = math.hypot(proximal + distal, offset)
     linear, cubic = draw(st.floats(100, 6000)), draw(st.floats(0, 1)) / longest**2
@@ -54,7 +54,7 @@ def hinges(draw):
 
 
 def stiffness_scale(hinge):
-    """Of the second derivative, N m."""
+    """Return the scale of the second derivative, N m."""
     law, longest = hinge.law, float(hinge.length(0))
     slope = law.linear + 2 * abs(law.quadratic) * longest + 3 * law.cubic * longest**2
     return slope * hinge.proximal_arm * hinge.distal_arm
@@ -64,7 +64,7 @@ def stiffness_scale(hinge):
 def test_the_moment_is_the_falling_slope_of_the_energy(hinge, angle):
     step = 1e-5
     slope = (hinge.energy(angle + step) - hinge.energy(angle - step)) / (2 * step)
-    # step^2 times a third derivative of up to 20^2, and rounding by the step
+    # step^2 times a third derivative of up to 20^2, and rounding divided by the step
     assert hinge.moment(angle) == pytest.approx(-slope, abs=1e-6 * stiffness_scale(hinge))
 
 
@@ -79,7 +79,7 @@ def test_the_stiffness_is_the_falling_slope_of_the_moment(hinge, angle):
 
 
 def test_where_the_ends_meet_the_hinge_is_a_pendulum_at_rest():
-    """With no resting length U = k a^2 (1 + cos(angle)) for equal arms."""
+    """Without resting length, U = k a^2 (1 + cos(angle)) for equal arms."""
     hinge = equal_arms()
     angles = np.linspace(-math.pi, 0.05, 50)
     full = 1000 * 0.055**2
@@ -91,7 +91,7 @@ def test_where_the_ends_meet_the_hinge_is_a_pendulum_at_rest():
 
 
 def turned(vector, axis, angle):
-    """Rodrigues 1840."""
+    """Return turned points (Rodrigues 1840)."""
     cosine, sine = math.cos(angle), math.sin(angle)
     return vector * cosine + np.cross(axis, vector) * sine + axis * (axis @ vector) * (1 - cosine)
 
@@ -124,13 +124,13 @@ def test_the_length_is_that_of_a_distal_vein_turned_about_its_ring_crease(values
         before = design.tendon.proximal_attachment * unit(hub_points(design.fan)[vein] - vertex)
         beyond = design.tendon.distal_attachment * unit(tips(design.fan)[vein] - vertex)
         length = np.linalg.norm(turned(beyond, unit(ring[vein + 1] - vertex), angle) - before)
-        # rounding; where the ends meet, by a square root
+        # rounding; its square root where the ends meet
         assert hinge.length(angle) == pytest.approx(length, abs=1e-9)
 
 
 @pytest.mark.parametrize("fold", [-3.0, -1.5, 0.7])
 def test_the_length_is_that_of_the_pattern_folded_along_its_ring(fold):
-    """With all veins on one ray each (no hub) the first panel folds along its ring crease alone."""
+    """Without a hub every vein lies on one ray, so the first panel folds along its ring crease alone."""
     design = with_values(REFERENCE, {"pattern.hub_radius": 0.0})
     pattern = earwig_pattern(design.fan)
     panel = [0, 1, 2, 4, 5]  # centre, ring vertices and tips of the first panel
@@ -154,7 +154,7 @@ def test_the_length_is_that_of_the_pattern_folded_along_its_ring(fold):
 
 
 def test_the_bar_turns_with_the_inertia_of_its_volume():
-    """The integral over the cylinder of density times distance squared from the axis, by Gauss's rule, in space."""
+    """The integral over the cylinder of density times squared distance from the axis, by Gaussian quadrature."""
     design = with_values(REFERENCE, {"vein.diameter": 0.03, "hinge.armature": 0.0})
     length, radius, density = design.pattern.distal_length, design.vein.diameter / 2, design.vein.density
     nodes, weights = np.polynomial.legendre.leggauss(4)
@@ -172,7 +172,7 @@ def test_the_bar_turns_with_the_inertia_of_its_volume():
         (ideal_hinges(structure_of(design))[0], beside),
     ):
         inertia = density * np.sum(volume * np.sum(np.cross(points, axis) ** 2, axis=-1))
-        # the rule is exact
+        # the quadrature is exact
         assert hinge.inertia == pytest.approx(inertia, rel=1e-13)
 
 
@@ -195,7 +195,7 @@ def test_the_barrier_of_a_tendon_without_resting_length_is_its_energy_times_a_sq
     """docs/model/theory.md, section Tendon across a hinge: U(0) sin^2(overbend / 2)."""
     hinge = equal_arms(arm=arm, overbend=overbend)
     closed_form = float(hinge.energy(0)) * math.sin(overbend / 2) ** 2
-    # rounding of the energies, of which a small overbend leaves a small difference
+    # rounding of the energies, whose difference is small at a small overbend
     assert top_barrier(hinge) == pytest.approx(closed_form, rel=1e-13, abs=1e-15 * float(hinge.energy(0)))
 
 
@@ -205,7 +205,7 @@ def test_the_barrier_is_the_work_of_the_moment_on_the_way_to_straight(hinge):
     slack = hinge.slack_distance
     end = hinge.overbend if slack is None else min(slack, hinge.overbend)
     work = end / 2 * weights @ hinge.moment((nodes + 1) / 2 * end)
-    # rounding of extensions of at least a hundredth
+    # rounding of extensions of at least 1 %
     assert top_barrier(hinge) == pytest.approx(work, rel=1e-9, abs=1e-13 * float(hinge.energy(0)))
     assert holding_torque(hinge) == hinge.moment(hinge.overbend) >= 0
 
@@ -220,7 +220,7 @@ def test_the_released_energy_is_a_difference_of_energies(hinge, start, further):
 @given(st.floats(0, 0.9999))
 def test_equal_arms_go_slack_at_twice_the_arc_cosine(share):
     hinge = equal_arms(rest_length=0.11 * share)
-    # arc cosine of 0.9999: rounding by sin
+    # arc cosine of 0.9999: rounding divided by the sine
     assert slack_angle(hinge) == pytest.approx(-2 * math.acos(share), abs=1e-13)
 
 
@@ -246,11 +246,11 @@ def test_no_angle_has_a_larger_torque_against_opening_than_the_peak(hinge):
 
 @given(st.floats(0, 0.999))
 def test_the_peak_of_equal_arms_is_at_its_closed_form(share):
-    """d/d angle of k a^2 (2 s c - 2 lambda s), s and c of half the angle: 2 c^2 - lambda c - 1 = 0."""
+    """d/d angle of k a^2 (2 s c - 2 lambda s), s and c: sine and cosine of half the angle: 2 c^2 - lambda c - 1 = 0."""
     cosine = (share + math.sqrt(share**2 + 8)) / 4
     sine = math.sqrt(1 - cosine**2)
     peak = peak_opening_torque(equal_arms(rest_length=0.11 * share))
-    # the slope of the moment is 0 to rounding of an extension of a thousandth
+    # the slope of the moment is 0 up to rounding, at an extension of 0.1 %
     assert peak.angle == pytest.approx(-2 * math.acos(cosine), abs=1e-10)
     assert peak.torque == pytest.approx(1000 * 0.055**2 * 2 * sine * (cosine - share), rel=1e-10)
 
@@ -271,7 +271,7 @@ def test_a_scaled_design_has_energy_and_torque_by_the_cube(factor):
         *zip(tendon_hinges(structure_of(REFERENCE)), tendon_hinges(structure_of(scaled)), strict=True),
     ]
     for hinge, larger in pairs:
-        # rounding of extensions of a fifth, and of the position of the peak
+        # rounding of extensions of 20 %, and of the position of the peak
         assert top_barrier(larger) == pytest.approx(factor**3 * top_barrier(hinge), rel=1e-11)
         assert holding_torque(larger) == pytest.approx(factor**3 * holding_torque(hinge), rel=1e-11)
         assert peak_opening_torque(larger).torque == pytest.approx(

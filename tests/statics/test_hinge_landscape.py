@@ -72,10 +72,10 @@ def test_along_its_angle_a_hinge_has_the_numbers_of_its_closed_forms(
     hinged = hinge(
         rest_length, distal=distal, cubic=cubic, overbend=overbend, fold_limit=fold_limit, offset_angle=offset
     )
-    # a top on a stop is before or beyond it by rounding
+    # rounding decides whether a maximum at a stop is before or beyond it
     assume(min(abs(hinged.top_to_overbend), abs(hinged.top_to_fold)) > 1e-6 or offset == 0)
     surveyed = hinge_landscape(hinged)
-    # rounding of the energies, of which a top just before its stop leaves a small difference
+    # rounding of the energies, whose difference is small for a maximum close to its stop
     rounding = 1e-15 * float(hinged.energy(hinged.top))
     assert surveyed.barrier == approx_or_none(closed_barrier(hinged), abs=rounding)
     assert surveyed.holding_torque == approx_or_none(closed_holding_torque(hinged))
@@ -154,7 +154,7 @@ def test_missing_values_of_a_hinge_have_a_remark(surveyed, sentence):
 )
 def test_values_that_are_none_have_a_remark_and_no_value_is_nan(rest_length, overbend, fold_limit, linear, cubic):
     surveyed = hinge_landscape(hinge(rest_length, linear, cubic=cubic, overbend=overbend, fold_limit=fold_limit))
-    # a spring that the hinge does not have is no number that is missing
+    # a hinge without a spring has no missing number
     numbers = {name: getattr(surveyed, name) for name in surveyed.__dataclass_fields__ if name != "spring"}
     assert surveyed.remarks or all(number is not None for number in numbers.values())
     assert all(math.isfinite(number) for number in numbers.values() if isinstance(number, float))

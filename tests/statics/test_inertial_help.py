@@ -1,4 +1,4 @@
-"""Snaps on a slow path that release more energy than the rest of the path has to climb."""
+"""Snaps on a slow path that release more energy than the rest of the path absorbs."""
 
 import math
 
@@ -18,7 +18,7 @@ PUSH = Drive(name="push", shares=(0.0, 1.0), rise=0.0, key="", strength=1.0)
 
 
 def path(angles, torques, snap):
-    """One ring hinge at these angles, deg, all others at 0; one tendon of the wing stores energy that changes."""
+    """Return a path: one ring hinge at these angles, deg, all others at 0; one tendon with changing energy."""
     position = np.zeros((len(angles), WINGS.size))
     position[:, RINGS[1]] = np.radians(angles)
     return QuasiStaticPath(
@@ -27,7 +27,7 @@ def path(angles, torques, snap):
 
 
 def test_a_snap_helps_where_it_releases_more_than_the_rest_of_the_path_climbs(monkeypatch):
-    """An energy of 1, 3, 0, 1.5, 0 J at the five steps: the snap from 3 to 0 J releases more than 1.5 J."""
+    """With an energy of 1, 3, 0, 1.5, 0 J at the five steps, the snap from 3 to 0 J releases more than 1.5 J."""
     levels = np.array([1.0, 3.0, 0.0, 1.5, 0.0])
     monkeypatch.setattr("forficula.statics.tree.inertial_help.potential", lambda _, on, __: (levels[-len(on) :],))
     helped = inertial_help(WINGS, path([0, -10, -20, -30, -40], [0, 5, 5, 9, 9], (1, 2)), PUSH)
@@ -45,7 +45,7 @@ def test_a_snap_at_nearly_the_least_torque_is_no_help(monkeypatch):
 
 @pytest.fixture(scope="module")
 def folding():
-    """The reference while a slowly growing torque folds it, with its path."""
+    """Return the reference design and its path while a slowly growing torque folds it."""
     start = start_state(WINGS).position
     return start, least_slow_torque(WINGS, start, WINGS.structure.transitions[0], 0.2, recorded=True)
 

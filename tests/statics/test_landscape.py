@@ -1,4 +1,4 @@
-"""Stable states, barriers, and what a landscape says where there is none."""
+"""Stable states, barriers, and the remarks of a landscape without them."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_the_reference_is_bistable_pressed_flat_and_slack_when_folded(landscape)
 
 
 def test_all_hinges_together_climb_three_times_what_one_climbs(landscape):
-    """Camber and straight cost the membrane nothing, so the wing's barrier is that of its tendons."""
+    """The membrane stores nothing when cambered or straight, so the wing's barrier is that of its tendons."""
     one = landscape.tendons[0].barrier
     assert landscape.barrier("flat", "folded") == pytest.approx(3 * one, rel=1e-3)
     assert landscape.hinge_barriers == pytest.approx(np.full(3, one), rel=5e-3)
@@ -50,7 +50,7 @@ def test_back_it_climbs_what_it_has_lost(landscape):
 
 
 def test_the_flat_state_presses_as_much_as_folding_takes(landscape):
-    """Nothing on the way is steeper than the start, so what holds the wing flat is what must be overcome."""
+    """The path is steepest at its start, so the holding torque of the flat state is the torque to overcome."""
     flat = landscape.states[0]
     assert landscape.fold_path.fold_torque == pytest.approx(flat.holding_torque)
     assert landscape.least_torques["fold"] == pytest.approx(flat.holding_torque, rel=0.02)

@@ -1,4 +1,4 @@
-"""Landscapes of what has no one way to fold: plates on hinges with springs, and tendons between them."""
+"""Landscapes of structures without a single folding path: plates on sprung hinges, and tendons between them."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_it_rests_flat_closed_and_opened(landscape):
         ("opened", True),
     ]
     flat, closed, opened = landscape.rests
-    # on the stops that keep it from bending back
+    # at the stops against bending back
     assert flat.angles == pytest.approx(np.full(2, -math.radians(3)))
     assert opened.angles == pytest.approx(flat.angles)
     assert closed.energy < flat.energy
@@ -72,7 +72,7 @@ def test_the_folding_sense_of_a_hinge_is_that_of_its_larger_range(landscape):
     [(0.02, 0, 3), (0.12, 0, 3), (0.12, 60, 3), (0.05, 120, 3), (0.05, -60, 120), (0.02, 20, 120)],
 )
 def test_hinges_fold_alone_exactly_if_tendon_and_spring_give_two_equilibria(stiffness, rest_angle, back_limit):
-    """The letter's tendon by the law of cosines, its arms 4.95 and 3.96 cm, and a crease 21 cm long; by brute force."""
+    """Scan of all angles: tendon by the law of cosines, arms 4.95 and 3.96 cm, and a crease of 21 cm."""
     angles = np.radians(np.linspace(-back_limit, 175, 20001))
     length = np.sqrt(0.0495**2 + 0.0396**2 + 2 * 0.0495 * 0.0396 * np.cos(angles))
     energy = 25 * np.maximum(length - 0.05, 0) ** 2 + stiffness * 0.21 / 2 * (angles - math.radians(rest_angle)) ** 2
@@ -113,7 +113,7 @@ def test_both_hinges_fold_alone_and_together(landscape):
 
 
 def test_the_least_torque_that_closes_it_is_the_steepest_climb(landscape):
-    """Both creases alike: d energy / d angle of a tendon and a spring, largest from the stop on, to 1 %."""
+    """For both creases: the largest d energy / d angle of tendon and spring from the stop on, to 1 %."""
     hinge, structure = landscape.tendons[0].hinge, landscape.structure
     folds = np.linspace(-math.radians(3), math.radians(100), 4001)
     spring = structure.hinges[0].stiffness * (folds - structure.hinges[0].rest_angle)
@@ -122,7 +122,7 @@ def test_the_least_torque_that_closes_it_is_the_steepest_climb(landscape):
 
 
 def test_the_least_torque_that_opens_it_is_the_steepest_climb_back(landscape):
-    """By the law of cosines, as above: the largest fall of energy with the angle, between straight and closed."""
+    """By the law of cosines, as above: the largest decrease of energy with the angle, between straight and closed."""
     angles = np.radians(np.linspace(0, 105.6, 200001))
     length = np.sqrt(0.0495**2 + 0.0396**2 + 2 * 0.0495 * 0.0396 * np.cos(angles))
     energy = 25 * np.maximum(length - 0.05, 0) ** 2 + 0.02 * 0.21 / 2 * angles**2
@@ -180,9 +180,9 @@ def test_tendons_across_several_hinges_are_said_to_be_left_out_of_a_single_one()
     ],
 )
 def test_states_and_barriers_of_hinges_that_a_tendon_couples(stiffness, rest_angle, over, length, right):
-    """The letter with a tendon over both creases, over all its angles: by coordinates in its plane, and by flooding.
+    """The letter with a tendon across both creases: by a grid of plane coordinates over all angles, and flooding.
 
-    The least barrier is the level at which the valley of the first state joins another one's.
+    The lowest barrier is the level at which the basin of the first state joins another basin.
     """
     ends = {
         "left": ("facet 0 at 0.5, 0.5", "facet 1 at 0.4, 0.5"),
@@ -211,7 +211,7 @@ def test_states_and_barriers_of_hinges_that_a_tendon_couples(stiffness, rest_ang
     apart = np.abs(angles[wells][:, None] - found).max(axis=2)
     assert max(apart.min(axis=0).max(), apart.min(axis=1).max()) < math.radians(0.5)
 
-    # one of those that the grid has twice
+    # a position that the grid contains twice
     wells = wells[apart.argmin(axis=0)]
     first = tuple(wells[np.abs(angles[wells] - landscape.rests[0].angles).sum(axis=1).argmin()])
     low, high = energy[first], float(energy.max())
@@ -220,7 +220,7 @@ def test_states_and_barriers_of_hinges_that_a_tendon_couples(stiffness, rest_ang
         valleys, _ = ndimage.label(energy <= level, np.ones((3, 3)))
         joined = sum(valleys[tuple(well)] == valleys[first] for well in wells) > 1
         low, high = (low, level) if joined else (level, high)
-    if landscape.easiest_barrier is None:  # folded where it starts: no hinge is left to fold
+    if landscape.easiest_barrier is None:  # folded at the start: no hinge is left to fold
         assert (landscape.rests[0].angles > math.radians(90)).all()
     else:
         assert landscape.easiest_barrier == pytest.approx(high - energy[first], rel=0.005)
@@ -241,7 +241,7 @@ def test_without_tendons_it_rests_at_one_place_and_nothing_opens_what_never_clos
 
 
 def test_heavy_panels_hang_down():
-    """In a plane that lies level, held at the middle panel: the outer ones bend back as far as they may."""
+    """Horizontal, held at the middle panel: the outer panels bend back to their stops."""
     light, heavy = (
         ff.landscape(
             ff.load_design("letter-fold", {"protocol.gravity": gravity, "crease.back_limit": "80 deg"}), points=11
@@ -255,7 +255,7 @@ def test_heavy_panels_hang_down():
 @settings(max_examples=40)
 @given(st.floats(8, 120), st.floats(0.01, 0.2), st.floats(1.05, 4))
 def test_the_least_torque_on_springs_alone_is_that_of_springs(goal, stiffness, more):
-    """k w (phi - phi0), by length k and a width w, to 1 %, whatever the largest torque that is tried."""
+    """k w (phi - phi0), k per length and a width w, to 1 %, whatever the largest torque of the search."""
     letter = with_values(ff.load_design("letter-fold", {"tendon": []}), {"crease.stiffness": stiffness})
     expected = stiffness * 0.21 * math.radians(goal)
     bound = {"protocol.stages.1.until": f"creases > {goal} deg", "drive.close.value": more * expected}

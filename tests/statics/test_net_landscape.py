@@ -1,8 +1,8 @@
-"""Landscapes of sliding points, held to the closed form of von Mises' truss: a flat pyramid whose apex snaps through.
+"""Landscapes of sliding points, compared with the closed form of a von Mises truss: a pyramid that snaps through.
 
 Four bars of stiffness k and length L, at a height h of the apex over the rim: the force is 4 k (L / l - 1) h with
 l^2 = L^2 - rise^2 + h^2, the barrier 2 k (L - sqrt(L^2 - rise^2))^2 (e.g. Bazant and Cedolin 2010, section 4.4). The
-creases of the pyramid are so soft that they hardly count.
+creases of the pyramid are soft enough to be neglected.
 """
 
 from dataclasses import replace
@@ -31,7 +31,7 @@ def landscape(told):
 
 @pytest.fixture(scope="module")
 def slanting():
-    """Stiffness of the bars to the apex, N/m."""
+    """Return the stiffness of the bars to the apex, N/m."""
     (stiffness,) = {round(each.stiffness, 9) for each in structure_of(pyramid()).springs if 0 in each.points}
     return stiffness
 
@@ -93,7 +93,7 @@ def test_drives_snap_at_the_largest_force_of_the_bars(landscape, slanting):
         assert course.least == pytest.approx(largest, rel=5e-3)
         assert [snap.kind for snap in course.slow.snaps] == ["limit"]
         assert course.slow.ended == "stop"
-        # the equilibria go on from there, down to the force on the other side and up again
+        # the equilibria continue from there, down to the opposite limit force and up again
         assert min(point.factor for point in course.through.points) < -0.9 * course.slow.snaps[0].factor
 
 
@@ -105,7 +105,7 @@ def test_states_withstand_the_loads_of_the_closed_form(landscape, slanting):
     assert up["force pull"].kind == "none"
     assert up["force pull"].value > 5 * largest
     assert down["force pull"].value == pytest.approx(largest, rel=5e-3)
-    # the force of the supports' acceleration is that of the mass of the apex
+    # an acceleration of the supports acts on the mass of the apex
     mass = structure_of(pyramid()).bodies[0].mass
     assert up["supports accelerated along +z"].value == pytest.approx(largest / mass, rel=5e-3)
     assert up["supports accelerated along +x"].kind == "none"
@@ -118,7 +118,7 @@ def test_the_frequency_follows_from_the_bars_and_the_mass_of_the_apex(landscape,
 
 
 def test_degrees_of_freedom_and_self_stress_are_counted(landscape):
-    # the apex has three ways to go, which any three of its four bars take; the bars of the rim are between supports
+    # three of the apex's four bars fix its three displacements; the bars of the rim are between supports
     assert landscape.net.built.degrees_of_freedom == 0
     assert landscape.net.built.self_stresses == 1 + 4
     assert landscape.states[1].mobility == landscape.net.built
@@ -140,7 +140,7 @@ def test_the_summary_has_units_in_its_keys_and_plain_numbers(landscape):
 
 
 def test_a_transition_that_its_drive_cannot_make_has_no_least_value():
-    """Pulled up, a pyramid gets no lower."""
+    """A pyramid that is pulled up does not snap down."""
     stages = [{"name": "pull", "drive": "pull", "until": "height < 19 cm", "hold": 0.0, "time_limit": 1.0}]
     done = {"name": "rest", "drive": "none", "until": "rest", "state": "low", "hold": 0.0, "time_limit": 1.0}
     found = energy_landscape(pyramid(**{"protocol.stages": [*stages, done]}))
@@ -165,7 +165,7 @@ def test_progress_is_reported(landscape, told):
 
 
 def pressed(direction):
-    """The landscape of a pyramid whose apex is displaced through its rim."""
+    """Return the landscape of a pyramid whose apex is displaced through the plane of its rim."""
     _, pull = pyramid().drive
     press = {"name": "push", "kind": "displacement", "of": "vertex 0", "direction": direction, "distance": RISE}
     return energy_landscape(pyramid(drive=[press, pull.model_dump(exclude_none=True)]))

@@ -1,7 +1,7 @@
-"""Tendons whose ends stand off the bars: the barrier is not at straight, and everything else goes with it.
+"""Tendons whose ends are offset from the bars: the barrier is not at straight, which shifts all other numbers.
 
 The table is a joint's of 10 N/cm and 9 cm between arms of 5.5 cm, with a stop at 3 deg and both ends at a height above
-the hinge's axis, measured on vectors (docs/model/theory.md, section "Tendon off the hinge axis").
+the hinge's axis, computed from vectors (docs/model/theory.md, section Tendon off the hinge axis).
 """
 
 import math
@@ -48,7 +48,7 @@ def standing_off(height):
 )
 def test_the_joint_has_the_values_of_the_table(height, barrier, torque, top):
     hinge = ideal_hinges(structure_of(standing_off(height / 1000)))[0]
-    # mJ, N cm and deg as written there
+    # mJ, N cm and deg
     assert 1e3 * top_barrier(hinge) == pytest.approx(barrier, abs=0.05 if barrier > 10 else 0.01)
     assert 100 * holding_torque(hinge) == pytest.approx(torque, abs=0.05)
     assert math.degrees(hinge.top) == pytest.approx(top, abs=0.05)
@@ -56,7 +56,7 @@ def test_the_joint_has_the_values_of_the_table(height, barrier, torque, top):
 
 @st.composite
 def hinges(draw):
-    """Any arms, tops on both sides of both stops of the overbend, taut or slack there."""
+    """Return hinges with any arms, energy maxima on either side of both overbend stops, taut or slack there."""
     arm = draw(st.floats(0.03, 0.08))
     return TendonHinge(
         law=ElasticLaw(rest_length=draw(st.floats(0, 2.2)) * arm, linear=draw(st.floats(100, 6000))),
@@ -76,7 +76,7 @@ def test_the_barrier_is_the_highest_energy_above_that_of_the_overbend_stop(hinge
     energy = hinge.energy(angles)
     barrier = top_barrier(hinge)
     climbs = energy.max() - energy[-1]
-    # the spacing of the angles, squared, by the largest curvature
+    # the squared spacing of the angles times the largest curvature
     near = 1e-6 * float(hinge.energy(hinge.top)) + 1e-12
     if barrier is None:
         assert climbs <= near or angles[energy.argmax()] < hinge.overbend - 1e-3 or not hinge.pulls
@@ -96,7 +96,7 @@ def test_states_are_where_the_energy_is_least_nearby(hinge):
         around = inside | np.append(inside[1:], False) | np.insert(inside[:-1], 0, False)
         assert surveyed.energy[around].min() >= state.energy - 1e-9
         assert {state.angle, state.far_angle} <= set(surveyed.angle.tolist())
-    # and nowhere else: every least energy of the curve is a state
+    # and only there: every minimum of the curve is a state
     lowest = np.flatnonzero(
         (surveyed.energy[1:-1] < surveyed.energy[:-2]) & (surveyed.energy[1:-1] < surveyed.energy[2:])
     )
@@ -118,10 +118,10 @@ def test_slack_and_peak_are_where_curves_have_them(hinge):
 
 OTHERS = [
     (0.09, 0.055, 0.055, 0.11, math.pi),
-    (0.03, 0.055, 0.045, -0.02, math.pi),  # past its least length before it is folded
-    (0.109, 0.055, 0.055, -0.05, math.pi),  # slack, and taut again
+    (0.03, 0.055, 0.045, -0.02, math.pi),  # past its shortest length before it is folded
+    (0.109, 0.055, 0.055, -0.05, math.pi),  # slack, then taut again
     (0.05, 0.07, 0.09, 0.2, 2.8),
-    (0.02, 0.03, 0.06, -0.3, 1.5),  # its top is beyond the overbend: let go at the stop
+    (0.02, 0.03, 0.06, -0.3, 1.5),  # its maximum is beyond the overbend: released at the stop
 ]
 
 
@@ -150,7 +150,7 @@ def test_it_folds_in_the_time_and_to_the_speed_of_the_integrated_motion(rest, pr
     motion = solve_ivp(
         rates, (0, 1.1 * predicted), [start, 0.0], method="DOP853", events=folded, rtol=1e-11, atol=1e-13 / predicted
     )
-    # as without offsets; a kink where the tendon goes slack
+    # as without offsets; kink where the tendon becomes slack
     assert motion.t_events[0] == pytest.approx([predicted], rel=1e-5)
     assert -motion.y_events[0][0, 1] == pytest.approx(final_speed(hinge), rel=1e-5)
 

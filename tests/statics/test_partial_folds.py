@@ -32,7 +32,7 @@ def test_every_combination_of_three_hinges_is_tried(reference):
 
 
 def test_with_a_soft_membrane_hinges_stay_where_they_are(reference):
-    """1 MPa does not pull a hinge back over its barrier: there are eight stable states, each lower than with fewer."""
+    """1 MPa does not pull a hinge back over its barrier: eight stable states, lower the more hinges are folded."""
     states = partial_folds(reference)
     assert all(state.stable for state in states)
     flat, *_, folded = states
@@ -55,7 +55,7 @@ def test_of_many_veins_neighbours_from_the_first_on_are_tried():
 
 
 def test_a_membrane_that_the_overbend_stretches_takes_from_the_barrier(reference):
-    """A single hinge climbs what its tendon does, less what a stiffer membrane gives back on the way to straight."""
+    """The barrier of one hinge is its tendon's, less the energy that a stiffer membrane releases up to straight."""
     alone = top_barrier(tendon_hinges(structure_of(reference))[1])
     climbs = [
         single_hinge_barriers(load_design("binder2025", {"membrane.youngs_modulus": modulus}))[1]

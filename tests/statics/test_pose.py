@@ -1,4 +1,4 @@
-"""Where bodies and what they carry are, against the simulator's record, rigid folding, and one rotation at a time."""
+"""Positions of bodies and points, compared with the simulator's record, rigid folding, and successive rotations."""
 
 import dataclasses
 import math
@@ -20,7 +20,7 @@ REFERENCE = load_design("binder2025")
 
 
 def placed(structure, angles):
-    """All points, m, (case, point, 3)."""
+    """Return all points, m, (case, point, 3)."""
     laid = tree_of(structure)
     points = structure.points
     carried = carried_points(laid, [point.body for point in points], np.array([point.place for point in points]))
@@ -28,7 +28,7 @@ def placed(structure, angles):
 
 
 def nodes_at(structure, angles):
-    """Nodes of all membranes, m, (case, node, 3)."""
+    """Return the nodes of all membranes, m, (case, node, 3)."""
     laid = tree_of(structure)
     bodies = np.concatenate([membrane.bodies for membrane in structure.membranes])
     places = np.concatenate([membrane.places for membrane in structure.membranes])
@@ -36,7 +36,7 @@ def nodes_at(structure, angles):
 
 
 def turned_one_by_one(structure, angles):
-    """All points, m, (point, 3): one rotation after another, body by body."""
+    """Return all points, m, (point, 3), computed by successive rotations, body by body."""
     origins, frames = [], []
     for number, body in enumerate(structure.bodies):
         origin, frame = (
@@ -86,7 +86,7 @@ def test_the_moves_are_derivatives_of_the_points(seed):
     found[carried.pairs[0], carried.pairs[1]] = moves.T
     steps = small * np.eye(laid.size)
     differences = (placed(structure, angles + steps) - placed(structure, angles - steps)) / (2 * small)
-    # central differences of points of 0.5 m, times 1e-12; rounding by 1e-6
+    # central differences of points of 0.5 m, times 1e-12; rounding divided by 1e-6
     assert found == pytest.approx(np.swapaxes(differences, 0, 1), abs=1e-9)
 
 
@@ -94,7 +94,7 @@ def test_the_points_of_a_fan_are_where_the_simulator_has_them(reference_run):
     structure, data = reference_run.structure, reference_run.data
     angles = data["hinge_angle"].values
     assert np.degrees(np.ptp(angles, axis=0)).max() > 90
-    # rounding of the engine's, in its own units
+    # rounding of the engine's positions, in its units
     assert nodes_at(structure, angles) == pytest.approx(data["membrane_position"].values, abs=1e-12)
     tips = [number for number, point in enumerate(structure.points) if point.role == "tip"]
     simulated = data["point_position"].values
@@ -139,7 +139,7 @@ def test_a_span_picks_its_numbers(numbers):
 
 
 def test_what_is_built_folded_is_where_it_is_built_at_the_angles_as_built():
-    """Rigid plates of a letter that is built folded by 60 deg: angles count from flat, the shape from there."""
+    """A letter of rigid plates built folded by 60 deg: angles count from flat, the built shape is at 60 deg."""
     fold = math.radians(60)
     design = load_design("letter-fold")
     flat, folded = structure_of(design), structure_of(design)

@@ -1,4 +1,4 @@
-"""The whole potential: its derivatives, its parts, the work of torques, and where structures rest."""
+"""The total potential: its derivatives, its parts, the work of torques, and states of rest."""
 
 import math
 from dataclasses import replace
@@ -42,7 +42,7 @@ def test_the_potential_is_the_energy_of_sheet_and_tendons_minus_the_work_of_torq
 
 
 def check_derivatives(structures, angles, torques):
-    """Slope and curvature of the first case against central differences."""
+    """Compare slope and curvature of the first case with central differences."""
     small, count = 1e-5, angles.shape[1]
     _, slope, curvature = potential(structures, angles, torques)
     many, steps = structures.repeated(count), small * np.eye(count)
@@ -56,7 +56,7 @@ def check_derivatives(structures, angles, torques):
 @settings(deadline=None, max_examples=20)
 @given(st.integers(0, 1000), st.floats(-0.5, 0.5), st.floats(-0.5, 0.5))
 def test_slope_and_curvature_are_its_derivatives(seed, proximal, distal):
-    # tips close enough to leave the guards slack, tendons taut
+    # tips close enough for slack guards, and taut tendons
     angles = np.random.default_rng(seed).uniform(-0.05, 0.05, (1, 12))
     angles[:, TURNS] += 0.5
     check_derivatives(ensemble_of(DESIGNS[:1]), angles, np.array([proximal, distal]))
@@ -65,7 +65,7 @@ def test_slope_and_curvature_are_its_derivatives(seed, proximal, distal):
 @settings(deadline=None, max_examples=40)
 @given(st.integers(0, 10_000), st.booleans(), st.integers(2, 8))
 def test_slope_and_curvature_of_any_tree_are_its_derivatives(seed, membranes, bodies):
-    """With tendons across one hinge and across several, springs, weights, and a motor on some hinges."""
+    """Trees with tendons across one or several hinges, springs, weights, and a motor on some hinges."""
     built = tree(seed, bodies, gravity=9.81, membranes=membranes, limit=100.0)
     count = len(built.hinges)
     some = tuple(range(0, count, 2))
@@ -76,7 +76,7 @@ def test_slope_and_curvature_of_any_tree_are_its_derivatives(seed, membranes, bo
 
 @given(st.integers(0, 10_000))
 def test_the_energy_of_a_tree_is_that_of_its_tendons_springs_and_weights(seed):
-    """Tendons by the distance of their ends, weights by the height of their centres, one rotation after another."""
+    """Tendons by the distance of their ends, weights by the height of their centres, by successive rotations."""
     built = tree(seed, gravity=9.81, membranes=False, limit=100.0)
     angles = np.random.default_rng(seed).uniform(-2, 2, len(built.hinges))
     points = turned_one_by_one(built, angles)
@@ -94,7 +94,7 @@ def test_the_energy_of_a_tree_is_that_of_its_tendons_springs_and_weights(seed):
             marked = replace(built.points[0], body=number, place=centre)
             at = turned_one_by_one(replace(built, points=(marked,)), angles)[0]
             expected += mass * 9.81 * at[2]
-    # a tendon between two points of what never moves stores the same all along, and is left out
+    # a tendon between two fixed points has constant energy and is omitted
     still = [
         float(tendon.law.elastic.energy(np.linalg.norm(points[tendon.points[1]] - points[tendon.points[0]])))
         for tendon in built.tendons
@@ -150,7 +150,7 @@ def test_structures_side_by_side_do_not_affect_each_other():
     together = rest(WINGS, start_angles(WINGS), FOLDING)
     for case in range(3):
         alone = rest(ensemble_of(DESIGNS[case : case + 1]), start_angles(WINGS)[case : case + 1], FOLDING)
-        # the same steps, but for what counts as no torque, which goes with the stiffest tendon
+        # the same steps except for the torque that counts as zero, which depends on the stiffest tendon
         assert alone.energy[0] == pytest.approx(together.energy[case], abs=1e-9)
         # a hinge with a slack tendon hardly resists
         assert alone.position[0] == pytest.approx(together.position[case], abs=0.01)
@@ -199,11 +199,11 @@ def test_wings_of_another_pattern_are_refused():
 
 
 def test_a_hinge_comes_to_rest_where_its_tendon_is_slack_at_a_right_angle():
-    """The torque that counts as none is 0 there: a slope of the size of its rounding must do."""
+    """The torque that counts as zero is 0 here, so a slope of the size of rounding must be accepted."""
     joint = ensemble_of([load_design("binder2025-joint", {"tendon.rest_length": "8 cm"})])
     assert torque_scale(joint) == 0
     for torque in (0.001, 0.02):
         found = rest(joint, np.array([[-0.3]]), [torque])
         assert found.rests.all()
-        # the tendon folds where its moment is positive, and balances the torque that opens
+        # the tendon folds where its moment is positive, and balances the opening torque
         assert -joint.tendons.moment(found.position)[0, 0] == pytest.approx(torque, rel=1e-9)

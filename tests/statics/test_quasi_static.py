@@ -1,4 +1,4 @@
-"""Slowly growing torques: what folds and opens without any help by inertia, however the torque grows."""
+"""Slowly growing torques: folding and opening without help by inertia, independent of the torque's steps."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ from forficula.structure import Drive, hinges_of, structure_of
 from tests.statics.hinge_numbers import peak_opening_torque
 
 REFERENCE = load_design("binder2025")
-# stiffness in N/cm, resting length in cm: on both sides of the edges of the map
+# stiffness in N/cm, resting length in cm: on both sides of the map's boundaries
 CELLS = [(10, 5), (10, 6), (10, 7), (10, 9), (20, 8), (20, 9), (30, 9), (40, 9)]
 FOLDS = [None, None, 10, 10, None, 10, None, None]
 OPENS = [None, 100, 70, 30, 90, 50, 70, 100]  # N cm
@@ -47,7 +47,7 @@ def least_slow_torque(wings, start, name, most):
 
 
 def least(drive, steps):
-    """N cm, None where none of the torques does."""
+    """Return the least torque, N cm; None where none suffices."""
     wings = ensemble_of(DESIGNS)
     start = flat_state(wings) if drive == "fold" else folded_state(wings)
     torques = slow_transition(wings, start, drive, np.array(steps) / 100).torque
@@ -55,7 +55,7 @@ def least(drive, steps):
 
 
 def rounded_up(torques):
-    """To the next 10 N cm."""
+    """Return a torque rounded up to 10 N cm."""
     return [None if torque is None else 10 * int(np.ceil(torque / 10 - 1e-9)) for torque in torques]
 
 
@@ -81,7 +81,7 @@ def test_the_least_torque_on_the_distal_hinges_is_the_largest_moment_of_their_te
     folded = folded_state(wings)
     peak = peak_opening_torque(tendon_hinges(structure_of(REFERENCE))[0]).torque
     found = quasi_static.least_slow_torque(wings, folded, UNFOLD, 4 * peak, DISTAL)
-    # 1 % of the search, always upwards
+    # 1 % from the search, which rounds up
     assert 0.99 * peak < found.torque[0] < 1.02 * peak
     assert (found.position[0, FOLDS_AT] > 0).all()
     below, above = (
@@ -93,7 +93,7 @@ def test_the_least_torque_on_the_distal_hinges_is_the_largest_moment_of_their_te
 
 @pytest.fixture(scope="module")
 def slowly_folded():
-    """The reference, where it rests flat, and how a slowly growing torque of up to 20 N cm folds it."""
+    """Return the reference, its flat state, and its path under a slowly growing folding torque up to 20 N cm."""
     wings = ensemble_of([REFERENCE])
     flat = flat_state(wings)
     return wings, flat, least_slow_torque(wings, flat, "fold", 0.2)
@@ -103,7 +103,7 @@ def test_the_least_fold_torque_is_that_of_small_equal_steps(slowly_folded):
     wings, flat, least_torque = slowly_folded
     found = least_torque.torque[0]
     ramp = slow_transition(wings, flat, "fold", np.arange(0.0001, 0.01, 0.0001)).torque[0]
-    # 1 % of the search, and one step of 1e-4 N m of 7e-3
+    # 1 % from the search, and one step of 1e-4 N m of 7e-3
     assert found == pytest.approx(ramp, rel=0.03)
 
 
@@ -128,7 +128,7 @@ def test_a_wing_at_its_goal_needs_no_torque_and_one_that_never_gets_there_has_no
 
 
 def test_a_negative_torque_goes_the_other_way(slowly_folded):
-    """The fold's drive turned round twice is the fold's drive."""
+    """The fold's drive with its sense reversed twice is the fold's drive."""
     wings, flat, there = slowly_folded
     turned = Drive(name="turned", shares=(-1.0, 0.0), rise=0.0, key="", strength=-0.5)
     back = quasi_static.least_slow_torque(wings, flat, FOLD, 0.2, turned)

@@ -1,4 +1,4 @@
-"""Energy of membrane and guards, against numerical differentiation, the simulator's, and rigid motions."""
+"""Energy of membrane and guards, compared with differences, with the simulator, and under rigid motions."""
 
 import math
 from dataclasses import replace
@@ -49,8 +49,8 @@ def test_slope_and_curvature_are_derivatives_of_the_energy(sheet, seed, spread):
     _, slope, curvature = sheet_energy(sheet, angles)
     slopes, curvatures, pulls = zip(*(differences(sheet, angles, step) for step in (small, small / 2)), strict=True)
     stiff = np.abs(curvature).max()
-    # Richardson's extrapolation: an error of 1e-16 of the stiffness, four times differentiated; rounding of the energy
-    # by 1e-4; where a guard begins to pull the curvature jumps, which no step may cross
+    # Richardson extrapolation: errors of 1e-16 of the stiffness, from fourth derivatives; rounding of the energy
+    # divided by 1e-4; curvature jumps where a guard starts to pull, which no step may cross
     if not any(pulls):
         assert slope[0] == pytest.approx((4 * slopes[1] - slopes[0]) / 3, abs=1e-9 * stiff)
         assert curvature[0] == pytest.approx((4 * curvatures[1] - curvatures[0]) / 3, abs=1e-9 * stiff)
@@ -58,7 +58,7 @@ def test_slope_and_curvature_are_derivatives_of_the_energy(sheet, seed, spread):
 
 
 def differences(sheet, angles, step):
-    """Central differences of energy and slope, and whether a guard begins to pull between them."""
+    """Return central differences of energy and slope, and whether a guard starts to pull between them."""
     steps = step * np.eye(angles.size)
     ahead, behind = sheet_energy(sheet, angles + steps), sheet_energy(sheet, angles - steps)
     begins = guards_begin(sheet, np.concatenate([angles + steps, angles - steps]))
@@ -71,7 +71,7 @@ def guards_begin(sheet, angles):
 
 
 def apart_at(sheet, angles):
-    """Distances of the ends of all limits, m, (case, limit), by group."""
+    """Return the distances of the ends of all limits, m, (case, limit), by group."""
     places = places_of(sheet.laid.carried, pose(sheet.laid.tree, angles))
     ends = [places[:, :, group.points] for group in sheet.laid.groups[len(sheet.patches) :]]
     return [np.linalg.norm(each[:, :, 1::2] - each[:, :, ::2], axis=0) for each in ends]
@@ -97,7 +97,7 @@ def test_all_along_the_reference_the_membrane_has_the_energy_of_the_record(refer
 
 @given(st.floats(-math.pi, math.pi))
 def test_rigid_rotation_does_not_change_the_energy(angle):
-    """Without a hub all veins start at one point: a sweep of all is a rigid motion."""
+    """Without a hub all veins start at one point, so the same sweep of all is a rigid motion."""
     sheet = sheet_of(structure_of(with_values(REFERENCE, {"pattern.hub_radius": 0.0})))
     angles = np.random.default_rng(1).uniform(-0.3, 0.3, (1, 12))
     turned = angles.copy()
@@ -113,7 +113,7 @@ def test_rigid_rotation_does_not_change_the_energy(angle):
 
 @given(st.integers(0, 1000), st.floats(-math.pi, math.pi))
 def test_a_hinge_that_carries_all_nodes_moves_no_energy(seed, angle):
-    """Sheets in any plane, on bodies one above another: what is below them all turns them rigidly."""
+    """Sheets in any plane on a chain of bodies: a hinge below them all turns them rigidly."""
     built = tree(seed)
     root = next(number for number, hinge in enumerate(built.hinges) if hinge.body == 0)
     carried = [each for each in range(len(built.bodies)) if root in tree_of(built).chain(each)]
@@ -134,7 +134,7 @@ def test_a_hinge_that_carries_all_nodes_moves_no_energy(seed, angle):
 
 
 def test_a_guard_pulls_beyond_its_length_only():
-    """Two tips spread by sweeping an outer vein: the distance of the tips, less the guard's length, on a spring."""
+    """Sweeping an outer vein spreads two tips: a spring, stretched by their distance less the guard's length."""
     soft = with_values(REFERENCE, {"membrane.youngs_modulus": 1e6})
     slack, taut = (sheet_of(structure_of(with_values(soft, {"guard.stretch": stretch}))) for stretch in (10.0, 1.02))
     angles = np.zeros((2, 12))

@@ -1,4 +1,4 @@
-"""What a landscape says of least slow torques."""
+"""Remarks of a landscape on the least slow torques."""
 
 import numpy as np
 import pytest

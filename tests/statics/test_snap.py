@@ -1,4 +1,4 @@
-"""The snap of one hinge against the pendulum's elliptic integral and against its integrated motion."""
+"""The snap of one hinge, compared with a pendulum's elliptic integral and with its integrated motion."""
 
 import math
 
@@ -37,7 +37,7 @@ OTHERS = [
 
 
 def motion(hinge, start, duration):
-    """Integrate inertia times angular acceleration = moment, from rest past straight; angle and speed at the end."""
+    """Integrate inertia * acceleration = moment from rest just past straight; return final angle and speed."""
 
     def rates(_, state):
         return [state[1], float(hinge.moment(state[0])) / hinge.inertia]
@@ -64,7 +64,7 @@ def test_without_resting_length_it_folds_in_the_time_of_a_pendulum(start):
 def test_it_folds_in_the_time_and_to_the_speed_of_the_integrated_motion(other, start):
     predicted = fold_time(other, start * DEGREE)
     solution = motion(other, start * DEGREE, 1.1 * predicted)
-    # the integrator: 1e-11 a step, grown on its way from straight by 1 / start; a kink where the tendon goes slack
+    # integrator: 1e-11 per step, amplified by 1 / start from straight on; kink where the tendon becomes slack
     assert solution.t_events[0] == pytest.approx([predicted], rel=1e-6)
     assert -solution.y_events[0][0, 1] == pytest.approx(final_speed(other, start * DEGREE), rel=1e-6)
 
@@ -94,14 +94,14 @@ def test_it_leaves_straight_with_the_hyperbolic_cosine_of_its_growth_rate(other)
     start, rate = 1e-6, growth_rate(other)
     solution = motion(other, start, 3 / rate)
     grown = -solution.y[0] / start
-    # linear up to the square of an angle of 1e-5 rad; the integrator keeps 1e-13 of an angle of 1e-6 rad
+    # linear up to the square of 1e-5 rad; integrator error of 1e-13 at an angle of 1e-6 rad
     assert grown == pytest.approx(np.cosh(rate * solution.t), rel=1e-6)
 
 
 def test_the_fold_takes_longer_by_one_growth_time_for_every_e_fold_nearer_to_straight():
     other = hinge(0.09)
     later = fold_time(other, 1e-9) - fold_time(other, 1e-9 * math.e)
-    # the quadrature's accuracy, of a time that is 25 growth times
+    # the quadrature's accuracy for a time of 25 growth times
     assert later * growth_rate(other) == pytest.approx(1, rel=1e-7)
 
 

@@ -1,4 +1,4 @@
-"""A hinge with a spring of its own under its tendon, held to numbers found otherwise."""
+"""A hinge with a spring in parallel with its tendon, compared with independently computed numbers."""
 
 import math
 from dataclasses import replace
@@ -36,7 +36,7 @@ def test_states_barrier_and_peak_are_those_of_the_sum(hinge):
     top = int(np.argmax(energy))
     assert found.barrier == pytest.approx(energy[top] - energy[0], rel=1e-6)
     assert found.barrier_angle == pytest.approx(angle[top], abs=1e-4)
-    # the spring rests on the folded side, and moves the top into the overbend
+    # the spring rests on the folded side and moves the energy maximum into the overbend
     assert found.barrier_angle > 0
     bottom = top + int(np.argmin(energy[top:]))
     assert [state.kind for state in found.states] == ["stop", "minimum"]

@@ -1,4 +1,4 @@
-"""Resistance to a load at the tips."""
+"""Stiffness against a load at the tips."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def test_along_folding_the_locked_wing_is_as_stiff_as_the_secant_says(reference)
 
 
 def test_unlocked_it_runs_away_by_itself(reference):
-    """-k a b (1 - lambda) / l_d^2 for the tendon alone (docs/model/theory.md); the membrane reduces it slightly."""
+    """-k a b (1 - lambda) / l_d^2 for the tendon alone; the membrane makes it slightly less negative."""
     hinge = tendon_hinges(structure_of(reference))[0]
     lever = 0.10 * math.cos(math.radians(10) + reference.fan.epsilon)
     found = loaded(reference)

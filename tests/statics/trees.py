@@ -1,4 +1,4 @@
-"""Trees of bodies that are no fans: random ones, with what statics looks at."""
+"""Random trees of bodies other than fans, with all parts that statics considers."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ LAW = MembraneLaw(youngs_modulus=1e6, poisson_ratio=0.3, thickness=1e-4, damping
 
 
 def rotation(random):
-    """Any."""
+    """Return a random rotation."""
     axes, _ = np.linalg.qr(random.normal(size=(3, 3)))
     return axes * np.sign(np.linalg.det(axes))
 
@@ -35,7 +35,7 @@ def unit(random):
 
 
 def tree(seed, bodies=6, *, gravity=0.0, membranes=True, law=None, limit=10.0):
-    """Bodies that branch, with no, one, two or three hinges each, and tendons, limits and membranes between them."""
+    """Return branching bodies, on up to three hinges each, with tendons, limits and membranes between them."""
     random = np.random.default_rng(seed)
     parents = [GROUND, *(int(random.integers(-1, number)) for number in range(1, bodies))]
     frames = [rotation(random) for _ in parents]
@@ -96,12 +96,12 @@ def tree(seed, bodies=6, *, gravity=0.0, membranes=True, law=None, limit=10.0):
 
 
 def _plate(random):
-    """A triangle on the first body."""
+    """Return a triangle on the first body."""
     return Plate(body=0, points=(4, 5, 6), thickness=float(random.uniform(1e-3, 3e-3)), density=1000.0)
 
 
 def _sheet(structure, random, number):
-    """Two triangles, or three, in a skew plane, on some bodies."""
+    """Return two or three triangles in a skew plane, on some of the bodies."""
     count = 4 + number % 2
     axes = rotation(random)[:, :2]
     flat = np.array([[0, 0], [0.05, 0], [0, 0.06], [0.05, 0.05], [0.09, 0.04]])[:count] + random.uniform(

@@ -168,7 +168,7 @@ def _stronger(record: Record, transition: Transition) -> Advice:
     (least,) = _least_torques([design], transition)
     if math.isnan(least):
         softer = _softer(design)
-        with_softer = _least_torques([with_values(design, each) for each in softer], transition) if softer else []
+        with_softer = _least_torques([with_values(design, values) for values in softer], transition) if softer else []
         most = show_value(MORE * abs(strength), unit)
         none = f"No slowly growing torque up to {most} makes it {verb}."
         for values, torque in zip(softer, with_softer, strict=True):
@@ -219,8 +219,8 @@ def _turned_slowly(structure: Structure, transition: Transition) -> bool:
 
 def _least_torques(designs: Sequence[Design], transition: Transition) -> list[float]:
     """Compute the least slowly growing torques of designs that differ only in their tendons, N m; nan if none works."""
-    names = [each.name for each in structure_of(designs[0]).transitions]
-    return [float(each) for each in least_slow_torques(designs, [transition.name])[names.index(transition.name)]]
+    names = [entry.name for entry in structure_of(designs[0]).transitions]
+    return [float(torque) for torque in least_slow_torques(designs, [transition.name])[names.index(transition.name)]]
 
 
 def _shorter_step(ending: Ending, design: Design) -> Advice:

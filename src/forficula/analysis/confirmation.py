@@ -161,7 +161,7 @@ def _largest_difference(
 def _values_of(state: str, values: Values) -> dict[str, Array]:
     """Return the values of a state by their names in it."""
     prefix = f"{state}."
-    return {name.removeprefix(prefix): np.array(each) for name, each in values.items() if name.startswith(prefix)}
+    return {name.removeprefix(prefix): np.array(numbers) for name, numbers in values.items() if name.startswith(prefix)}
 
 
 def confirmation_text(ending: Ending, confirmation: Confirmation) -> str:

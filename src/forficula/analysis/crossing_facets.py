@@ -65,7 +65,7 @@ def facets_that_cross(record: Record) -> list[CrossingFacets]:
         CrossingFacets(names=(pieces.names[one], pieces.names[other]), time=float(record.time[rows[row]]))
         for one, other, row in _first_crossings(pieces, places[rows])
     ]
-    return sorted([*_turned_through(record), *found], key=lambda each: each.time)
+    return sorted([*_turned_through(record), *found], key=lambda crossing: crossing.time)
 
 
 def _turned_through(record: Record) -> list[CrossingFacets]:
@@ -103,10 +103,10 @@ def _pieces(structure: Structure) -> _Pieces:
     thickness = [plate.thickness for plate in plates] + [facets[number].thickness for number in numbers.tolist()]
     bodies = [structure.bodies[plate.body] for plate in plates]
     joined = np.zeros((len(polygons), len(polygons)), dtype=bool)
-    own = np.array([plate.body for plate in plates], dtype=np.int64)
+    plate_bodies = np.array([plate.body for plate in plates], dtype=np.int64)
     parents = np.array([body.parent for body in bodies], dtype=np.int64)
-    hinged = own[:, None] == parents
-    joined[: len(plates), : len(plates)] = hinged | hinged.T | (own[:, None] == own)
+    hinged = plate_bodies[:, None] == parents
+    joined[: len(plates), : len(plates)] = hinged | hinged.T | (plate_bodies[:, None] == plate_bodies)
     common = (triangles[:, None, :, None] == triangles[None, :, None, :]).sum(axis=(2, 3))
     joined[len(plates) :, len(plates) :] = common > 1
     return _Pieces(
@@ -139,7 +139,7 @@ def _first_crossings(pieces: _Pieces, places: Array) -> list[tuple[int, int, int
         order = np.argsort(row[crosses], kind="stable")
         for one, other, when in np.vstack([np.sort(owners, axis=0), row[crosses]]).T[order].tolist():
             found.setdefault((one, other), first + when)
-    return sorted(((one, other, row) for (one, other), row in found.items()), key=lambda each: each[2])
+    return sorted(((one, other, row) for (one, other), row in found.items()), key=lambda entry: entry[2])
 
 
 def _near(pieces: _Pieces, corners: Array) -> tuple[Indices, Indices]:
@@ -171,7 +171,7 @@ def _cross(corners: Array, normals: Array, half: Array) -> Flags:
     along = np.cross(normals[0, crosses], normals[1, crosses])
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     place = np.einsum("pckx,cx->pck", corners, along)
-    after, next_place = (np.roll(each, -1, axis=2) for each in (height, place))
+    after, next_place = (np.roll(values, -1, axis=2) for values in (height, place))
     cut = (height >= 0) != (after >= 0)
     share = np.divide(height, height - after, out=np.zeros_like(height), where=cut)
     # a line enters a polygon at every other side that it cuts; nan, for sides that are not cut, overlaps nothing

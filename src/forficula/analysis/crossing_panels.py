@@ -126,9 +126,9 @@ def _telling_rows(record: Record) -> list[int]:
 def panel_meshes(structure: Structure) -> list[PanelMesh]:
     """Return the meshes of the panels of all surfaces, one surface after another."""
     return [
-        PanelMesh(name=name, triangles=np.unique(own, return_inverse=True)[1].reshape(-1, 3))
+        PanelMesh(name=name, triangles=np.unique(triangles, return_inverse=True)[1].reshape(-1, 3))
         for surface in (membrane.surface for membrane in structure.membranes if membrane.surface is not None)
-        for name, own in ((name, surface.triangles[surface.panels == n]) for n, name in enumerate(surface.names))
+        for name, triangles in ((name, surface.triangles[surface.panels == n]) for n, name in enumerate(surface.names))
     ]
 
 
@@ -143,20 +143,20 @@ def panel_places(record: Record, rows: Sequence[int]) -> list[Array]:
         [record.series[name][list(rows)] for name in ("point_position", "membrane_position")], axis=1
     )
     bodies = np.concatenate(
-        [[point.body for point in structure.points], *(each.bodies for each in structure.membranes)]
+        [[point.body for point in structure.points], *(membrane.bodies for membrane in structure.membranes)]
     )
     places = np.concatenate(
-        [[point.place for point in structure.points], *(each.places for each in structure.membranes)]
+        [[point.place for point in structure.points], *(membrane.places for membrane in structure.membranes)]
     )
     found = []
     for surface in (membrane.surface for membrane in structure.membranes if membrane.surface is not None):
         nodes = np.zeros((len(known), len(surface.bodies), 3))
         for body in np.unique(surface.bodies).tolist():
-            mine, own = surface.bodies == body, bodies == body
-            ones = np.ones((1, int(own.sum())))
-            wanted = np.vstack([surface.places[mine].T / structure.span, np.ones((1, int(mine.sum())))])
-            weights = np.linalg.lstsq(np.vstack([places[own].T / structure.span, ones]), wanted, rcond=1e-9)[0]
-            nodes[:, mine] = np.einsum("rkx,kn->rnx", known[:, own], weights)
+            of_body, of_points = surface.bodies == body, bodies == body
+            ones = np.ones((1, int(of_points.sum())))
+            wanted = np.vstack([surface.places[of_body].T / structure.span, np.ones((1, int(of_body.sum())))])
+            weights = np.linalg.lstsq(np.vstack([places[of_points].T / structure.span, ones]), wanted, rcond=1e-9)[0]
+            nodes[:, of_body] = np.einsum("rkx,kn->rnx", known[:, of_points], weights)
         found += [nodes[:, np.unique(surface.triangles[surface.panels == n])] for n in range(len(surface.names))]
     return found
 
@@ -198,14 +198,14 @@ def _depths(one: PanelMesh, first_nodes: Array, other: PanelMesh, second_nodes: 
         _reaches(one, first_nodes[cross], other, second_nodes[cross]),
         _reaches(other, second_nodes[cross], one, first_nodes[cross]),
     ]
-    for (rows, edges, triangles), pierces, pierced, own in zip(
+    for (rows, edges, triangles), pierces, pierced, view in zip(
         through, (one, other), (other, one), (0, 1), strict=True
     ):
         places = np.searchsorted(cross, rows)[:, None]
-        reach, side, distance = (each[places, pierces.edges[edges]] for each in views[own])
+        reach, side, distance = (values[places, pierces.edges[edges]] for values in views[view])
         # an edge with both ends on one side only grazes the other panel
         least = np.where(side[:, :1] == side[:, 1:], distance, reach).min(axis=1, initial=np.inf)
-        reach, side, _ = (each[places, pierced.triangles[triangles]] for each in views[1 - own])
+        reach, side, _ = (values[places, pierced.triangles[triangles]] for values in views[1 - view])
         for sign in (1, -1):
             part = np.where(side == sign, reach, -np.inf).max(axis=1, initial=-np.inf)
             least = np.minimum(least, np.where(np.isfinite(part), part, np.inf))
@@ -220,10 +220,10 @@ def _piercings(
 
     An edge that only touches, as at the vein where two panels join, does not count.
     """
-    start, end = (first_nodes[:, one.edges[:, each], None] for each in (0, 1))
+    start, end = (first_nodes[:, one.edges[:, number], None] for number in (0, 1))
     corners = second_nodes[:, other.triangles]
     normals, along = _normals(corners), end - start
-    before, after = (_heights(each, corners, normals) for each in (start, end))
+    before, after = (_heights(places, corners, normals) for places in (start, end))
     slight = _SLIGHT * np.linalg.norm(along, axis=-1)
     rows, edges, triangles = np.nonzero((before * after < 0) & (np.abs(before) > slight) & (np.abs(after) > slight))
     before, after = before[rows, edges, triangles], after[rows, edges, triangles]

@@ -405,7 +405,7 @@ def dominance(groups: Groups) -> str:
     resisting = [(group.label, group.value) for group in groups.every if group.kind == "resist"]
     if groups.scale.time:
         resisting.append(("the inertia of the part that turns", 1.0))
-    resisting.sort(key=lambda each: -each[1])
+    resisting.sort(key=lambda entry: -entry[1])
     clauses = []
     if len(resisting) > 1:
         (first, most), *others = resisting

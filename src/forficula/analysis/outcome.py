@@ -336,7 +336,7 @@ def held_against(outcome: Outcome, checks: Sequence[NumericalCheck], design: Des
         state: held if all(check.holds.get(state) == held for check in checks) else None
         for state, held in outcome.holds.items()
     }
-    leads = {each.name: each.state for each in outcome.structure.transitions}
+    leads = {transition.name: transition.state for transition in outcome.structure.transitions}
     return replace(
         outcome,
         ending=ending,
@@ -525,7 +525,10 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
     )
     readings = {}
     # the measures, and groups of hinges by role that goals of transitions bound without being measures
-    watched = [*(each.name for each in record.structure.measures), *(t.measure for t in record.structure.transitions)]
+    watched = [
+        *(measure.name for measure in record.structure.measures),
+        *(t.measure for t in record.structure.transitions),
+    ]
     for measure_name in dict.fromkeys(watched):
         values = record.measured(measure_name)[window]
         measure = measure_of(record.structure, measure_name)
@@ -535,9 +538,9 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
             low=values.min(axis=0),
             high=values.max(axis=0),
         )
-    swung = [readings[each.name] for each in record.structure.measures if each.kind == "angle"]
+    swung = [readings[measure.name] for measure in record.structure.measures if measure.kind == "angle"]
     far = _STIR_SHARE * record.structure.span
-    moved = [readings[each.name] for each in record.structure.measures if each.kind == "distance"]
+    moved = [readings[measure.name] for measure in record.structure.measures if measure.kind == "distance"]
     mean, rest_state = coordinates.mean(axis=0), state_of(record.structure, name)
     hinges, springs, couplings = (
         record.series[series][window].mean(axis=0) if (series := f"{kind}_energy") in record.series else None
@@ -556,8 +559,8 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
         spring_energy=springs,
         coupling_energy=couplings,
         within=rest_state is not None and _within(mean, goal_of(record.structure, rest_state.goal)),
-        swings=any(bool(np.any(each.high - each.low > _STIR)) for each in swung)
-        or any(bool(np.any(each.high - each.low > far)) for each in moved),
+        swings=any(bool(np.any(reading.high - reading.low > _STIR)) for reading in swung)
+        or any(bool(np.any(reading.high - reading.low > far)) for reading in moved),
         furthest=furthest,
         furthest_kind=kind,
     )
@@ -600,7 +603,7 @@ def _sprung_back(record: Record, transition: Transition) -> tuple[float, float] 
     after = (number or 0) + 1
     if number is None or not _sound(record, after) or names[after] or stage_drives(record.stages[after].stage):
         return None
-    before, later = (_state(record, record.stages[each], transition.state).furthest for each in (number, after))
+    before, later = (_state(record, record.stages[stage], transition.state).furthest for stage in (number, after))
     return None if before is None or later is None else (before, later)
 
 

@@ -134,7 +134,7 @@ def smallest_package(record: Record) -> tuple[str, float, Package] | None:
     found = packages(record)
     if not found:
         return None
-    name = min(found, key=lambda each: found[each][1].area)
+    name = min(found, key=lambda shape: found[shape][1].area)
     return (name, *found[name])
 
 
@@ -152,8 +152,8 @@ def _radius(structure: Structure) -> float:
 
 def _places(record: Record, row: int) -> Array:
     """Return positions of the structure's points and membrane nodes in a row of a record, m, (place, 3)."""
-    own = [number for number, point in enumerate(record.structure.points) if point.role != "ground"]
-    places = record.series["point_position"][row, own]
+    moving = [number for number, point in enumerate(record.structure.points) if point.role != "ground"]
+    places = record.series["point_position"][row, moving]
     if "membrane_position" in record.series:
         places = np.concatenate([places, record.series["membrane_position"][row]])
     return np.asarray(places)

@@ -204,7 +204,7 @@ def missed_targets(record: Record) -> list[Missed]:
         if not least <= angle <= most:
             target, within = (least + most) / 2, (most - least) / 2
             found.append(Missed(label=hinge.label or hinge.name, angle=float(angle), target=target, within=within))
-    return sorted(found, key=lambda each: -abs(each.angle - each.target))
+    return sorted(found, key=lambda hinge: -abs(hinge.angle - hinge.target))
 
 
 def missed_text(missed: list[Missed], creases: int) -> str:

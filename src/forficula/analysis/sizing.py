@@ -117,7 +117,7 @@ def _sizes(
     structure: Structure, law: MaterialLaw, stiffnesses: Sequence[float], length: float, why: str
 ) -> TendonSizes:
     """Compute sizes of tendons of one length, with the strain of the longest of them in the built shape."""
-    areas = [area_for(law, length=length, stiffness=each) for each in stiffnesses]
+    areas = [area_for(law, length=length, stiffness=stiffness) for stiffness in stiffnesses]
     strain = _flat_length(structure, length) / length - 1
     share = _mean_share(law, strain - law.residual_strain)
     sizes = [

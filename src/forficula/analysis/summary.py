@@ -265,18 +265,18 @@ class _StateNumbers:
 def _state(structure: Structure, state: State, confirmation: Confirmation | None) -> StateSummary:
     readings, energies = _readings(structure), list(_energies(structure, state))
     others: dict[str, WithUnit] = {}
-    for each in readings:
-        others[each.name] = WithUnit(each.numbers(state.values), each.unit)
+    for quantity in readings:
+        others[quantity.name] = WithUnit(quantity.numbers(state.values), quantity.unit)
         for end in ("low", "high"):
             ends = {name: getattr(reading, end) for name, reading in state.readings.items()}
-            others[f"{each.name}_{end}"] = WithUnit(each.numbers(ends), each.unit)
+            others[f"{quantity.name}_{end}"] = WithUnit(quantity.numbers(ends), quantity.unit)
     # a sparse record does not have the energy of membranes
     values = {"membrane.energy": np.array([state.membrane_energy]), **state.values}
     others |= {energy.name: WithUnit(energy.numbers(values), energy.unit) for energy in energies}
-    for each in (*readings, *energies):
-        halves = None if confirmation is None else confirmation.of_state(state.name, each.numbers)
+    for quantity in (*readings, *energies):
+        halves = None if confirmation is None else confirmation.of_state(state.name, quantity.numbers)
         if halves is not None:
-            others[f"{each.name}_uncertainty"] = WithUnit(halves, each.unit)
+            others[f"{quantity.name}_uncertainty"] = WithUnit(halves, quantity.unit)
     return StateSummary(
         time=state.time,
         others=others,

@@ -175,10 +175,10 @@ class Record(Displayed):
         """
         measure = measure_of(self.structure, name)
         if measure is None:
-            known = ", ".join(each.name for each in self.structure.measures)
+            known = ", ".join(measure.name for measure in self.structure.measures)
             raise InputError(f"{self.design.name}: measure: need one of {known}, got {name}")
         if measure.points is not None:
-            place = [each.name for each in distances_of(self.structure)].index(name)
+            place = [distance.name for distance in distances_of(self.structure)].index(name)
             return self.series["distance"][:, place : place + 1]
         return read_angles(measure, self.series["hinge_angle"])
 

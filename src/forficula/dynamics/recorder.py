@@ -81,17 +81,17 @@ class Recorder:
         other._fastest = None if self._fastest is None else self._fastest.copy()
         return other
 
-    def add(self, rows: _Rows, mine: slice, chunk: Chunk, place: int) -> None:
+    def add(self, rows: _Rows, selected: slice, chunk: Chunk, place: int) -> None:
         """Keep some rows of one structure of the chunk; the first row begins the stage if the stage begins there."""
         if chunk.begins[place]:
             if self._stages:
                 self._close_stage()
-            first = slice(mine.start, mine.start + 1)
+            first = slice(selected.start, selected.start + 1)
             self._stages.append([_joined([(rows, first)])])
-            mine = slice(first.stop, mine.stop)
+            selected = slice(first.stop, selected.stop)
         parts = self._stages[-1]
-        if mine.start < mine.stop:
-            parts.append((rows, mine))
+        if selected.start < selected.stop:
+            parts.append((rows, selected))
         if self._sparse:
             oldest = chunk.first[place] + chunk.taken[place] - self._window
             while len(parts) > 2 and parts[2][0].number[parts[2][1].start] <= oldest:
@@ -270,9 +270,13 @@ def _joined(parts: Sequence[_Part]) -> _Part:
     """Return rows one after another, copied."""
     first, _ = parts[0]
     rows = _Rows(
-        number=np.concatenate([rows.number[mine] for rows, mine in parts]),
-        angle=np.concatenate([rows.angle[mine] for rows, mine in parts]),
-        derived={name: np.concatenate([rows.derived[name][mine] for rows, mine in parts]) for name in first.derived},
-        account={name: np.concatenate([rows.account[name][mine] for rows, mine in parts]) for name in first.account},
+        number=np.concatenate([rows.number[selected] for rows, selected in parts]),
+        angle=np.concatenate([rows.angle[selected] for rows, selected in parts]),
+        derived={
+            name: np.concatenate([rows.derived[name][selected] for rows, selected in parts]) for name in first.derived
+        },
+        account={
+            name: np.concatenate([rows.account[name][selected] for rows, selected in parts]) for name in first.account
+        },
     )
     return rows, slice(None)

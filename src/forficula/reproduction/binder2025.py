@@ -30,8 +30,8 @@ _FOLD_TORQUE, _UNFOLD_TORQUE, _TORQUE_STEP = 0.5, 1.0, 0.1
 # numbers of the paper's 60 tendons that fold with at most these torques, and of those that open again
 _FOLDS, _OPENS = 32, 13
 # the paper's tendons, in N/m and m
-_STIFFNESSES = tuple(1e3 * each for each in range(1, 7))
-_REST_LENGTHS = tuple(1e-2 * each for each in range(10))
+_STIFFNESSES = tuple(1e3 * stiffness for stiffness in range(1, 7))
+_REST_LENGTHS = tuple(1e-2 * length for length in range(10))
 # share of the flat energy: smaller energies remain because a state is not completely at rest
 _EQUAL = 1e-3
 # "much less" in the paper is interpreted as less than half

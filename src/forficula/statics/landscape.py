@@ -180,12 +180,12 @@ class EnergyLandscape(Result):
     @property
     def hinge(self) -> HingeLandscape | None:
         """Return the first ideal hinge, with both bars perpendicular to its axis; None without bars."""
-        return next((each.ideal for each in self.hinges if each.ideal is not None), None)
+        return next((hinge.ideal for hinge in self.hinges if hinge.ideal is not None), None)
 
     @property
     def tendons(self) -> tuple[HingeLandscape, ...]:
         """Return every hinge that one tendon lies across, about its true axis, by tendon."""
-        return tuple(each.own for each in self.hinges)
+        return tuple(hinge.own for hinge in self.hinges)
 
     @property
     def least_torques(self) -> Mapping[str, float | None]:

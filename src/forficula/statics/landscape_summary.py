@@ -140,11 +140,11 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
         hinge=None if hinge is None else _hinge(hinge),
         tendons=[
             TendonCurve(
-                tendon=structure.tendons[each.tendon].name,
-                hinge=structure.hinges[each.hinge].name,
-                curve=_hinge(each.own),
+                tendon=structure.tendons[hinge_law.tendon].name,
+                hinge=structure.hinges[hinge_law.hinge].name,
+                curve=_hinge(hinge_law.own),
             )
-            for each in landscape.hinges
+            for hinge_law in landscape.hinges
         ],
         wing=None if path is None else _fold(landscape, path),
         levels=landscape.levels,
@@ -152,7 +152,7 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
         rests=landscape.rests,
         least_torques=landscape.least_torques,
         least_torque_ranges={torque.name: torque.span for torque in torques if torque.span is not None},
-        inertial_help={each.name: each.inertial_help for each in torques},
+        inertial_help={torque.name: torque.inertial_help for torque in torques},
         tips=landscape.tips,
         remarks=landscape.remarks,
         net=None if landscape.net is None else _net(landscape, landscape.net),
@@ -320,11 +320,11 @@ def _course(structure: Structure, net: Net, course: Course) -> dict[str, Any]:
     def path(points: Sequence[PathPoint]) -> dict[str, Any]:
         forces = [reaction(structure, net, drive, point.shape) for point in points if displaces(structure, drive)]
         return {
-            "drive": WithUnit([size * each.factor for each in points], shown),
-            "gone": WithUnit([gone(structure, net, drive, each.shape) for each in points], along),
+            "drive": WithUnit([size * point.factor for point in points], shown),
+            "gone": WithUnit([gone(structure, net, drive, point.shape) for point in points], along),
             **({"force": WithUnit(forces, "N")} if forces else {}),
-            "energy": WithUnit([each.energy for each in points], "J"),
-            "ways_downhill": [each.index for each in points],
+            "energy": WithUnit([point.energy for point in points], "J"),
+            "ways_downhill": [point.index for point in points],
         }
 
     return {

@@ -39,7 +39,9 @@ def least_slow_torques(designs: Sequence[Design], names: Collection[str] | None 
     structures = ensemble_of(designs)
     transitions = structures.structure.transitions
     start = start_state(structures).position
-    wanted = [each.stage is not None and (names is None or each.name in names) for each in transitions]
+    wanted = [
+        transition.stage is not None and (names is None or transition.name in names) for transition in transitions
+    ]
     found = []
     for number, transition in enumerate(transitions):
         # the start of a transition depends on the transitions before it

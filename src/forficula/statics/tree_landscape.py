@@ -149,7 +149,7 @@ def _rest(structures: Ensemble, name: str, found: Equilibria, earlier: Sequence[
         stored={part: known(energy) for part, energy in stored_energy(structures, found.position[:1]).items()},
         stable=bool(found.rests[0] and found.stiffness[0] > -soft_stiffness(structures)),
         within=within,
-        same_as=next((each.name for each in earlier if np.all(np.abs(each.angles - position) <= _SAME)), ""),
+        same_as=next((rest.name for rest in earlier if np.all(np.abs(rest.angles - position) <= _SAME)), ""),
     )
 
 

@@ -14,7 +14,7 @@ from forficula.statics.net.supports import rigid_motions
 
 
 def truss(nodes, bars, *, stiffness, rest=None, held=(), masses=None, gravity=0.0):
-    """Bars between nodes; `held` are nodes, or pairs of node and axis."""
+    """Return bars between nodes; `held` lists nodes, or pairs of node and axis."""
     nodes = np.asarray(nodes, dtype=float)
     bars = np.asarray(bars, dtype=np.int64).reshape(-1, 2)
     free = np.ones(nodes.shape, dtype=bool)
@@ -36,9 +36,9 @@ def truss(nodes, bars, *, stiffness, rest=None, held=(), masses=None, gravity=0.
 
 
 def sheet(nodes, facets: Sequence[Sequence[int]], *, axial=1e4, crease=1.0, facet=1e2, rest=0.0, held=()):
-    """Triangles and quadrilaterals, counterclockwise, of bars EA = `axial`; springs by length of crease.
+    """Return a sheet of counterclockwise triangles and quadrilaterals: bars of EA = `axial`, springs per crease length.
 
-    Returns the net, and which of its creases are diagonals of facets.
+    The second result tells which of the net's creases are diagonals of facets.
     """
     nodes = np.asarray(nodes, dtype=float)
     triangles, diagonals = [], set()
@@ -68,7 +68,7 @@ def sheet(nodes, facets: Sequence[Sequence[int]], *, axial=1e4, crease=1.0, face
 
 
 def miura(columns, rows, *, side=1.0, other=1.0, acute=np.pi / 3, fold=0.0):
-    """Nodes and facets of a Miura sheet; `fold` is the angle of its facets above the plane (Schenk and Guest 2013)."""
+    """Return nodes and facets of a Miura sheet; `fold`: angle of its facets to the plane (Schenk and Guest 2013)."""
     height = side * np.sin(fold) * np.sin(acute)
     cosine = np.cos(fold) * np.tan(acute)
     across = other * cosine / np.sqrt(1 + cosine**2)
@@ -82,7 +82,7 @@ def miura(columns, rows, *, side=1.0, other=1.0, acute=np.pi / 3, fold=0.0):
 
 
 def mechanisms(net, stiff):
-    """First-order mechanisms of a net without supports as built, orthonormal and beside motions of the whole.
+    """Return the first-order mechanisms of a net as built without supports, orthonormal, without rigid motions.
 
     By shape (mechanism, node, 3).
     """

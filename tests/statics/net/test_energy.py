@@ -1,4 +1,4 @@
-"""The energy of nets: its slope and curvature, what moving and scaling does to it, its parts in closed form."""
+"""The energy of nets: its slope and curvature, invariance and scaling, and closed forms of its parts."""
 
 from dataclasses import replace
 
@@ -18,7 +18,7 @@ from tests.statics.net.nets import miura, sheet, truss
 
 
 def everything(scale=1.0, moved=lambda nodes: nodes):
-    """A folded sheet with tendons, one that ends inside a facet, and membranes; lengths and stiffness to scale."""
+    """Return a folded sheet with membranes and tendons, one ending inside a facet; `scale` of length and stiffness."""
     nodes, facets = miura(2, 2, fold=0.7)
     nodes = moved(scale * nodes)
     net = sheet(nodes, facets, axial=1e4 * scale, crease=scale, facet=1e2 * scale)[0]
@@ -102,7 +102,7 @@ def test_a_membrane_stretched_one_way_stores_what_its_law_says():
     )
     net = replace(net, membranes=sheet_)
     strain = (1.1**2 - 1) / 2
-    across = np.sqrt(1 - 2 * 0.3 * strain)  # no stress that way
+    across = np.sqrt(1 - 2 * 0.3 * strain)  # no stress across
     here = shape_at(net, nodes * (1.1, across, 1))
     assert expand(net, here).stored == pytest.approx(1e6 * strain**2 / 2 * 1e-3)
     np.testing.assert_allclose(strength(net, here).stresses, [[1e6 * strain, 0]], atol=1e-6)

@@ -1,4 +1,4 @@
-"""Fold angles: their sign, their way past contact, slopes and curvatures."""
+"""Fold angles: their sign, their continuation beyond contact, slopes and curvatures."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from forficula.statics.net.energy import fold_angle_derivatives, fold_angles
 
 
 def sides(angle, left=(0.3, 1.0), right=(0.6, 0.8)):
-    """A crease along x, its left panel turned up by an angle, heights and offsets of the corners."""
+    """Return a crease along x whose left panel is turned up by an angle, with heights and offsets of the corners."""
     up = (left[0], left[1] * np.cos(angle), left[1] * np.sin(angle))
     return np.array([[(1.5, 0, 0), up, (right[0], -right[1], 0)]])
 

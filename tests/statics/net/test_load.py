@@ -1,4 +1,4 @@
-"""Loads: where they act, and which are refused."""
+"""Loads: where they act, and which are rejected."""
 
 from dataclasses import replace
 from itertools import combinations
@@ -20,7 +20,7 @@ def test_pressure_on_a_closed_surface_adds_up_to_nothing():
     outwards = np.array([(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)])
     load = pressure(TETRAHEDRON, built_shape(TETRAHEDRON), outwards)
     np.testing.assert_allclose(load.forces.sum(axis=0), 0, atol=1e-14)
-    # work of a swelling is pressure times the change of volume, 3 times the volume for each unit of scale
+    # the work of growth is pressure times change of volume: 3 volumes per unit of scale
     assert np.sum(load.forces * TETRAHEDRON.nodes) == pytest.approx(3 * 8 / 3)
 
 

@@ -1,4 +1,4 @@
-"""Load paths: what ends them, what is reported on them; single cases in closed form are in tests/validation."""
+"""Load paths: what ends them, and what they report; cases with closed forms are in tests/validation."""
 
 import time
 from dataclasses import replace
@@ -55,7 +55,7 @@ def test_torques_fold_a_free_sheet_which_turns_with_them():
     energies = [point.energy for point in path.points]
     assert np.all(np.diff(energies) > 0)
     for point in path.points:
-        # without pins nothing pushes either: torques are in balance by themselves
+        # without pins there is no reaction: the torques are in balance
         assert np.abs(expand(net, point.shape, load, point.factor).slope).max() < 1e-6
 
 
@@ -73,7 +73,7 @@ def test_a_sheet_of_961_nodes_goes_a_hundred_increments_in_a_minute():
 
 @pytest.mark.parametrize("step", [0.02, 0.1, 0.3])
 def test_a_panel_that_locks_is_not_led_through_the_one_it_meets(step):
-    # one panel, at right angles to the other as built, is pressed onto it; its spring locks from 135 deg on
+    # a panel, built at right angles to the other, is pressed onto it; its spring locks from 135 deg
     net, _ = sheet([[0, 0, 0], [0, 1, 0], [-1, 0.5, 0], [0, 0.5, 1]], [(0, 1, 2), (1, 0, 3)], held=[0, 1, 2])
     law = replace(net.creases.law, rest_angle=np.pi / 2, lock_above=np.deg2rad(135))
     net = replace(net, creases=replace(net.creases, law=law))
@@ -89,7 +89,7 @@ def test_energy_is_the_work_of_the_load():
     path = load_path(NET, built_shape(NET), PUSH, step=0.001, increments=300)
     down = np.array([0.3 - point.shape.positions[1, 2] for point in path.points])
     work = np.trapezoid([point.factor for point in path.points], down)
-    assert work == pytest.approx(path.points[-1].energy, rel=2e-5)  # of the trapezoids' rule
+    assert work == pytest.approx(path.points[-1].energy, rel=2e-5)  # trapezoidal rule
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Rest: from where it starts downhill, proven by inertia; what does not settle says so."""
+"""Minimization: it goes downhill from its start, proves the minimum by a matrix's inertia, and reports failures."""
 
 import time
 from dataclasses import replace
@@ -29,7 +29,7 @@ def test_a_disturbed_sheet_comes_back_to_rest_without_a_slope(seed):
 
 
 def test_a_torque_on_a_crease_turns_it_by_its_stiffness():
-    # two triangles on a held one's edge: nothing but the crease resists
+    # two triangles on the edge of a fixed one: only the crease resists
     nodes = np.array([(0, 0, 0), (1, 0, 0), (0.5, 1, 0), (0.5, -1, 0)])
     net = sheet(nodes, [(0, 1, 2), (1, 0, 3)], crease=2.0, held=[0, 1, 3])[0]
     rest = minimum(net, built_shape(net), crease_torques(net, np.array([0]), 1.0), 0.6)
@@ -40,7 +40,7 @@ def test_a_torque_on_a_crease_turns_it_by_its_stiffness():
 def test_a_flat_sheet_exactly_on_the_ridge_is_at_rest_but_not_stable():
     net = sheet(*miura(2, 2, fold=0.0), crease=0.0, facet=0.0)[0]
     squeezed = replace(net, springs=replace(net.springs, rest_length=1.05 * net.springs.rest_length))
-    # flat, the longer bars are all as long as in a flat sheet 1.05 times as large: held smaller they push
+    # when flat, the longer bars fit a flat sheet 1.05 times as large, so a smaller one compresses them
     frame = squeezed.free.copy()
     frame[[0, 1, 2, 3, 5, 6, 7, 8], :] = False
     rest = minimum(replace(squeezed, free=frame), built_shape(squeezed))
@@ -95,7 +95,7 @@ def test_a_sheet_of_961_nodes_folds_in_seconds():
 
 
 def test_one_coordinate_goes_downhill_over_an_inflection_where_nothing_is_stiff():
-    # von Mises' truss under a force above its limit: its curvature is 0 twice on the way
+    # von Mises' truss under a force above its limit: the curvature vanishes twice on the path
     net = truss([[-1, 0, 0], [1, 0, 0], [0, 0, 0.4]], [(0, 2), (1, 2)], stiffness=100.0, held=(0, 1, (2, 0), (2, 1)))
     load = point_forces(net, np.array([2]), np.array([[0.0, 0.0, -1.0]]))
     for force in np.linspace(2.4, 4.0, 5):

@@ -1,4 +1,4 @@
-"""What a net is made of fits together, or is refused with the name, the rule and the value."""
+"""The parts of a net fit together, or an error names the field, the rule and the value."""
 
 from dataclasses import replace
 

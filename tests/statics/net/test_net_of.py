@@ -1,4 +1,4 @@
-"""Structures of sliding points as nets: what is taken over, and in which sense."""
+"""Conversion of structures of sliding points to nets: parts and signs."""
 
 import numpy as np
 import pytest
@@ -34,7 +34,7 @@ def test_angles_count_in_the_sense_of_each_crease():
     shape = start_shape(MIURA, net)
     assert own_angles(MIURA, shape) == pytest.approx(built_creases(MIURA))
     creases = ~bends(MIURA)
-    # every crease is folded as its letter says, so that mountains are negative where valleys are positive
+    # creases are folded as assigned: mountain angles have the opposite sign of valley angles
     assert (own_angles(MIURA, shape)[creases] > 0).all()
     assert {float(np.sign(angle)) for angle in shape.angles[creases]} == {-1.0, 1.0}
 
@@ -59,7 +59,7 @@ def test_laws_of_mountains_are_those_of_valleys_seen_from_behind():
 
 
 def test_springs_that_rest_further_on_push_as_the_torque_does_that_their_law_has():
-    """For a linear law and a locking one: moment(angle, further) is the moment less stiffness x further."""
+    """For a linear and a locking law: moment(angle, shift) is the moment less stiffness x shift."""
     net = net_of(MIURA)
     motors = [motor.kind for motor in MIURA.motors]
     assert motors == ["rest-angle"]

@@ -1,4 +1,4 @@
-"""Panels that pass through one another."""
+"""Panels that pass through each other."""
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ TWO = np.array([[0, 1, 2], [3, 4, 5]])
 
 
 def pair(low, high):
-    """A triangle across the floor, and one upright through it between two heights."""
+    """Return a horizontal triangle, and an upright one that passes through it between two heights."""
     nodes = [[-1, -1, 0], [2, -1, 0], [-1, 2, 0], [0, 0, low], [0.1, 0, low], [0, 0.1, high]]
     return truss(nodes, [(0, 1)], stiffness=1.0)
 
@@ -38,7 +38,7 @@ def test_a_crease_beyond_half_a_turn_passes():
     there = net.nodes.copy()
     there[3] = [0.5, np.cos(0.1), np.sin(0.1)]
     assert not panels_pass(net, shape_at(net, there, np.array([np.pi - 0.1])), triangles)
-    # on the other side of the panel: folded back and round, or on through
+    # on the other side of the panel: folded around it, or passed through it
     there[3, 2] *= -1
     assert not panels_pass(net, shape_at(net, there, np.array([0.1 - np.pi])), triangles)
     assert panels_pass(net, shape_at(net, there, np.array([np.pi + 0.1])), triangles)

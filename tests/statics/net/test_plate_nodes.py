@@ -1,4 +1,4 @@
-"""Rigid plates as four nodes each: what they weigh, how they hang together, and in which sense they fold."""
+"""Rigid plates as four nodes each: their masses, their connections, and the signs of their fold angles."""
 
 import numpy as np
 import pytest
@@ -43,7 +43,7 @@ def test_plates_without_loops_stay_a_tree():
 
 
 def test_nodes_have_the_mass_and_the_inertia_of_their_plates():
-    """Twice the kinetic energy of a triangle that turns at 1 rad/s in its plane about its centre: its polar moment."""
+    """Of a triangle that turns in its plane at 1 rad/s, twice the kinetic energy is the polar moment of inertia."""
     net, structure = net_of(FREE), FREE
     mass = net.mass_matrix.toarray()
     area = 0.02**2 * np.sin(np.radians(87.5)) / 2

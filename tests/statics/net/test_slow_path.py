@@ -1,4 +1,4 @@
-"""Loads that grow slowly: von Mises' truss snaps at its limit, and a strut that buckles takes a branch."""
+"""Slowly growing loads: von Mises' truss snaps at its limit load, and a buckling strut takes a branch."""
 
 import numpy as np
 import pytest
@@ -15,13 +15,13 @@ HALF, RISE, STIFFNESS = 1.0, 0.4, 100.0
 
 
 def von_mises():
-    """Two bars that meet at an apex, which goes up and down only."""
+    """Return two bars that meet at an apex, which moves vertically only."""
     nodes = [[-HALF, 0, 0], [HALF, 0, 0], [0, 0, RISE]]
     return truss(nodes, [(0, 2), (1, 2)], stiffness=STIFFNESS, held=(0, 1, (2, 0), (2, 1)))
 
 
 def force(height):
-    """Down on the apex, that balances the bars at a height, N."""
+    """Return the downward force on the apex that balances the bars at a height, N."""
     length = np.hypot(HALF, height)
     return 2 * STIFFNESS * (np.hypot(HALF, RISE) / length - 1) * height
 
@@ -39,7 +39,7 @@ def test_it_snaps_at_the_largest_force_and_lands_beyond_its_mirror_image():
     landed = snap.after.shape.positions[2, 2]
     assert landed < -RISE
     assert force(landed) == pytest.approx(largest, rel=1e-3)
-    # what is lost is the work of the force less what the bars take up
+    # dissipated: the work of the force less the energy that the bars store
     before = snap.before.positions[2, 2]
     stored = [STIFFNESS * (np.hypot(HALF, height) - np.hypot(HALF, RISE)) ** 2 for height in (before, landed)]
     assert snap.released == pytest.approx(largest * (before - landed) + stored[0] - stored[1], rel=1e-3)
@@ -64,7 +64,7 @@ def test_it_stops_on_the_way_of_a_snap_where_it_is_told():
 
 
 def test_a_strut_that_buckles_turns_into_one_of_two_branches():
-    """Two bars in line with a spring across: they buckle at k L / 2 (e.g. Bazant and Cedolin 2010, section 4.5)."""
+    """Two collinear bars with a spring across them buckle at k L / 2 (e.g. Bazant and Cedolin 2010, section 4.5)."""
     side, length = 2.0, 1.0
     nodes = [[0, 0, 0], [length, 0, 0], [2 * length, 0, 0], [length, 0, 1.0]]
     held = (0, (1, 1), (2, 1), (2, 2), 3)
@@ -77,7 +77,7 @@ def test_a_strut_that_buckles_turns_into_one_of_two_branches():
 
 
 def test_a_displacement_through_a_soft_spring_snaps_back_and_goes_on_to_its_end():
-    """The end of the spring goes down by the apex's way and the force over the spring's stiffness."""
+    """The end of the spring moves by the apex's displacement plus the force divided by the spring's stiffness."""
     soft, length = 4.0, 8.0
     nodes = [[-HALF, 0, 0], [HALF, 0, 0], [0, 0, RISE], [0, 0, RISE + length]]
     net = truss(nodes, [(0, 2), (1, 2), (2, 3)], stiffness=[STIFFNESS, STIFFNESS, soft], held=(0, 1, (2, 0), (2, 1), 3))

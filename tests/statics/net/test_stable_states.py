@@ -1,4 +1,4 @@
-"""Searches for stable states, saddles between them and torques that hold, on a panel that a tendon snaps over."""
+"""Searches for stable states, saddles and holding torques, on a panel that a tendon snaps across its crease."""
 
 from dataclasses import replace
 
@@ -23,7 +23,7 @@ ANCHOR = np.array([0.5, -0.8, -0.4])
 
 
 def panel():
-    """A panel of height 1 on a held edge, its corner pulled over the edge towards an anchor: the crease snaps."""
+    """Return a panel of height 1 on a held edge; a tendon pulls its corner across the edge: the crease snaps."""
     nodes = np.array([(0, 0, 0), (1, 0, 0), (0.5, 1, 0), (0.5, -1, 0), ANCHOR])
     net = sheet(nodes, [(0, 1, 2), (1, 0, 3)], crease=STIFFNESS, axial=1e6, held=[0, 1, 3, 4])[0]
     law = ElasticLaw(rest_length=np.array([REST]), linear=np.array([PULL]))
@@ -31,7 +31,7 @@ def panel():
 
 
 def energy(angle):
-    """Of crease and tendon by the fold angle."""
+    """Return the energy of crease and tendon as a function of the fold angle."""
     length = np.linalg.norm(np.array([0.5, np.cos(angle), np.sin(angle)]) - ANCHOR)
     return STIFFNESS * angle**2 / 2 + PULL * max(length - REST, 0) ** 2 / 2
 
@@ -57,7 +57,7 @@ def test_the_search_finds_both_states_of_the_closed_form(found):
     assert len(states.states) == 2
     for state, (angle, stored) in zip(states.states, known, strict=True):
         assert state.stable
-        # bars are 1e6 times stiffer than what bends them
+        # bars are 1e6 times stiffer than the tendon
         assert state.shape.angles[0] == pytest.approx(angle, abs=1e-5)
         assert state.energy == pytest.approx(stored, rel=1e-5)
     assert sum(states.counts) + states.failed == states.tries + 1

@@ -1,4 +1,4 @@
-"""What the parts of a net bear, and what moves with masses that are spread or missing."""
+"""Loads in the parts of a net, and its motion with consistent, lumped or missing masses."""
 
 from dataclasses import replace
 
@@ -37,7 +37,7 @@ def test_springs_without_a_resting_length_have_forces_but_no_strain():
 
 
 def test_nodes_without_a_mass_follow_at_once():
-    # two springs in series between a support and a mass are one of half the stiffness
+    # two springs in series have half the stiffness of one
     nodes = np.array([(0.0, 0, 0), (1, 0, 0), (2, 0, 0)])
     held = [0, (1, 1), (1, 2), (2, 1), (2, 2)]
     net = truss(nodes, [[0, 1], [1, 2]], stiffness=8.0, held=held, masses=[0, 0, 0.5])
@@ -47,7 +47,7 @@ def test_nodes_without_a_mass_follow_at_once():
 
 
 def test_a_matrix_of_masses_is_the_mass_of_a_rod():
-    # a rod of mass m between two nodes has m / 3 on the diagonal, m / 6 beside it (e.g. Cook 1981)
+    # a rod of mass m between two nodes: m / 3 on the diagonal, m / 6 off it (e.g. Cook 1981)
     nodes = np.array([(0.0, 0, 0), (1, 0, 0)])
     net = truss(nodes, [[0, 1]], stiffness=6.0, held=[(0, 1), (0, 2), (1, 1), (1, 2)])
     net = replace(net, masses=csr_array(0.5 * np.array([[1 / 3, 1 / 6], [1 / 6, 1 / 3]])))

@@ -1,4 +1,4 @@
-"""Motions of the whole: which are left, and how they are held."""
+"""Rigid motions: which ones supports leave free, and how they are removed."""
 
 import numpy as np
 import pytest

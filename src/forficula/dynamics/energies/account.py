@@ -145,11 +145,11 @@ class Account:
                 motor_power_name(motor): float(
                     self._powers[row, motor]
                     if self._by_engine[row, motor]
-                    else model.units.power * torques[motor] * each
+                    else model.units.power * torques[motor] * speed
                 )
-                for motor, each in enumerate(along)
+                for motor, speed in enumerate(along)
             },
-            **{motor_setting_name(motor): float(each) for motor, each in enumerate(settings)},
+            **{motor_setting_name(motor): float(setting) for motor, setting in enumerate(settings)},
             **{
                 motor_force_name(motor): float(self._forces[row, motor])
                 for motor in np.flatnonzero(self._displaces.any(axis=0)).tolist()
@@ -244,7 +244,8 @@ class Account:
             lost[place] = -branch_losses(model, activations).sum(axis=(1, 2))
         if model.lets_go.any():
             forces, late = (
-                {name: each[name][place] for name in LETTING_GO} if each else {} for each in (steps.derived, steps.late)
+                {name: fields[name][place] for name in LETTING_GO} if fields else {}
+                for fields in (steps.derived, steps.late)
             )
             damper, spared = letting_go_work(model, travel[place], forces, late, activations)
             work["elastic_damping_work"][place] += damper
@@ -293,11 +294,11 @@ class Account:
         self._widest[rows] = widest[np.arange(len(rows)), taken]
         return np.asarray(widest[:, :-1])
 
-    def _added_up(self, name: str, rows: Indices, each: Array, taken: Indices) -> Array:
+    def _added_up(self, name: str, rows: Indices, works: Array, taken: Indices) -> Array:
         """Add the work of steps to a sum, and return the sum before each step, (row, step)."""
         done = self._done.setdefault(name, np.zeros(len(self._models)))
         # a single sum from the start, which does not depend on the ends of chunks
-        total = np.cumsum(np.concatenate([done[rows, None], each], axis=1), axis=1)
+        total = np.cumsum(np.concatenate([done[rows, None], works], axis=1), axis=1)
         done[rows] = total[np.arange(len(rows)), taken]
         return np.asarray(total[:, :-1])
 

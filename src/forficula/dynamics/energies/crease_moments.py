@@ -62,13 +62,13 @@ def crease_moments(models: Sequence[Model]) -> CreaseMoments:
     """Collect the laws and motors of creases of structures of one topology, which must have creases."""
     creases = [model.creases for model in models if model.creases is not None]
     unit = [np.eye(len(model.structure.motors)) for model in models]
-    settings = [model.settings(each) for model, each in zip(models, unit, strict=True)]
+    settings = [model.settings(unit_creases) for model, unit_creases in zip(models, unit, strict=True)]
     names = [field.name for field in dataclasses.fields(CreaseLaw)]
     return CreaseMoments(
         senses=np.array([crease.senses for crease in creases], dtype=np.float64),
-        law=CreaseLaw(**{name: np.array([np.asarray(getattr(each.law, name)) for each in creases]) for name in names}),
-        damping=np.array([each.damping for each in creases]),
+        law=CreaseLaw(**{name: np.array([np.asarray(getattr(part.law, name)) for part in creases]) for name in names}),
+        damping=np.array([part.damping for part in creases]),
         rests=np.array([rests for rests, _ in settings]),
         torques=np.array([torques for _, torques in settings]),
-        braking=np.array([model.braking(each) for model, each in zip(models, unit, strict=True)]),
+        braking=np.array([model.braking(unit_creases) for model, unit_creases in zip(models, unit, strict=True)]),
     )

@@ -51,7 +51,7 @@ def add_creases(spec: mujoco.MjSpec, structure: Structure) -> None:
         return
     points, corners = np.unique(flaps, return_inverse=True)
     corners = corners.reshape(-1, 6)
-    triangles = {tuple(sorted(each)): each for each in corners[:, [1, 0, 2]][:, [1, 0, 2]].tolist()}
+    triangles = {tuple(sorted(triangle)): triangle for triangle in corners[:, [1, 0, 2]][:, [1, 0, 2]].tolist()}
     # counterclockwise like the left triangle, so the right one runs in the opposite direction along the crease
     for triangle in corners[:, [4, 3, 5]].tolist():
         triangles.setdefault(tuple(sorted(triangle)), triangle)
@@ -121,8 +121,8 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> En
         if number is None:
             raise InputError(f"{hinge.name}: need two facets that no others meet at their edge, got more")
         found.append(number)
-    mine = edges[found]
-    ahead, on_left = mine[:, 0] == folds.flaps[:, 0], mine[:, 2] == folds.flaps[:, 2]
+    crease_edges = edges[found]
+    ahead, on_left = crease_edges[:, 0] == folds.flaps[:, 0], crease_edges[:, 2] == folds.flaps[:, 2]
     return EngineCreases(
         rows=np.array(found, dtype=np.int64) + _first_row(engine, flex),
         order=np.column_stack([~ahead, ahead, 2 + ~on_left, 2 + on_left]).astype(np.int64),

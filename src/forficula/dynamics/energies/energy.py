@@ -34,15 +34,17 @@ def letting_go_work(
     """
     which = np.flatnonzero(model.lets_go)
     if late:
-        ends = [_letting_go(model, which, *each) for each in ((forces, activations[:-1]), (late, activations[1:]))]
+        ends = [
+            _letting_go(model, which, *arguments) for arguments in ((forces, activations[:-1]), (late, activations[1:]))
+        ]
         powers = [
-            [part * each["ten_velocity"][:, model.tendons[which]] for part in end]
-            for end, each in zip(ends, (forces, late), strict=True)
+            [part * fields["ten_velocity"][:, model.tendons[which]] for part in end]
+            for end, fields in zip(ends, (forces, late), strict=True)
         ]
         damper, spared = ((one + other) * model.timestep / 2 for one, other in zip(*powers, strict=True))
         return -np.sum(damper, axis=1), -np.sum(spared, axis=1)
     levers = [model.levers(tendon) for tendon in model.tendons[which]]
-    entries = np.concatenate([np.arange(each.start, each.stop) for each, _ in levers])
+    entries = np.concatenate([np.arange(span.start, span.stop) for span, _ in levers])
     first = np.cumsum([0, *(len(dofs) for _, dofs in levers[:-1])])
     turned = forces["ten_J"][:, entries] * travel[:, np.concatenate([dofs for _, dofs in levers])]
     longer = np.add.reduceat(turned, first, axis=1)
@@ -81,7 +83,7 @@ def branch_losses(model: Model, activations: Array) -> Array:
     time, stiffness = branch_numbers(model)
     # most tendons have the same branches
     different, which = np.unique(time, axis=0, return_inverse=True)
-    integrals = np.array([_square_integrals(each, model.timestep) for each in different])
+    integrals = np.array([_square_integrals(times, model.timestep) for times in different])
     squares = np.moveaxis(integrals[which.ravel()], 1, 0)
     total = squares[0] * before**2 + squares[1] * before * after + squares[2] * after**2
     return np.asarray(total / (stiffness * time))

@@ -59,10 +59,10 @@ def add_panels(spec: mujoco.MjSpec, structure: Structure) -> None:
     names, of_copy = np.unique(copies, return_inverse=True)
     places = np.concatenate([surface.places for surface in surfaces])
     for copy, name in enumerate(names.tolist()):
-        mine = of_copy == copy
-        middle = places[mine].mean(axis=0)
-        spec.body(bodies[int(np.argmax(mine))]).add_body(name=name, pos=middle)
-        places[mine] -= middle
+        of_this = of_copy == copy
+        middle = places[of_this].mean(axis=0)
+        spec.body(bodies[int(np.argmax(of_this))]).add_body(name=name, pos=middle)
+        places[of_this] -= middle
     flex = spec.add_flex(name="panels", dim=2, radius=contact.thickness / 2, thickness=contact.thickness)
     flex.vertbody = copies
     flex.vert = places.ravel()
@@ -90,7 +90,7 @@ def check_apart(engine: mujoco.MjModel, structure: Structure, unit: float) -> No
     overlap = -float(np.min(data.contact.dist[data.contact.flex[:, 0] >= 0], initial=0.0))
     thickness = structure.contact.thickness
     if overlap > _ROUNDING * thickness:
-        most, given = (show_quantity(unit * each, SMALL_LENGTH) for each in (thickness - overlap, thickness))
+        most, given = (show_quantity(unit * size, SMALL_LENGTH) for size in (thickness - overlap, thickness))
         raise InputError(f"contact.thickness: panels are nearer than that as built: need <= {most}, got {given}")
 
 
@@ -99,7 +99,7 @@ def add_stop_sensors(spec: mujoco.MjSpec, structure: Structure) -> None:
     if structure.contact is None:
         return
     limits = mujoco.mjtSensor
-    hinges = [each for each in structure.hinges if math.isfinite(each.lower) or math.isfinite(each.upper)]
+    hinges = [hinge for hinge in structure.hinges if math.isfinite(hinge.lower) or math.isfinite(hinge.upper)]
     for hinge in hinges:
         spec.add_sensor(type=limits.mjSENS_JOINTLIMITFRC, objtype=mujoco.mjtObj.mjOBJ_JOINT, objname=hinge.name)
     for limit in structure.limits:

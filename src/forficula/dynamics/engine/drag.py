@@ -127,9 +127,9 @@ def stacked_drag(drags: Sequence[Drag]) -> Drag:
 def add_medium(spec: mujoco.MjSpec, structure: Structure) -> None:
     """Add the added mass of the medium to bodies, in the model's units: inertia without weight."""
     masses = structure.medium.masses if structure.medium is not None else ()
-    for number in sorted({each.body for each in masses}):
+    for number in sorted({mass.body for mass in masses}):
         body = spec.body(structure.bodies[number].name)
-        mass, centre, inertia = gathered_mass([each for each in masses if each.body == number])
+        mass, centre, inertia = gathered_mass([entry for entry in masses if entry.body == number])
         if structure.bodies[number].slides and not structure.bodies[number].turns:
             # a body that never turns has its mass at one point
             body.mass += mass

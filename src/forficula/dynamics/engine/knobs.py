@@ -97,10 +97,10 @@ def _knobs(design: Design) -> tuple[Knob, ...]:
         knob = _knob(model, key)
         if knob is None:
             continue
-        mine = {(change.field, place) for change in knob.changes for place in change.places.tolist()}
+        entries = {(change.field, place) for change in knob.changes for place in change.places.tolist()}
         # numbers that two values change would depend on both
-        if not mine & taken:
-            taken |= mine
+        if not entries & taken:
+            taken |= entries
             found.append(knob)
     return tuple(found)
 
@@ -193,16 +193,16 @@ def _changes(
     first, value, last = values
     changes = []
     for name, lowest in low.items():
-        highest, mine = high.get(name), middle.get(name)
-        if highest is None or mine is None or not lowest.shape == highest.shape == mine.shape:
+        highest, between = high.get(name), middle.get(name)
+        if highest is None or between is None or not lowest.shape == highest.shape == between.shape:
             return ()
-        places = np.flatnonzero((lowest != highest) | (lowest != mine))
+        places = np.flatnonzero((lowest != highest) | (lowest != between))
         if not len(places):
             continue
         slopes = (highest[places] - lowest[places]) / (last - first)
         on_line = lowest[places] + slopes * (value - first)
         size = np.abs(np.stack([lowest[places], highest[places]])).max(axis=0)
-        if np.any(np.abs(on_line - mine[places]) > _EXACT * size):
+        if np.any(np.abs(on_line - between[places]) > _EXACT * size):
             return ()
         # differences of the size of rounding do not count
         moved = np.abs(highest[places] - lowest[places]) > _EXACT * size

@@ -35,13 +35,13 @@ def joined_mesh(membranes: Sequence[Membrane]) -> MembraneMesh:
     """Join membranes of one law into one mesh, with their nodes one after another."""
     first = np.cumsum([0, *(len(membrane.built) for membrane in membranes)])
     return MembraneMesh(
-        bodies=np.concatenate([np.zeros(0, dtype=np.int64), *(each.bodies for each in membranes)]),
-        places=np.concatenate([np.zeros((0, 3)), *(each.places for each in membranes)]),
-        built=np.concatenate([np.zeros((0, 3)), *(each.built for each in membranes)]),
+        bodies=np.concatenate([np.zeros(0, dtype=np.int64), *(membrane.bodies for membrane in membranes)]),
+        places=np.concatenate([np.zeros((0, 3)), *(membrane.places for membrane in membranes)]),
+        built=np.concatenate([np.zeros((0, 3)), *(membrane.built for membrane in membranes)]),
         triangles=np.concatenate(
             [
                 np.zeros((0, 3), dtype=np.int64),
-                *(each.triangles + start for each, start in zip(membranes, first[:-1], strict=True)),
+                *(membrane.triangles + start for membrane, start in zip(membranes, first[:-1], strict=True)),
             ]
         ),
         law=membranes[0].law if membranes else None,

@@ -100,9 +100,9 @@ def stacked(placements: Sequence[Placement]) -> Placement:
     """Combine placements of structures of one topology; constants get a leading dimension, (structure, ...)."""
     return placements[0]._with(
         np.array([placement.positions for placement in placements]),
-        np.array([each.frames for each in placements]),
-        np.array([each.axes for each in placements]),
-        np.array([each.built for each in placements]),
+        np.array([placement.frames for placement in placements]),
+        np.array([placement.axes for placement in placements]),
+        np.array([placement.built for placement in placements]),
     )
 
 

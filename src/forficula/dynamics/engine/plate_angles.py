@@ -47,7 +47,7 @@ def plate_angles(corners: Array) -> PlateAngles:
     upright, side, _, opposite, along = values
     square = 2 + 2 * along
     sine = (side - opposite) / np.sqrt(square)
-    by_sine, by_cosine = (each / (sine**2 + upright**2) for each in (upright, -sine))
+    by_sine, by_cosine = (part / (sine**2 + upright**2) for part in (upright, -sine))
     unit = by_sine / np.sqrt(square)
     slopes = np.stack([by_cosine, unit, np.zeros_like(unit), -unit, -by_sine * sine / square])
     turns = np.stack([cross(on_right[two], on_left[one]) for one, two in PRODUCTS])
@@ -57,5 +57,5 @@ def plate_angles(corners: Array) -> PlateAngles:
 
 def plate_directions(along: Array, normal: Array) -> tuple[Array, Array, Array]:
     """Return unit vectors: the normal, perpendicular to normal and crease, along the crease; coordinates first."""
-    along, normal = (each / np.sqrt(dot(each, each)) for each in (along, normal))
+    along, normal = (vector / np.sqrt(dot(vector, vector)) for vector in (along, normal))
     return normal, cross(normal, along), along

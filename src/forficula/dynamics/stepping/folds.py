@@ -159,10 +159,12 @@ def flap_turns(corners: Array, shifts: Array) -> Array:
         shifts: of the corners, (..., 6, 3).
     """
     # coordinates first: several times as fast as along the last axis
-    places, moves = (np.moveaxis(each, (-2, -1), (0, 1)) for each in (corners, shifts))
+    places, moves = (np.moveaxis(vectors, (-2, -1), (0, 1)) for vectors in (corners, shifts))
     turned: Array | float = 0.0
     for first, side in ((0, 1.0), (3, -1.0)):
-        (tail, head, corner), (at_tail, at_head, at_corner) = (each[first : first + 3] for each in (places, moves))
+        (tail, head, corner), (at_tail, at_head, at_corner) = (
+            vectors[first : first + 3] for vectors in (places, moves)
+        )
         along, away = head - tail, corner - tail
         normal = side * cross(along, away)
         square = dot(along, along)

@@ -266,10 +266,10 @@ def _strains(structure: Structure, membrane: Membrane) -> _Elements:
     twice = np.linalg.norm(normal, axis=1)
     along = edge / np.linalg.norm(edge, axis=1, keepdims=True)
     across = np.cross(normal / twice[:, None], along)
-    x, y = (np.einsum("tcx,tx->tc", corners - corners[:, :1], each) for each in (along, across))
+    x, y = (np.einsum("tcx,tx->tc", corners - corners[:, :1], axis) for axis in (along, across))
     by_x, by_y = (
-        np.stack([each[:, 1] - each[:, 2], each[:, 2] - each[:, 0], each[:, 0] - each[:, 1]], axis=1) / twice[:, None]
-        for each in (y, -x)
+        np.stack([ends[:, 1] - ends[:, 2], ends[:, 2] - ends[:, 0], ends[:, 0] - ends[:, 1]], axis=1) / twice[:, None]
+        for ends in (y, -x)
     )
     strain = np.stack(
         [

@@ -127,7 +127,7 @@ def stage_plan(models: Sequence[Model]) -> StagePlan:
     def of_stages(value: Callable[[StageSection], float | bool]) -> NDArray[Any]:
         return np.array([[value(stage) for stage in row] for row in stages])
 
-    lowest, highest = (np.array(each) for each in zip(*map(far_beyond, models), strict=True))
+    lowest, highest = (np.array(angles) for angles in zip(*map(far_beyond, models), strict=True))
     hold, wait = _in_steps(of_stages(lambda stage: stage.hold), timestep), of_stages(lambda stage: stage.wait or 0.0)
     # before every skipped interval, a waiting structure must rest for the averaging window of its states
     windows = _in_steps([[protocol.window] for protocol in protocols], timestep)

@@ -230,7 +230,7 @@ class StageTracker:
         watched = np.concatenate(parts, axis=2)
         least, most = self._plan.least[rows, stage][:, None], self._plan.most[rows, stage][:, None]
         within = np.all((watched >= least) & (watched <= most), axis=2)
-        bounded, at_rest = (each[rows, stage][:, None] for each in (self._plan.has_bounds, self._plan.ends_at_rest))
+        bounded, at_rest = (flags[rows, stage][:, None] for flags in (self._plan.has_bounds, self._plan.ends_at_rest))
         return np.where(bounded, within, at_rest & resting)
 
     def _end_stage(self, row: int, goal_step: int | None, *, at_rest: bool, at_goal: bool) -> None:

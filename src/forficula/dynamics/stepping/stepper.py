@@ -83,7 +83,7 @@ class Stepper:
             self._names = (*self._names, "qacc")
         if models[0].ways.any():
             self._names = (*self._names, "actuator_force")
-        drags = [each.drag for each in models if each.drag is not None]
+        drags = [model.drag for model in models if model.drag is not None]
         self._drag = stacked_drag(drags) if drags else None
         self._applied = _columns(model, mujoco.mjtState.mjSTATE_QFRC_APPLIED.value)
         if drags:
@@ -91,10 +91,10 @@ class Stepper:
         # memory is reused, because fresh memory costs as much time as reading it
         self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
         # last angles of creases, without jumps
-        self._angles = np.array([_start_creases(each) for each in models])
+        self._angles = np.array([_start_creases(model) for model in models])
         self._creases = crease_rows(models) if models[0].folds.placement is None else plate_rows(models)
         # writable rows of the engine's models
-        self._bends = [] if self._creases is None else [engine_rows(each) for each in self._models]
+        self._bends = [] if self._creases is None else [engine_rows(model) for model in self._models]
         self._blocks = deque(
             [np.empty((len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
         )
@@ -123,18 +123,18 @@ class Stepper:
         self._state[np.ix_(rows, self._control)] = controls[:, -1]
         self._memory.rotate()
         self._blocks.rotate()
-        mine = {name: each[: len(rows)] for name, each in self._memory[0].items()}
+        fields = {name: field[: len(rows)] for name, field in self._memory[0].items()}
         angles = None if self._structures[0].creases is None else self._blocks[0][: len(rows)]
         bounds = np.linspace(0, len(rows), self._parts(len(rows)) + 1).astype(int).tolist()
         parts = [slice(*pair) for pair in itertools.pairwise(bounds)]
-        late = {name: np.empty_like(mine[name]) for name in self._names} if self._explicit else None
+        late = {name: np.empty_like(fields[name]) for name in self._names} if self._explicit else None
         steps = Steps(
             positions=self._structures[0].engine.nq,
             dof=self._structures[0].engine.nv,
             inner=self._inner,
             before=self._state[np.ix_(rows, self._moving)],
-            after=mine[_MOVING],
-            derived={name: mine[name] for name in self._names},
+            after=fields[_MOVING],
+            derived={name: fields[name] for name in self._names},
             kept=self._kept,
             late=late,
             angles=angles,
@@ -147,8 +147,8 @@ class Stepper:
                     rows[part],
                     controls[part],
                     efforts[part],
-                    {name: each[part] for name, each in mine.items()},
-                    {name: each[part] for name, each in (late or {}).items()},
+                    {name: field[part] for name, field in fields.items()},
+                    {name: field[part] for name, field in (late or {}).items()},
                     None if angles is None else angles[part],
                 )
                 for part in parts
@@ -231,10 +231,10 @@ class Stepper:
                 ids=None if len(rows) == engine.nsim else np.arange(len(rows)),
                 out=out,
             )
-        for name, each in late.items():
+        for name, values in late.items():
             # the engine's fields are those of the last of its four stages, close to the state after the step
-            each[:] = memory[name]
-            memory[name][:, 0], memory[name][:, 1:] = first[name], each[:, :-1]
+            values[:] = memory[name]
+            memory[name][:, 0], memory[name][:, 1:] = first[name], values[:, :-1]
 
     def _fields(
         self, engine: Batch, rows: Indices, state: Array, names: Sequence[str], stage: mujoco.mjtStage
@@ -245,7 +245,7 @@ class Stepper:
         bound = {name: engine.bind(name) for name in names}
         with _quiet:
             engine.forward(np.arange(len(rows)), stage.value)
-        return {name: each[: len(rows)].copy() for name, each in bound.items()}
+        return {name: field[: len(rows)].copy() for name, field in bound.items()}
 
     def _put(self, engine: Batch, rows: Indices, state: Array) -> None:
         """Load structures in some states, (row, number), into an engine."""
@@ -273,8 +273,8 @@ class Stepper:
                 return
             followed = self._structures[0].followed
             creases = None if self._creases is None else self._creases.some(rows)
-            in_block = {name: _block(each, followed) for name, each in memory.items()}
-            of_late = {name: _block(each, followed) for name, each in late.items()}
+            in_block = {name: _block(values, followed) for name, values in memory.items()}
+            of_late = {name: _block(values, followed) for name, values in late.items()}
             blocks = controls.shape[1] // followed
             means = efforts.reshape(len(rows), blocks, followed, -1).mean(axis=2)
             for block in range(blocks):
@@ -286,10 +286,10 @@ class Stepper:
                     if self._drag is not None:
                         self._set_drag(engine, rows, state)
                 self._roll(engine, rows, state, np.ascontiguousarray(controls[:, steps]), in_block, of_late)
-                for name, each in memory.items():
-                    each[:, steps] = in_block[name]
-                for field, each in late.items():
-                    each[:, steps] = of_late[field]
+                for name, values in memory.items():
+                    values[:, steps] = in_block[name]
+                for field, values in late.items():
+                    values[:, steps] = of_late[field]
                 state[:, self._moving] = in_block[_MOVING][:, -1]
             self._state[rows] = state
         finally:
@@ -357,9 +357,9 @@ def _block(memory: Array, steps: int) -> Array:
 def _columns(engine: mujoco.MjModel, part: int) -> Indices:
     """Return the indices of a part of a state."""
     every = np.arange(mujoco.mj_stateSize(engine, _STATE), dtype=np.float64)
-    mine = np.empty(mujoco.mj_stateSize(engine, part))
-    mujoco.mj_extractState(engine, every, _STATE, mine, part)
-    return mine.astype(np.int64)
+    indices = np.empty(mujoco.mj_stateSize(engine, part))
+    mujoco.mj_extractState(engine, every, _STATE, indices, part)
+    return indices.astype(np.int64)
 
 
 def _inner(engine: mujoco.MjModel) -> dict[str, slice]:

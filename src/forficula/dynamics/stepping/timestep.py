@@ -170,7 +170,7 @@ class _Linear:
 def _limit(model: Model, linear: _Linear) -> float:
     """Compute the longest timestep, s, without a mode that changes sign and grows."""
     shortest, longest = np.log10(_SHORTEST), np.log10(_LONGEST)
-    branches = [(tendon, branch) for tendon, each in enumerate(model.in_units.tendons) for branch in each.law.branches]
+    branches = [(tendon, branch) for tendon, part in enumerate(model.in_units.tendons) for branch in part.law.branches]
 
     def sign(power: float) -> float:
         return -1.0 if _flips(linear, branches, timestep=10.0**power / model.units.time) else 1.0

@@ -95,7 +95,7 @@ def snapped(net: Net, lost: Collapse) -> NetRest:
         pushed = shape_at(net, shape.positions + aside, shape.angles)
         rest = minimum(net, pushed, load, factor, longest_step=net.size / 50)
         ends.append((expand(net, rest.shape, load, factor).energy, rest))
-    return min(ends, key=lambda each: each[0])[1]
+    return min(ends, key=lambda end: end[0])[1]
 
 
 def holding_torque(

@@ -280,13 +280,13 @@ def fold_angle_derivatives(sides: Array) -> tuple[Array, Array]:
     by_corner, by_along = normal / height[:, None], (share / height)[:, None] * normal
     both = (lifted + np.swapaxes(lifted, 1, 2)) * (share / (height * length))[:, None, None]
     twisted = (share**2)[:, None, None] * bent + both - mixed / (2 * length**2)[:, None, None]
-    for side, sign, mine in ((1, 1.0, slice(None, count)), (2, -1.0, slice(count, None))):
-        slope[:, side] = sign * by_corner[mine]
-        slope[:, 0] -= sign * by_along[mine]
-        curvature[:, side, side] = sign * bent[mine]
-        curvature[:, side, 0] = sign * tilted[mine]
-        curvature[:, 0, side] = sign * np.swapaxes(tilted[mine], 1, 2)
-        curvature[:, 0, 0] += sign * twisted[mine]
+    for side, sign, rows in ((1, 1.0, slice(None, count)), (2, -1.0, slice(count, None))):
+        slope[:, side] = sign * by_corner[rows]
+        slope[:, 0] -= sign * by_along[rows]
+        curvature[:, side, side] = sign * bent[rows]
+        curvature[:, side, 0] = sign * tilted[rows]
+        curvature[:, 0, side] = sign * np.swapaxes(tilted[rows], 1, 2)
+        curvature[:, 0, 0] += sign * twisted[rows]
     return slope, curvature
 
 

@@ -137,7 +137,7 @@ def load_path(
             near the start.
     """
     check_load(net, load)
-    if not any(np.any(each) for each in (load.forces, load.torques, load.displacements)):
+    if not any(np.any(part) for part in (load.forces, load.torques, load.displacements)):
         raise InputError("load: need one that acts, got none")
     net, pins = supported(net, load)
     first = expand(net, start, load, factor) if direction is not None else _settled(net, load, start, factor)
@@ -315,7 +315,7 @@ def _events_between(
                 ),
             )
         )
-    return [event for _, event in sorted(events, key=lambda each: each[0])]
+    return [event for _, event in sorted(events, key=lambda entry: entry[0])]
 
 
 def _halved(net: Net, load: Load, current: _Station, length: float, passed: Callable[[PathPoint], bool]) -> float:

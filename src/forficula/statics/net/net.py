@@ -131,7 +131,7 @@ class Net:
             raise InputError(f"net.points: need weights that add up to 1, got {sums[np.argmax(np.abs(sums - 1))]:g}")
         used = [self.springs.points, self.creases.points, self.tendons.points]
         used += [] if self.membranes is None else [self.membranes.points]
-        numbers = np.concatenate([each.ravel() for each in used])
+        numbers = np.concatenate([points.ravel() for points in used])
         if len(numbers) and not (numbers.min() >= 0 and numbers.max() < len(sums)):
             raise InputError(f"net: need points between 0 and {len(sums) - 1}, got {numbers.min()} to {numbers.max()}")
         for name, value in (("stiffness", self.springs.stiffness), ("rest_length", self.springs.rest_length)):

@@ -141,7 +141,7 @@ def displaced_net(structure: Structure, net: Net, drive: Drive) -> Net:
 
 def watched(structure: Structure, net: Net, shape: NetShape) -> Array:
     """Return the coordinates that goals bound: angles and distances, rad and m, (coordinate,)."""
-    pairs = [list(each.points) for each in distances_of(structure) if each.points is not None]
+    pairs = [list(distance.points) for distance in distances_of(structure) if distance.points is not None]
     distances = [np.linalg.norm(np.diff(places(net, shape)[pair], axis=0)) for pair in pairs]
     return goal_coordinates(structure, own_angles(structure, shape), np.array(distances))
 

@@ -89,7 +89,7 @@ def _settled(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
         mode[held.free] = softest(expand(held, rest.shape).free, 1)[1][:, 0]
         mode *= _OFF * net.size / mode.flat[np.argmax(np.abs(mode))]
         sides = [minimum(net, shape_at(net, rest.shape.positions + sign * mode, rest.shape.angles)) for sign in (1, -1)]
-        rest, off = min(sides, key=lambda each: each.energy), off + 1
+        rest, off = min(sides, key=lambda side: side.energy), off + 1
     if not off:
         return rest, ()
     return rest, (
@@ -165,7 +165,7 @@ def _landscape_rests(structure: Structure, net: Net, found: Sequence[tuple[str, 
                 stored=stored_parts(structure, net, rest.shape),
                 stable=rest.stable,
                 within=within,
-                same_as=next((each.name for each in rests if np.all(np.abs(each.angles - angles) <= _SAME)), ""),
+                same_as=next((rest.name for rest in rests if np.all(np.abs(rest.angles - angles) <= _SAME)), ""),
                 shape=rest.shape,
             )
         )
@@ -229,7 +229,7 @@ def _number(net: Net, states: Sequence[NetState], rest: NetRest) -> int | None:
 
 def _apart(one: NetShape, other: NetShape) -> float:
     """Return the difference of two shapes by all distances of nodes, which rigid-body motions do not change."""
-    first, second = (np.linalg.norm(each.positions[:, None] - each.positions[None], axis=2) for each in (one, other))
+    first, second = (np.linalg.norm(state.positions[:, None] - state.positions[None], axis=2) for state in (one, other))
     return float(np.linalg.norm(first - second)) + 1e-9 * float(np.linalg.norm(one.angles - other.angles))
 
 

@@ -100,7 +100,7 @@ def valley_law(structure: Structure) -> CreaseLaw:
     """Return the law of the creases' springs by fold angles, valleys positive, instead of by their own senses."""
     law = crease_law(structure, np.arange(len(structure.hinges)), rigid_stops=True)
     back = _senses(structure) < 0
-    below, above, lower, upper = (np.asarray(each) for each in (law.lock_below, law.lock_above, law.lower, law.upper))
+    below, above, lower, upper = (np.asarray(limit) for limit in (law.lock_below, law.lock_above, law.lower, law.upper))
     return replace(
         law,
         rest_angle=_senses(structure) * np.asarray(law.rest_angle),
@@ -179,7 +179,9 @@ def _plates(structure: Structure) -> _Laid:
     for body, first in enumerate(plates.first):
         free[first : first + 4] |= plates.free[body]
     stiff = stiffness_of(structure, plates.size)
-    entries = [(row, column, weight) for row, each in enumerate(rows) for column, weight in each.items() if weight]
+    entries = [
+        (row, column, weight) for row, weights in enumerate(rows) for column, weight in weights.items() if weight
+    ]
     at_row, at_column, weights = zip(*entries, strict=True)
     mass = np.zeros((len(nodes), len(nodes)))
     mass[: len(plates.nodes), : len(plates.nodes)] = plates.mass

@@ -213,9 +213,9 @@ def _loads(structure: Structure, net: Net, shape: NetShape) -> list[tuple[str, s
     loads = []
     for number, motor in enumerate(structure.motors):
         if motor.kind == "force":
-            settings = tuple(float(number == each) for each in range(len(structure.motors)))
-            each = " on each point" if len(motor.points) > 1 else ""
-            loads.append((f"force {motor.name}{each}", "N", motor_load(structure, net, settings)))
+            settings = tuple(float(number == other) for other in range(len(structure.motors)))
+            suffix = " on each point" if len(motor.points) > 1 else ""
+            loads.append((f"force {motor.name}{suffix}", "N", motor_load(structure, net, settings)))
     if not net.free.all():
         for axis, letter in enumerate("xyz"):
             for sign, mark in ((1.0, "+"), (-1.0, "−")):
@@ -236,8 +236,8 @@ def _loads(structure: Structure, net: Net, shape: NetShape) -> list[tuple[str, s
 def _groups(structure: Structure) -> list[tuple[str, Motor]]:
     """Return the groups of creases that measures use, as motors for a torque; all creases if no group is chosen."""
     watched = [measure for measure in structure.measures if measure.kind == "angle"]
-    chosen = [each for each in watched if each.name != "creases"] or watched
-    return [(each.name, Motor(name=each.name, hinges=each.hinges)) for each in chosen if each.hinges]
+    chosen = [drive for drive in watched if drive.name != "creases"] or watched
+    return [(drive.name, Motor(name=drive.name, hinges=drive.hinges)) for drive in chosen if drive.hinges]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

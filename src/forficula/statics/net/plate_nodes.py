@@ -59,7 +59,7 @@ def plate_nodes(structure: Structure) -> PlateNodes:
     return PlateNodes(
         nodes=np.concatenate([origins[body] + axes for body in originals]),
         first=tuple(4 * originals.index(copies.get(body, body)) for body in range(len(structure.bodies))),
-        free=tuple(bool(each.slides) or body in hinged for body, each in enumerate(structure.bodies)),
+        free=tuple(bool(joint.slides) or body in hinged for body, joint in enumerate(structure.bodies)),
         size=size,
         mass=mass,
         bars=tuple((4 * index + one, 4 * index + other) for index in range(len(originals)) for one, other in _ENDS),
@@ -68,7 +68,7 @@ def plate_nodes(structure: Structure) -> PlateNodes:
 
 def place_weights(structure: Structure, plates: PlateNodes, body: int, place: Array) -> dict[int, float]:
     """Return the weights of nodes, by number, for a position in the axes of a body."""
-    closure = next((each for each in structure.closures if each.bodies[1] == body), None)
+    closure = next((entry for entry in structure.closures if entry.bodies[1] == body), None)
     if closure is not None:
         place = closure.position + closure.frame @ place
     shares = place / plates.size

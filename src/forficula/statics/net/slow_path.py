@@ -143,7 +143,7 @@ def _snap(net: Net, event: PathEvent, load: Load, factor: float, stop: Callable[
         pushed = shape_at(net, before.positions + sign * _PUSH * net.size * event.mode, before.angles)
         rest = minimum(net, pushed, load, factor, longest_step=_STEP * net.size, stop=stop)
         landed.append((expand(net, rest.shape, load, factor).energy, rest))
-    energy, after = min(landed, key=lambda each: each[0])
+    energy, after = min(landed, key=lambda landing: landing[0])
     moved = np.abs(after.shape.positions - before.positions).max()
     near = event.kind == "bifurcation" and moved < _NEAR * net.size
     return Snap(

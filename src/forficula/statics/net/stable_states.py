@@ -72,10 +72,10 @@ def find_stable_states(net: Net, starts: Sequence[NetShape], *, tries: int = 40,
         else:
             states.append(rest)
             counts.append(1)
-    order = sorted(range(len(states)), key=lambda each: states[each].energy)
+    order = sorted(range(len(states)), key=lambda number: states[number].energy)
     return StableStates(
-        states=tuple(states[each] for each in order),
-        counts=tuple(counts[each] for each in order),
+        states=tuple(states[number] for number in order),
+        counts=tuple(counts[number] for number in order),
         tries=tries,
         failed=failed,
         seed=seed,

@@ -92,7 +92,7 @@ def _panel(net: Net) -> Indices:
         return np.zeros(0, dtype=np.int64)
     corners = net.points @ net.nodes
     panels = net.creases.points[:, :3]
-    tail, head, left = (corners[panels[:, each]] for each in range(3))
+    tail, head, left = (corners[panels[:, corner]] for corner in range(3))
     area = np.linalg.norm(np.cross(head - tail, left - tail), axis=1)
     away = np.linalg.norm((tail + head + left) / 3 - net.nodes.mean(axis=0), axis=1)
     chosen = panels[np.argmax(area / (away + 0.1 * net.size) ** 2)]

@@ -126,10 +126,10 @@ def _group(
     size = len(joined[numbers[0]])
     pairs = [_pairs(carried, pieces[number].points, joined[number]) for number in numbers]
     turns = np.zeros((*pairs[0].shape, sides.shape[1], size))[None].repeat(len(numbers), axis=0)
-    for turn, its, each, number in zip(turns, pairs, sides, numbers, strict=True):
-        columns = [pieces[number].points.index(point) for point in carried.pairs[0, its]]
-        hinges = [joined[number].index(hinge) for hinge in carried.pairs[1, its]]
-        turn[np.arange(len(its)), :, hinges] = each[:, columns].T
+    for turn, selected, side, number in zip(turns, pairs, sides, numbers, strict=True):
+        columns = [pieces[number].points.index(point) for point in carried.pairs[0, selected]]
+        hinges = [joined[number].index(hinge) for hinge in carried.pairs[1, selected]]
+        turn[np.arange(len(selected)), :, hinges] = side[:, columns].T
     flat = points.ravel()
     every = span(flat)
     own = isinstance(every, slice) and every.step == 1
@@ -210,7 +210,7 @@ def stretched(laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Ex
     places = places_of(laid.carried, at)
     moves = moves_of(laid.carried, at, places)
     cases = places.shape[1]
-    blocks = {size: np.zeros((cases, len(each), size, size)) for size, each in laid.blocks.items()}
+    blocks = {size: np.zeros((cases, len(entries), size, size)) for size, entries in laid.blocks.items()}
     forces, total = np.zeros(places.shape), np.zeros(cases)
     for group, law in zip(laid.groups, laws, strict=True):
         sides, turned = _sides(group, places, moves)

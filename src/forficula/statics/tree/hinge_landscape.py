@@ -447,7 +447,7 @@ def special_angles(hinge: TendonHinge, points: int) -> Array:
     apart = {0.0, math.pi, -math.pi}
     if slack is not None:
         apart |= {slack, -slack, turn - slack, slack - turn}
-    special |= {angle for each in apart if -hinge.fold_limit < (angle := each - hinge.offset_angle) < hinge.overbend}
+    special |= {angle for place in apart if -hinge.fold_limit < (angle := place - hinge.offset_angle) < hinge.overbend}
     ends = sorted(special, reverse=True)
     spacing = (ends[0] - ends[-1]) / (points - 1)
     parts = [np.linspace(high, low, math.ceil((high - low) / spacing), endpoint=False) for high, low in pairwise(ends)]

@@ -60,15 +60,15 @@ def lines_of(structures: Sequence[Structure], tree: Tree) -> Lines | None:
     for number in numbers:
         ends = [first.points[point] for point in first.tendons[number].points]
         for other in structures[1:]:
-            its = [other.points[point].place for point in other.tendons[number].points]
-            if not all(np.array_equal(end.place, place) for end, place in zip(ends, its, strict=True)):
+            other_places = [other.points[point].place for point in other.tendons[number].points]
+            if not all(np.array_equal(end.place, place) for end, place in zip(ends, other_places, strict=True)):
                 raise InputError(
                     f"{other.name}: {other.tendons[number].name} lies across several hinges and its attachments differ"
                     " from those in the other structures; compute the landscape of this structure alone"
                 )
         bodies += [end.body for end in ends]
         places += [end.place for end in ends]
-    pieces = [LinePiece(points=(2 * each, 2 * each + 1), sides=np.array([[-1.0, 1.0]])) for each in range(len(numbers))]
+    pieces = [LinePiece(points=(2 * line, 2 * line + 1), sides=np.array([[-1.0, 1.0]])) for line in range(len(numbers))]
     laws = [[structure.tendons[number].law.elastic for number in numbers] for structure in structures]
     parts: Any = {
         name: np.array([[getattr(law, name) for law in row] for row in laws])

@@ -157,7 +157,7 @@ def _level(structure: Structure, numbers: list[int], own: list[list[int]]) -> Le
     return Level(
         bodies=span(numbers),
         parents=None if grounded else span([body.parent for body in bodies]),
-        hinges=tuple(span(each) for each in zip(*(own[number] for number in numbers), strict=True)),
+        hinges=tuple(span(column) for column in zip(*(own[number] for number in numbers), strict=True)),
         positions=np.array([body.position for body in bodies]),
         frames=frames if grounded or not np.array_equal(frames, np.broadcast_to(np.eye(3), frames.shape)) else None,
     )

@@ -76,7 +76,7 @@ def sheet_of(structure: Structure, tree: Tree) -> Sheet:
     laid = elements(tree, bodies, np.array(places).reshape(-1, 3), pieces)
     laws = [membrane.law for membrane in structure.membranes]
     numbers = [np.arange(len(pieces))[group.pieces] for group in laid.groups]
-    of_membranes = [each for each in numbers if each[0] < len(laws)]
+    of_membranes = [group for group in numbers if group[0] < len(laws)]
     most = np.array([limit.most for limit in structure.limits])
     return Sheet(
         laid=laid,
@@ -87,7 +87,7 @@ def sheet_of(structure: Structure, tree: Tree) -> Sheet:
             )
             for group in of_membranes
         ),
-        lengths=tuple(most[each - len(laws)] for each in numbers[len(of_membranes) :]),
+        lengths=tuple(most[group - len(laws)] for group in numbers[len(of_membranes) :]),
         spring=_LIMIT_STIFFNESS * _stiffest(structure),
     )
 
