@@ -77,7 +77,7 @@ def test_a_search_finds_torques_that_close_and_open_a_letter(studied, tmp_path):
     sentence = "4 points: 4 get closed, with 1 N cm to 6 N cm (2 did not stay closed); 1 get opened again, with 3 N cm."
     data = check(study, table, tmp_path, kinds, sentence, engine=True)
     assert table["least_close_value"].values.tolist() == [[0.01, 0.01], [0.06, 0.06]]
-    assert table["least_close_value"].attrs["long_name"] == "least torque that gets closed"
+    assert table["least_close_value"].attrs["long_name"] == "least torque with which the structure gets closed"
     np.testing.assert_array_equal(table["least_open_value"].values, [[0.03, np.nan], [np.nan, np.nan]])
     came = {"closed and opened": "●", "did not get opened": "■", "did not stay closed": "↺", "did not get closed": "×"}
     assert words(data) == came | {"did not get closed with 3 N cm": "⊗"}
