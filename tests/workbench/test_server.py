@@ -50,7 +50,7 @@ def test_who_is_not_its_own_page_is_refused(served, headers):
     for method, what in (("POST", "design"), ("GET", "")):
         status, content = served.request(method, what, "{}" if method == "POST" else None, JSON | headers)
         assert status == 403
-        assert json.loads(content)["refused"].startswith("this workbench answers to ")
+        assert json.loads(content)["refused"].startswith("this workbench answers requests ")
         assert b"letter-fold" not in content
 
 
