@@ -38,6 +38,7 @@ app = App(
     name="forficula",
     help="Predict and design bistable folding structures.",
     version_flags=["--version"],
+    default_parameter=Parameter(show_default=lambda value: value if value is not False else None),
     help_format="plaintext",
     help_epilogue="Start with: forficula run binder2025\nHelp on a command: forficula run --help",
     group_commands=Group("General", sort_key=len(_GROUPS)),

@@ -1,4 +1,4 @@
-"""What notebooks show of a result in place of its `repr`."""
+"""HTML that notebooks show in place of the `repr` of a result."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from importlib import import_module
 
 
 class Displayed:
-    """Something that a notebook shows as HTML; how is up to `forficula.show.notebook`, which stands above it."""
+    """Result that a notebook shows as HTML, which `forficula.show.notebook` writes."""
 
     __slots__ = ()
 

@@ -16,8 +16,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TextIO
 
-from forficula.errors import InputError
-
 # spellings of letters that the package writes; units above all must not turn into other units
 _SPELLED = {
     **{"µ": "u", "μ": "u", "°": " deg", "·": "*", "×": "x", "²": "^2", "³": "^3", "⁴": "^4", "±": "+-", "∞": "inf"},
@@ -123,8 +121,8 @@ def result_first() -> Iterator[Callable[[], None]]:
 
     try:
         yield release
-    except InputError:
-        # the error is the only line of a command that was refused
+    except ValueError:
+        # of a refused command (InputError) the error is the only line
         output.held = None
         raise
     finally:

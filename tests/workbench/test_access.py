@@ -178,7 +178,7 @@ def test_what_no_page_can_send_is_refused_with_a_reason(served):
     """Each of these was a traceback in the terminal, which an answer of status 500 or a failed task comes from."""
     status, answer = served.request("POST", "design", "{}", JSON | {"Origin": "http://["})
     assert status == 403
-    assert b"this workbench answers to its own page" in answer
+    assert b"this workbench answers requests of its own page" in answer
     for asked, reason in (
         (
             {"files": [{"name": "\N{GRINNING FACE}" * 90 + ".toml", "text": ""}]},

@@ -11,7 +11,7 @@ from forficula.workbench.asked import Asked, SentFile, asked_design, opened_with
 from tests.workbench.test_server import SQUARE
 
 SECRET = "TOP-SECRET-TOKEN-12345"
-REFUSED = "the workbench reads only what is dropped on its page, what lies in the folder of its design"
+REFUSED = "the workbench reads only files that are dropped on its page, files in the folder of its design"
 
 
 @pytest.fixture

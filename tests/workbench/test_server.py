@@ -50,7 +50,7 @@ def test_who_is_not_its_own_page_is_refused(served, headers):
     for method, what in (("POST", "design"), ("GET", "")):
         status, content = served.request(method, what, "{}" if method == "POST" else None, JSON | headers)
         assert status == 403
-        assert json.loads(content)["refused"].startswith("this workbench answers to ")
+        assert json.loads(content)["refused"].startswith("this workbench answers requests ")
         assert b"letter-fold" not in content
 
 
@@ -161,7 +161,9 @@ def test_a_dropped_fold_file_is_a_design(served):
 
 def test_a_drawing_without_a_unit_takes_that_of_the_page(served):
     files = sent("door.fold", json.dumps({key: value for key, value in SQUARE.items() if key != "frame_unit"}))
-    assert "unit" in served.ask("design", files=files)["refused"]
+    assert "refused" not in served.ask("design", files=files)
+    (first, *_) = served.ask("model", files=files)["warnings"]
+    assert first.startswith("door.fold: the file states no unit of length")
     assert "unit" in served.ask("design", files=files, unit="3")["refused"]
     told = served.ask("design", files=files, unit="1 mm")
     assert told["command"] == 'forficula run door.fold --unit "1 mm"'
@@ -264,7 +266,7 @@ def test_a_port_that_is_taken_is_named(capsys):
         with pytest.raises(SystemExit) as end:
             main(["open", "letter-fold", "--no-browser", "--port", str(port)])
     assert end.value.code == 1
-    assert capsys.readouterr().err.startswith(f"forficula: --port: {port} cannot be had: ")
+    assert capsys.readouterr().err.startswith(f"forficula: --port: {port} is not available: ")
 
 
 @pytest.mark.parametrize(

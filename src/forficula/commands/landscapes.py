@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.commands.cost import CountEstimate, RunEstimate
+from forficula.commands.law_timestep import with_timestep_for_law
 from forficula.errors import InputError
 from forficula.options import (
     DesignName,
@@ -70,6 +71,8 @@ def landscape(
         if repeated := varied.keys() & setting_texts(settings).keys():
             raise InputError(f"--over: {min(repeated)} is also under --set; need it in one of them")
         chosen = read_design(design, settings, unit)
+        if simulation:
+            chosen = with_timestep_for_law(chosen, read_settings(settings))
         folder = out or Path("out") / f"{chosen.name}-landscape"
         check_verdicts(ok_if)
         check_folder(folder, "landscape")

@@ -1,4 +1,4 @@
 import lazy_loader
 
-# who works for it need not wait for its server
+# worker processes import parts of this package without the server
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

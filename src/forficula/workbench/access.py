@@ -1,4 +1,4 @@
-"""Who is let in to a workbench: an address that works once is exchanged for a cookie."""
+"""Access to a workbench: an address that works once is exchanged for a cookie."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from urllib.parse import urlsplit
 # Other accounts of this machine reach its ports and see the command line of every process, a browser's included.
 #
 # - No secret is on a command line. A browser is started with the path of a redirect file, which only its owner can
-#   read (as Jupyter does). The file and the terminal hold a token each.
-# - A token works once. The browser that presents it receives a cookie, and a page whose path is secret, too. If
-#   somebody else was faster, the owner's browser is refused and the owner knows.
-# - The path of the cookie is the secret path. Browsers send cookies of a host to all of its ports: without this, the
-#   server of another account on another port would only have to be visited to receive the cookie. The path alone is no
-#   authority either, because it is shown by the address bar and by the history.
+#   read (as Jupyter does). The file and the terminal have a token each.
+# - A token works once. The browser that presents it receives a cookie, and a page with a secret path. If somebody else
+#   used the token first, the owner's browser is refused, and the owner sees it.
+# - The path of the cookie is the secret path. Browsers send the cookies of a host to all of its ports. Without the
+#   path, a browser that visits the server of another account on another port would send it the cookie. The path alone
+#   does not give access, because the address bar and the history of a browser show it.
 
 _REDIRECT = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>forficula</title><meta name="referrer" content="no-referrer">
@@ -23,16 +23,16 @@ _REDIRECT = """<!doctype html>
 <body><p>The workbench opens. If it does not, <a href="{address}">open it</a>.</p></body></html>
 """
 _HOSTS = ("127.0.0.1", "localhost")
-# of a page of its own, or of an address that a reader has typed
+# values of Sec-Fetch-Site for the own page, and for an address that was typed
 _SITES = ("same-origin", "none", "")
 
 
 class Access:
-    """Tokens that have not been used yet, and the cookie for which they are exchanged."""
+    """Unused tokens, and the cookie for which a browser exchanges one."""
 
     def __init__(self, origin: str, port: int) -> None:
         self._origin = origin
-        # cookies know no port: two workbenches of one machine must not overwrite each other's
+        # cookies ignore ports: two workbenches on one machine must not overwrite each other's cookie
         self.cookie_name = f"forficula-{port}"
         self.cookie = secrets.token_urlsafe(32)
         self.path = f"/{secrets.token_urlsafe(16)}/"
@@ -42,7 +42,7 @@ class Access:
         """Return an address that lets one browser in.
 
         Args:
-            used: is called when that has happened.
+            used: is called when a browser has used the address.
         """
         token = secrets.token_urlsafe(16)
         self._tokens[token] = used
@@ -50,10 +50,10 @@ class Access:
 
     def exchange(self, token: str) -> bool:
         """Use a token up, and return whether it was valid."""
-        valid = [each for each in self._tokens if secrets.compare_digest(each.encode(), token.encode())]
-        for each in valid:
-            self._tokens.pop(each)()
-        return bool(valid)
+        matching = [known for known in self._tokens if secrets.compare_digest(known.encode(), token.encode())]
+        for known in matching:
+            self._tokens.pop(known)()
+        return bool(matching)
 
     def admits(self, cookie: str | None) -> bool:
         """Return whether a browser that sends a cookie has been let in."""
@@ -63,15 +63,15 @@ class Access:
 def redirect_page(address: str) -> str:
     """Return a page that leads to an address at once.
 
-    A redirect by status would not do: browsers count it as a step of the page that led to it, and withhold a cookie
+    A redirect by HTTP status does not work: browsers attribute it to the page that led there, and withhold a cookie
     that is restricted to its own site.
     """
     return _REDIRECT.format(address=address)
 
 
 def write_redirect(address: str, path: Path) -> None:
-    """Write a page that leads to an address into a file that nobody else can read."""
-    # before anything is in it
+    """Write a page that leads to an address, into a file that only its owner can read."""
+    # restrict access before the secret is in the file
     path.touch(mode=0o600, exist_ok=False)
     path.write_text(redirect_page(address), "utf-8")
 
@@ -89,24 +89,24 @@ def refused_page(reason: str) -> str:
 
 
 def refusal(port: int, host: str, origin: str, site: str) -> str:
-    """Why a request is refused; "" where it may be answered.
+    """Return the reason for which a request is refused; "" if it may be answered.
 
-    A page of another name that leads to this machine (DNS rebinding) comes with that name as the host, a page of
-    another place with its origin.
+    A page with another host name that resolves to this machine (DNS rebinding) sends that name as the host. A page of
+    another site sends its origin.
 
     Args:
-        port: of the workbench.
+        port: port of the workbench.
         host: header Host.
-        origin: header Origin, "" where there is none.
-        site: header Sec-Fetch-Site, alike.
+        origin: header Origin, "" without one.
+        site: header Sec-Fetch-Site, "" without one.
     """
     allowed = [f"{name}:{port}" for name in _HOSTS]
     if host.lower() not in allowed:
-        return f"this workbench answers to {' and '.join(allowed)}, not to {host[:100]}"
+        return f"this workbench answers requests to {' and '.join(allowed)}, not to {host[:100]}"
     if origin and not _is_own(origin, host):
-        return "this workbench answers to its own page, not to one of another place"
+        return "this workbench answers requests of its own page, not of another site"
     if site not in _SITES:
-        return "this workbench answers to its own page, not to one of another place"
+        return "this workbench answers requests of its own page, not of another site"
     return ""
 
 
@@ -114,6 +114,6 @@ def _is_own(origin: str, host: str) -> bool:
     try:
         parts = urlsplit(origin)
     except ValueError:
-        # no origin at all, such as "http://["
+        # not a URL, such as "http://["
         return False
     return (parts.scheme, parts.netloc.lower()) == ("http", host.lower())

@@ -1,4 +1,4 @@
-"""What the page of a workbench asks: a design, and values in place of its own."""
+"""Requests of the page of a workbench: a design, with values in place of those of its file."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ from forficula.names import one_of
 from forficula.options import read_settings
 from forficula.quantities import as_written, parse_quantity
 
-# of files that a design is read from, with what it names
+# endings of files of designs and of files that designs name
 _ENDINGS = (".toml", ".fold", ".svg", ".dxf")
 _MOST_FILES = 20
 _NAME = re.compile(r"[^/\\:\x00-\x1f]{1,100}")
 _LONGEST = 255  # bytes of a file name, on every usual file system
 _LONGEST_KEY = 300  # letters; the longest key of a named design has 39
 _OUTSIDE = (
-    "the workbench reads only what is dropped on its page, what lies in the folder of its design, and what that design"
-    " named when the workbench was opened"
+    "the workbench reads only files that are dropped on its page, files in the folder of its design, and files that"
+    " this design named when the workbench was opened"
 )
 
 
@@ -37,8 +37,8 @@ class SentFile(BaseModel):
     """A file that was dropped on the page.
 
     Attributes:
-        name: without a folder.
-        text: what it holds.
+        name: name of the file, without a folder.
+        text: content of the file.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -57,13 +57,13 @@ class SentFile(BaseModel):
 
 
 class Asked(BaseModel):
-    """A design as the page has it.
+    """A design that a page requests.
 
     Attributes:
-        design: a named one; "" for the one that the workbench was opened with, or for that of the files.
-        files: a design file with those that it names, or a FOLD file or a drawing; the design comes first.
-        unit: length of the unit of a FOLD file or a drawing that names none, with its unit; "" if not given.
-        settings: text by dotted key, as `--set` takes it.
+        design: name of a named design; "" for the design with which the workbench was opened, or for that of the files.
+        files: a design file and the files that it names, or a FOLD file or a drawing; the design comes first.
+        unit: length of the unit of a FOLD file or drawing that states none, as text; "" if not given.
+        settings: values by dotted key, as the text of `--set`.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -84,13 +84,13 @@ class Asked(BaseModel):
 
 @dataclass(frozen=True, kw_only=True)
 class Opened:
-    """What a workbench was opened with.
+    """The design with which a workbench was opened.
 
     Attributes:
         design: a named design, or the path of a file.
-        unit: length of the unit of a FOLD file or a drawing that names none, m.
-        settings: text by dotted key, with which its page begins.
-        named: absolute paths of the files that the design and these settings name, wherever they lie.
+        unit: length of the unit of a FOLD file or drawing that states none, m.
+        settings: values by dotted key, as text, with which its page begins.
+        named: absolute paths of the files that the design and these settings name, in any folder.
     """
 
     design: str
@@ -100,15 +100,15 @@ class Opened:
 
     @property
     def folder(self) -> Path:
-        """The folder in which its page may name files: that of the design's file, or the working folder."""
+        """Folder in which its page may name files: that of the design file, or the working folder."""
         return Path() if self.design in named_designs() else Path(self.design).parent
 
 
 def opened_with(design: str, settings: Mapping[str, str], unit: float | None) -> Opened:
-    """Open a design for a workbench, and note which files it names: its owner chose them, wherever they lie.
+    """Open a design for a workbench, and record the files that it names, because its owner chose them.
 
     Raises:
-        InputError: it cannot be read.
+        InputError: the design cannot be read.
     """
     named: set[Path] = set()
 
@@ -123,11 +123,11 @@ def opened_with(design: str, settings: Mapping[str, str], unit: float | None) ->
 
 @contextmanager
 def reading_for_page(opened: Opened, sent: Path | None = None) -> Iterator[None]:
-    """Read what a page may name, and refuse every other path without looking at it.
+    """Allow the files that a page may name, and refuse every other path without accessing it.
 
     Args:
-        opened: what the workbench was opened with.
-        sent: the folder of the files that the page has sent.
+        opened: design with which the workbench was opened.
+        sent: folder of the files that the page has sent.
     """
     folders = [opened.folder] if sent is None else [opened.folder, sent]
     with reading_only(_within(folders, opened.named), _OUTSIDE):
@@ -135,20 +135,20 @@ def reading_for_page(opened: Opened, sent: Path | None = None) -> Iterator[None]
 
 
 def _within(folders: list[Path], named: frozenset[Path]) -> Callable[[Path], bool]:
-    places = [(_absolute(folder), folder.resolve()) for folder in folders]
+    allowed = [(_absolute(folder), folder.resolve()) for folder in folders]
 
     def allows(path: Path) -> bool:
         written = _absolute(path)
         if written in named:
             return True
-        for absolute, resolved in places:
-            # as it is written first: to resolve a path looks at files
+        for absolute, resolved in allowed:
+            # compare the path as written first, because resolving it accesses files
             if not (written.is_relative_to(absolute) or written.is_relative_to(resolved)):
                 continue
             try:
                 if path.resolve().is_relative_to(resolved):
                     return True
-            except (OSError, RuntimeError, ValueError):  # links in a circle, or no path at all
+            except (OSError, RuntimeError, ValueError):  # circular links, or not a path
                 continue
         return False
 
@@ -163,49 +163,49 @@ def _read(settings: Mapping[str, str]) -> dict[str, object]:
     return dict(read_settings([f"{key}={text}" for key, text in settings.items()], "key"))
 
 
-def asked_design(asked: Asked, opened: Opened) -> Design:
-    """Read the design that a page asks for, with its values.
+def asked_design(request: Asked, opened: Opened) -> Design:
+    """Read the design that a page requests, with its values.
 
     Raises:
-        InputError: no such design, a file that is none, or a value that is not allowed.
+        InputError: the design does not exist, a file is not a design, or a value is not allowed.
     """
-    settings = _read(asked.settings)
-    if asked.files:
-        return _sent_design(asked, opened, settings)
-    # a page names no file as its design
-    if asked.design and asked.design not in named_designs():
-        raise InputError(f"design: need {one_of(named_designs(), asked.design)}")
+    settings = _read(request.settings)
+    if request.files:
+        return _sent_design(request, opened, settings)
+    # a page must not name a file as its design
+    if request.design and request.design not in named_designs():
+        raise InputError(f"design: need {one_of(named_designs(), request.design)}")
     with reading_for_page(opened):
-        if asked.design:
-            return load_design(asked.design, settings)
+        if request.design:
+            return load_design(request.design, settings)
         return load_design(opened.design, settings, unit=opened.unit)
 
 
-def design_source(asked: Asked, opened: Opened) -> str:
-    """What a command names to have the design that a page asks for, before its values."""
-    if not asked.files:
-        return asked.design or opened.design
-    name = asked.files[0].name
-    # else it would be read as an option
+def design_source(request: Asked, opened: Opened) -> str:
+    """Return the argument with which a command reads the design of a request, without its values."""
+    if not request.files:
+        return request.design or opened.design
+    name = request.files[0].name
+    # otherwise the name would be read as an option
     return f"./{name}" if name.startswith("-") else name
 
 
-def _sent_design(asked: Asked, opened: Opened, settings: Mapping[str, object]) -> Design:
-    """A design of files, which lie in a folder of their own as long as it takes to read them."""
-    unit = parse_quantity(asked.unit, LENGTH) if asked.unit else None
+def _sent_design(request: Asked, opened: Opened, settings: Mapping[str, object]) -> Design:
+    """Read a design from sent files, which are in a temporary folder while they are read."""
+    unit = parse_quantity(request.unit, LENGTH) if request.unit else None
     with TemporaryDirectory(prefix="forficula-") as name:
         folder = Path(name)
-        for sent in asked.files:
+        for sent in request.files:
             if Path(sent.name).suffix.lower() not in _ENDINGS:
                 raise InputError(f"need a file that ends with {', '.join(_ENDINGS)}, got {as_written(sent.name)}")
             try:
                 (folder / sent.name).write_text(sent.text, "utf-8", newline="")
-            except OSError as error:  # a name that this system does not take
-                raise InputError(f"{as_written(sent.name)}: cannot be kept: {error.strerror}") from None
+            except OSError as error:  # a file name that this system does not allow
+                raise InputError(f"{as_written(sent.name)}: cannot be stored: {error.strerror}") from None
         try:
             with reading_for_page(opened, folder):
-                return load_design(folder / asked.files[0].name, settings, unit=unit)
+                return load_design(folder / request.files[0].name, settings, unit=unit)
         except InputError as error:
-            # that folder is none of its reader's business
-            told = str(error).replace(f"{folder.resolve()}/", "").replace(f"{folder}/", "")
-            raise InputError(told.replace(f"{folder}\\", "")) from None
+            # without the temporary folder, which means nothing to the reader
+            message = str(error).replace(f"{folder.resolve()}/", "").replace(f"{folder}/", "")
+            raise InputError(message.replace(f"{folder}\\", "")) from None

@@ -1,4 +1,4 @@
-"""Who has a worker now: tasks wait for one another, and one whose page has gone is ended."""
+"""Queue of a worker: tasks run one after another, and a task ends when its page is closed."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from forficula.workbench.worker import StoppedError, Task, Worker
 
 
 class Desk:
-    """A worker and the request that it works for."""
+    """A worker process, and the request that it serves."""
 
     def __init__(self, worker: Worker) -> None:
         self.worker = worker
@@ -24,22 +24,22 @@ class Desk:
         self,
         holder: object,
         task: Task,
-        asked: Asked,
+        request: Asked,
         folder: Path | None = None,
-        tell: Callable[[str], None] = lambda _: None,
+        report: Callable[[str], None] = lambda _: None,
     ) -> Any:
-        """Have a task done for a request, once the worker is free.
+        """Run a task for a request when the worker is free.
 
         Args:
             holder: the request.
-            task: what to do.
-            asked: the design.
-            folder: where results go that are files.
-            tell: is told what is being done, in the loop of events.
+            task: the task.
+            request: the design.
+            folder: folder for results that are files.
+            report: receives descriptions of the progress, in the event loop.
 
         Raises:
-            InputError: what the task raises.
-            StoppedError: the request was left, or the worker ended.
+            InputError: the task raises it.
+            StoppedError: the page was closed, or the worker ended.
         """
         loop = asyncio.get_running_loop()
         try:
@@ -48,21 +48,21 @@ class Desk:
                     raise StoppedError
                 self._holder = holder
                 return await asyncio.to_thread(
-                    self.worker.do, task, asked, folder, lambda text: _pass_on(loop, tell, text)
+                    self.worker.do, task, request, folder, lambda text: _pass_on(loop, report, text)
                 )
         finally:
             self._holder = None if self._holder is holder else self._holder
             self._gone.discard(holder)
 
     def leave(self, holder: object) -> None:
-        """End what is done for a request whose page has gone."""
+        """End the task of a request whose page was closed."""
         if self._holder is holder:
             self.worker.stop()
         else:
             self._gone.add(holder)
 
 
-def _pass_on(loop: asyncio.AbstractEventLoop, tell: Callable[[str], None], text: str) -> None:
-    # at the end of a server the loop is closed before the thread hears of it
+def _pass_on(loop: asyncio.AbstractEventLoop, report: Callable[[str], None], text: str) -> None:
+    # when the server ends, the loop closes before the thread does
     if not loop.is_closed():
-        loop.call_soon_threadsafe(tell, text)
+        loop.call_soon_threadsafe(report, text)

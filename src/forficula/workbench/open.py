@@ -1,4 +1,4 @@
-"""Open a workbench: serve it, say where, and show it in a browser."""
+"""Open a workbench: serve it, print its address, and show it in a browser."""
 
 from __future__ import annotations
 
@@ -19,31 +19,31 @@ def open_workbench(
 
     Args:
         design: a named design, or the path of a file.
-        settings: text by dotted key, with which its page begins.
-        unit: length of the unit of a FOLD file or a drawing that names none, m.
-        port: where it listens; any that is free if not given.
-        browser: whether to show it there.
+        settings: values by dotted key, as text, with which its page begins.
+        unit: length of the unit of a FOLD file or drawing that states none, m.
+        port: port of the server; any free one if not given.
+        browser: whether to open a browser.
 
     Raises:
-        InputError: the design cannot be read, or the port cannot be had.
+        InputError: the design cannot be read, or the port is not available.
         KeyboardInterrupt: ctrl-C.
     """
-    told = False
+    announced = False
 
     def announce(address: str) -> None:
-        nonlocal told
-        if told:
+        nonlocal announced
+        if announced:
             text = f"that address has been used; for another browser open {address}"
         else:
             text = f"open at {address}\nthe address works once, then the next one is shown here\nctrl-C ends it"
-        told = True
-        # its terminal may be gone by then
+        announced = True
+        # the terminal may have been closed
         with suppress(OSError, ValueError):
             print(text, flush=True)
 
     def browse(file: Path) -> None:
-        # some browsers are waited for
+        # some browsers block until they are closed
         threading.Thread(target=webbrowser.open, args=(file.as_uri(),), daemon=True).start()
 
-    # what cannot be read is reported here, not on a page
+    # an unreadable design is reported in the terminal, not on the page
     serve(opened_with(design, settings, unit), port, announce, browse if browser else None)

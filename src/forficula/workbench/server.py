@@ -1,4 +1,4 @@
-"""The workbench as a server on this machine: its page, and what that asks."""
+"""Server of a workbench on this machine: its page, and the requests of the page."""
 
 from __future__ import annotations
 
@@ -28,26 +28,26 @@ from forficula.workbench.traffic import LARGEST_REFUSED, BoundedApplication
 from forficula.workbench.worker import StoppedError, Task, Worker
 
 LOOPBACK = "127.0.0.1"
-_ENDED = "the work on it ended before it was done; it may need more memory than there is"
-# what work comes to that has no result; cancelled it is with the server
-_TOLD = (InputError, StoppedError, RuntimeError, asyncio.CancelledError)
+_ENDED = "the task ended before it was finished; it may need more memory than is available"
+# errors of a task that are reported to the page; tasks are cancelled when the server ends
+_REPORTED = (InputError, StoppedError, RuntimeError, asyncio.CancelledError)
 _REPORT = "report.html"
 _ENTRANCE = "open.html"
-_BUFFER = 2**20  # bytes that are read ahead of a connection
+_BUFFER = 2**20  # bytes that are read ahead from a connection
 
 
 @dataclass(kw_only=True)
 class Bench:
-    """What all requests share.
+    """State that all requests share.
 
     Attributes:
-        opened: what the workbench was opened with.
-        port: where it listens.
-        quick: for what a page waits for.
-        slow: for what it can do without meanwhile.
-        access: who is let in.
-        folder: where results lie.
-        results: how many there were.
+        opened: design with which the workbench was opened.
+        port: port of the server.
+        quick: queue of tasks for which the page waits.
+        slow: queue of tasks that run while the page remains usable.
+        access: tokens and cookie.
+        folder: folder of the results.
+        results: number of results so far.
     """
 
     opened: Opened
@@ -65,14 +65,14 @@ def serve(
     """Serve a workbench until it is interrupted.
 
     Args:
-        opened: what it begins with.
-        port: where it listens; any that is free if not given.
-        announce: is told an address that lets one browser in, and after its use the next one.
-        browse: is given a file that leads a browser in and that only its owner can read; None to open no browser.
+        opened: design with which the workbench begins.
+        port: port of the server; any free one if not given.
+        announce: receives an address that lets one browser in, and after its use the next one.
+        browse: receives a file that only its owner can read and that leads a browser in; None to open no browser.
 
     Raises:
-        InputError: the port is taken or not allowed.
-        KeyboardInterrupt: ctrl-C, or another signal that ends it.
+        InputError: the port is in use or not allowed.
+        KeyboardInterrupt: ctrl-C, or another signal that ends the server.
     """
     asyncio.run(_serve(opened, port, announce, browse))
     raise KeyboardInterrupt
@@ -84,7 +84,7 @@ async def _serve(
     try:
         listening = socket.create_server((LOOPBACK, port or 0))
     except OSError as error:
-        raise InputError(f"--port: {port} cannot be had: {error.strerror or error}") from None
+        raise InputError(f"--port: {port} is not available: {error.strerror or error}") from None
     own_port = listening.getsockname()[1]
     listening.setblocking(False)
     access = Access(f"http://{LOOPBACK}:{own_port}", own_port)
@@ -92,9 +92,9 @@ async def _serve(
         workers = Worker(opened, Path(folder)), Worker(opened, Path(folder))
         quick, slow = (Desk(worker) for worker in workers)
         bench = Bench(opened=opened, port=own_port, access=access, quick=quick, slow=slow, folder=Path(folder))
-        # every body has a bound of its own
+        # the bound of a body depends on its sender
         server = HTTPServer(application(bench), max_body_size=LARGEST_REFUSED, max_buffer_size=_BUFFER)
-        ended = _told_to_end()
+        ended = _end_signals()
         try:
             server.add_socket(listening)
             workers[0].start()
@@ -115,38 +115,38 @@ def _announce(access: Access, announce: Callable[[str], None]) -> None:
     announce(access.new_address(lambda: _announce(access, announce)))
 
 
-def _told_to_end() -> asyncio.Event:
-    """Set when its terminal is closed or somebody ends it, so that nothing of it is left then either."""
-    told, loop = asyncio.Event(), asyncio.get_running_loop()
+def _end_signals() -> asyncio.Event:
+    """Return an event that is set by SIGTERM and SIGHUP, so that temporary files are removed then, too."""
+    ended, loop = asyncio.Event(), asyncio.get_running_loop()
     for name in ("SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
-        # what is ignored, as with nohup, stays so
+        # signals that are ignored, as by nohup, stay ignored
         if number is not None and signal.getsignal(number) == signal.SIG_DFL:
             with suppress(NotImplementedError):
-                loop.add_signal_handler(number, told.set)
-    return told
+                loop.add_signal_handler(number, ended.set)
+    return ended
 
 
 def application(bench: Bench) -> BoundedApplication:
-    """What answers requests, most of which begin with a path that only its page knows."""
+    """Return the web application; most of its paths begin with a secret that only its page has."""
     shared = {"bench": bench}
-    own = bench.access.path
+    secret = bench.access.path
     return BoundedApplication(
         [
             (r"/open/([A-Za-z0-9_-]+)", _Entrance, shared),
-            (own, _Page, shared),
-            (rf"{own}(design|model|pattern)", _Answer, shared),
-            (rf"{own}(landscape|run)", _Results, shared),
-            (rf"{own}results/([0-9]{{1,9}})/{_REPORT}", _Report, shared),
+            (secret, _Page, shared),
+            (rf"{secret}(design|model|pattern)", _Answer, shared),
+            (rf"{secret}(landscape|run)", _Results, shared),
+            (rf"{secret}results/([0-9]{{1,9}})/{_REPORT}", _Report, shared),
         ],
         _Nothing,
         shared,
-        lambda request: request.path.startswith(own) and not _refusal(bench, request) and _is_let_in(bench, request),
+        lambda request: request.path.startswith(secret) and not _refusal(bench, request) and _is_let_in(bench, request),
     )
 
 
 def _refusal(bench: Bench, request: HTTPServerRequest, *, by_site: bool = True) -> str:
-    """Why a request is refused whoever sends it; "" where it is not."""
+    """Return the reason for which a request is refused, with or without a cookie; "" if it is not."""
     headers = request.headers
     site = headers.get("Sec-Fetch-Site", "") if by_site else ""
     return refusal(bench.port, request.host, headers.get("Origin", ""), site)
@@ -157,7 +157,7 @@ def _is_let_in(bench: Bench, request: HTTPServerRequest) -> bool:
     return cookie is not None and bench.access.admits(cookie.value)
 
 
-def _why(error: BaseException) -> str:
+def _reason(error: BaseException) -> str:
     match error:
         case InputError():
             return str(error)
@@ -168,11 +168,11 @@ def _why(error: BaseException) -> str:
 
 
 class _Guarded(RequestHandler):
-    """Answers nobody but its own page, and lets nothing keep, frame or guess what it answers."""
+    """Handler that answers only its own page; answers cannot be cached, framed or given another type."""
 
     def initialize(self, bench: Bench) -> None:
         self.bench = bench
-        # whether its page has left
+        # whether the page was closed
         self.gone = False
 
     def set_default_headers(self) -> None:
@@ -195,7 +195,7 @@ class _Guarded(RequestHandler):
         self.application.forget_body(self.request)
 
     def turn_away(self) -> None:
-        """Answer a browser that was not let in."""
+        """Refuse a browser without a valid cookie."""
         self.refuse(403, "this browser is not let in; open the address that the terminal shows")
 
     def refuse(self, status: int, why: str) -> None:
@@ -203,7 +203,7 @@ class _Guarded(RequestHandler):
         self.finish({"refused": why})
 
     def explain(self, status: int, page: str) -> None:
-        """Answer with a page of words alone."""
+        """Answer with a page that contains only text."""
         self.set_status(status)
         self.set_header("Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'")
         self.set_header("Content-Type", "text/html; charset=utf-8")
@@ -213,8 +213,8 @@ class _Guarded(RequestHandler):
         refused = f"need GET or POST, got {self.request.method}" if status_code == 405 else "the workbench failed"
         self.finish({"refused": f"{refused} ({status_code})"})
 
-    def asked(self) -> Asked | None:
-        """What the page asks; None, and an answer that says why, where that cannot be read."""
+    def read_request(self) -> Asked | None:
+        """Return the request of the page; None after a refusal if it cannot be read."""
         if self.request.headers.get("Content-Type", "").partition(";")[0] != "application/json":
             self.refuse(415, "need application/json")
             return None
@@ -228,7 +228,7 @@ class _Guarded(RequestHandler):
 
 class _Nothing(_Guarded):
     def turn_away(self) -> None:
-        self.refuse(404, "there is nothing here")
+        self.refuse(404, "not found")
 
     def prepare(self) -> None:
         super().prepare()
@@ -237,10 +237,10 @@ class _Nothing(_Guarded):
 
 
 class _Entrance(_Guarded):
-    """Exchanges a token for the cookie, and leads on to the page."""
+    """Exchanges a token for the cookie, and leads to the page."""
 
     def prepare(self) -> None:
-        # a browser comes here from a file, from a terminal, or from wherever its reader keeps an address
+        # the address may come from a file, a terminal or a bookmark, so that Sec-Fetch-Site is not checked
         if why := _refusal(self.bench, self.request, by_site=False):
             self.refuse(403, why)
 
@@ -264,14 +264,14 @@ class _Page(_Guarded):
 
 class _Answer(_Guarded):
     async def post(self, task: Task) -> None:
-        if (asked := self.asked()) is None:
+        if (request := self.read_request()) is None:
             return
         try:
-            await self.finish(await self.bench.quick.do(self, task, asked))
-        except _TOLD as error:
-            # a page asks whether a value is allowed, and this is an answer
+            await self.finish(await self.bench.quick.do(self, task, request))
+        except _REPORTED as error:
+            # a value that is not allowed is a regular answer
             if not self.gone:
-                await self.finish({"refused": _why(error)})
+                await self.finish({"refused": _reason(error)})
 
     def on_connection_close(self) -> None:
         self.gone = True
@@ -279,21 +279,21 @@ class _Answer(_Guarded):
 
 
 class _Results(_Guarded):
-    """Answers line by line: what is being done, and at last where the results are."""
+    """Answers line by line: progress, and at the end the path of the results."""
 
     async def post(self, task: Task) -> None:
-        if (asked := self.asked()) is None:
+        if (request := self.read_request()) is None:
             return
         self.set_header("Content-Type", "application/x-ndjson")
         self.bench.results += 1
         number = self.bench.results
         try:
             await self.bench.slow.do(
-                self, task, asked, self.bench.folder / str(number), lambda text: self.line({"doing": text})
+                self, task, request, self.bench.folder / str(number), lambda text: self.line({"doing": text})
             )
             self.line({"done": f"results/{number}/{_REPORT}"})
-        except _TOLD as error:
-            self.line({"refused": _why(error)})
+        except _REPORTED as error:
+            self.line({"refused": _reason(error)})
 
     def line(self, content: dict[str, str]) -> None:
         if not self.gone:
@@ -309,7 +309,7 @@ class _Report(_Guarded):
     def get(self, number: str) -> None:
         report = self.bench.folder / number / _REPORT
         if not report.is_file():
-            self.refuse(404, "there is nothing here")
+            self.refuse(404, "not found")
             return
         self.set_header("Content-Security-Policy", "frame-ancestors 'self'")
         self.set_header("Content-Type", "text/html; charset=utf-8")
@@ -317,13 +317,13 @@ class _Report(_Guarded):
 
 
 def workbench_page(opened: Opened) -> str:
-    """The page of a workbench, which asks its server for all that it shows of a design."""
+    """Return the page of a workbench, which requests all data of a design from the server."""
     name = design_source(Asked(), opened)
     data = {
         "kind": "workbench",
         "opened": name,
         "settings": dict(opened.settings),
-        "designs": [{"name": each, "shows": load_design(each).shows or ""} for each in named_designs()],
+        "designs": [{"name": known, "shows": load_design(known).shows or ""} for known in named_designs()],
     }
     body = '<header><h1></h1></header>\n<main id="workbench"></main>\n'
     return page_html(f"{Path(name).stem}: workbench", body, data, served=True)

@@ -1,10 +1,11 @@
-"""What a workbench tells its page of a design: its keys, its structure live, its pattern."""
+"""Responses of a workbench to its page: keys of a design, its structure, its pattern."""
 
 from __future__ import annotations
 
 import base64
 import re
 import shlex
+import warnings
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -21,17 +22,17 @@ from forficula.show.style import description, save_figure
 from forficula.structure import structure_warnings
 from forficula.workbench.asked import Asked, Opened, asked_design, design_source
 
-# what a shell takes as it is between double quotes
+# text that a shell does not change between double quotes
 _PLAIN = re.compile(r'[^"$`\\!]*')
 
 
-def design_told(asked: Asked, opened: Opened) -> dict[str, Any]:
-    """A design's keys with their values, its file, and the command that runs it, for JSON.
+def design_told(request: Asked, opened: Opened) -> dict[str, Any]:
+    """Return the keys of a design with their values, its file, and the command that runs it, for JSON.
 
     Raises:
-        InputError: it cannot be read.
+        InputError: the design cannot be read.
     """
-    design = asked_design(asked, opened)
+    design = asked_design(request, opened)
     keys = held_keys(design)
     sections = dict.fromkeys(key.fact.key.partition(".")[0] for key in keys if "." in key.fact.key)
     return {
@@ -39,48 +40,54 @@ def design_told(asked: Asked, opened: Opened) -> dict[str, Any]:
         "name": design.name,
         "hash": design.hash,
         "shows": f"{design.shows[:1].upper()}{design.shows[1:]}." if design.shows else "",
-        "keys": [_key(each) for each in keys],
+        "keys": [_key(key) for key in keys],
         "sections": {name: _heading(name, design) for name in sections},
         "text": design_text(design),
-        "command": command_of(asked, opened),
+        "command": command_of(request, opened),
     }
 
 
-def command_of(asked: Asked, opened: Opened) -> str:
-    """The line of a shell that runs the design that a page asks for."""
-    words = ["forficula", "run", shlex.quote(design_source(asked, opened))]
-    unit = asked.unit if asked.files else f"{opened.unit:.9g} m" if opened.unit and not asked.design else ""
+def command_of(request: Asked, opened: Opened) -> str:
+    """Return the shell command that runs the design of a request."""
+    words = ["forficula", "run", shlex.quote(design_source(request, opened))]
+    unit = request.unit if request.files else f"{opened.unit:.9g} m" if opened.unit and not request.design else ""
     words += ["--unit", f'"{unit}"'] if unit else []
-    for key, text in asked.settings.items():
+    for key, text in request.settings.items():
         plain = _PLAIN.fullmatch(text) is not None
         words += ["--set", f'{key}="{text}"' if plain and re.search(r"\W", text) else shlex.quote(f"{key}={text}")]
     return " ".join(words)
 
 
-def model_told(asked: Asked, opened: Opened) -> dict[str, Any]:
-    """A design's structure where it starts, and what the engine in the page needs of it, or why it would refuse it.
+def model_told(request: Asked, opened: Opened) -> dict[str, Any]:
+    """Return the structure of a design at its start, and the data for the engine in the page or its reason to refuse.
 
     Raises:
-        InputError: it cannot be built.
+        InputError: the design cannot be built.
     """
-    given = asked_design(asked, opened)
-    design = with_timestep(given)
+    with warnings.catch_warnings(record=True) as reading:
+        warnings.simplefilter("always", UserWarning)
+        requested = asked_design(request, opened)
+    design = with_timestep(requested)
     clip = at_start(design)
-    measures = [each.measure for each in clip.readings]
+    measures = [reading.measure for reading in clip.readings]
     return {
         "bench": bench_data(clip),
         "live": live_data(design, measures, clip.mesh.anchors.tolist()),
-        "warnings": [*structure_warnings(design, clip.structure), *timestep_warnings(given)],
+        "warnings": [
+            *(str(warning.message).rpartition("/")[2] for warning in reading),
+            *structure_warnings(design, clip.structure),
+            *timestep_warnings(requested),
+        ],
     }
 
 
-def pattern_told(asked: Asked, opened: Opened) -> dict[str, Any]:
-    """A design's crease pattern as a drawing in SVG, in words, and as a FOLD file.
+def pattern_told(request: Asked, opened: Opened) -> dict[str, Any]:
+    """Return the crease pattern of a design as an SVG drawing, as a description, and as a FOLD file.
 
     Raises:
-        InputError: it has none, or cannot be drawn.
+        InputError: the design has no pattern, or the pattern cannot be drawn.
     """
-    design = asked_design(asked, opened)
+    design = asked_design(request, opened)
     sheet = design_pattern(design)
     with TemporaryDirectory(prefix="forficula-") as folder:
         figure = draw_sheet(sheet, pattern_facts(sheet))
@@ -106,7 +113,7 @@ def _key(key: HeldKey) -> dict[str, Any]:
 
 
 def _heading(section: str, design: Design) -> str:
-    """What a section is, in words; of one that the design lacks what its key says."""
+    """Return the title of a section; for a section that the design lacks, the description of its key."""
     if getattr(design, section, None):
         return section_title(section, design)
     return type(design).model_fields[section].description or section_heading(section, (design,)) or section

@@ -1,4 +1,4 @@
-"""A process that works for a workbench, one task after another, and that can be ended in the midst of one."""
+"""Worker process of a workbench: runs one task after another, and can be ended during a task."""
 
 from __future__ import annotations
 
@@ -25,53 +25,53 @@ from forficula.study.running.runs import run
 from forficula.workbench.asked import Asked, Opened, asked_design, reading_for_page
 
 Task = Literal["design", "model", "pattern", "landscape", "run"]
-_BETWEEN = 0.1  # s, from one word of how far it is to the next
-# is told what is being done
-Tell = Callable[[str], None]
+_BETWEEN = 0.1  # s, between reports of progress
+# receives descriptions of the progress
+Report = Callable[[str], None]
 
 
 class StoppedError(Exception):
-    """A task came to no end, because its process was ended."""
+    """A task was not finished, because its process was ended."""
 
 
 class Worker:
-    """A process that begins with the first task, and again with the next one after it was ended."""
+    """A process that starts with the first task, and restarts with the next task after it was ended."""
 
     def __init__(self, opened: Opened, folder: Path) -> None:
         self._opened = opened
-        # where what an ended task leaves is removed with all else
+        # temporary files of an ended task are removed with this folder
         self._folder = folder
         self._lock = threading.Lock()
         self._process: multiprocessing.process.BaseProcess | None = None
         self._pipe: Connection | None = None
 
     def start(self) -> None:
-        """Begin the process, where there is none, so that the first task need not wait for it."""
+        """Start the process if it is not running, so that the first task does not wait for it."""
         with self._lock:
             self._begin()
 
-    def do(self, task: Task, asked: Asked, folder: Path | None, tell: Callable[[str], None]) -> Any:
-        """Have a task done, and wait for what comes of it.
+    def do(self, task: Task, request: Asked, folder: Path | None, report: Report) -> Any:
+        """Run a task, and return its result.
 
         Args:
-            task: what to do.
-            asked: the design.
-            folder: where results go that are files; None of a task that leaves none.
-            tell: is told what is being done.
+            task: the task.
+            request: the design.
+            folder: folder for results that are files; None for a task without files.
+            report: receives descriptions of the progress.
 
         Raises:
-            InputError: what the task raises.
-            StoppedError: `stop` was called meanwhile, or the process ended.
+            InputError: the task raises it.
+            StoppedError: `stop` was called during the task, or the process ended.
         """
         with self._lock:
             pipe = self._begin()
         try:
-            pipe.send((task, asked, folder))
+            pipe.send((task, request, folder))
             while True:
                 kind, content = pipe.recv()
-                if kind != "told":
+                if kind != "progress":
                     break
-                tell(content)
+                report(content)
         except (EOFError, OSError):
             self.stop()
             raise StoppedError from None
@@ -82,7 +82,7 @@ class Worker:
         return content
 
     def stop(self) -> None:
-        """End the process, whatever it does."""
+        """End the process immediately."""
         with self._lock:
             process, self._process, self._pipe = self._process, None, None
         if process is not None:
@@ -93,27 +93,27 @@ class Worker:
         if self._process is not None and self._pipe is not None and self._process.is_alive():
             return self._pipe
         context = multiprocessing.get_context("spawn")
-        self._pipe, own = context.Pipe()
-        self._process = context.Process(target=_work, args=(own, self._opened, self._folder), daemon=True)
+        self._pipe, far_end = context.Pipe()
+        self._process = context.Process(target=_work, args=(far_end, self._opened, self._folder), daemon=True)
         self._process.start()
-        # held here it would not end with the process
-        own.close()
+        # otherwise the pipe would stay open when the process ends
+        far_end.close()
         return self._pipe
 
 
 def _work(pipe: Connection, opened: Opened, temporary: Path) -> None:
-    """Do tasks until whoever asks for them is gone."""
-    # whoever presses ctrl-C means the server, which then ends this
+    """Run tasks until the server ends."""
+    # ctrl-C ends the server, which then ends this process
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     tempfile.tempdir = str(temporary)
     threading.Thread(target=_leave_with_parent, daemon=True).start()
-    # what is imported before the first task need not be waited for then
+    # import before the first task arrives
     import forficula.workbench.told  # noqa: F401
 
     with suppress(EOFError, OSError):
         while True:
-            task, asked, folder = pipe.recv()
-            pipe.send(_done(task, asked, opened, folder, _teller(pipe)))
+            task, request, folder = pipe.recv()
+            pipe.send(_answer(task, request, opened, folder, _reporter(pipe)))
 
 
 def _leave_with_parent() -> None:
@@ -123,25 +123,25 @@ def _leave_with_parent() -> None:
     os._exit(1)
 
 
-def _teller(pipe: Connection) -> Callable[[str], None]:
-    """Pass on what is being done: whatever is new, and now and then how far it is."""
-    last, doing = 0.0, ""
+def _reporter(pipe: Connection) -> Report:
+    """Return a function that sends progress: each new activity at once, and repeated ones at intervals."""
+    last, activity = 0.0, ""
 
-    def tell(text: str) -> None:
-        nonlocal last, doing
-        if text.partition(":")[0] != doing or monotonic() - last >= _BETWEEN:
-            last, doing = monotonic(), text.partition(":")[0]
-            pipe.send(("told", text))
+    def report(text: str) -> None:
+        nonlocal last, activity
+        if text.partition(":")[0] != activity or monotonic() - last >= _BETWEEN:
+            last, activity = monotonic(), text.partition(":")[0]
+            pipe.send(("progress", text))
 
-    return tell
+    return report
 
 
-def _done(task: Task, asked: Asked, opened: Opened, folder: Path, tell: Callable[[str], None]) -> tuple[str, Any]:
-    """What comes of a task, and of which kind that is."""
+def _answer(task: Task, request: Asked, opened: Opened, folder: Path, report: Report) -> tuple[str, Any]:
+    """Return the kind and the content of the answer to a task."""
     try:
-        # whatever else a task reads of what a page named, such as a material
+        # a task may read other files that a page names, such as a material
         with reading_for_page(opened):
-            return "done", _result(task, asked, opened, folder, tell)
+            return "done", _result(task, request, opened, folder, report)
     except InputError as error:
         return "refused", str(error)
     except MemoryError:
@@ -153,49 +153,49 @@ def _done(task: Task, asked: Asked, opened: Opened, folder: Path, tell: Callable
         return "failed", f"{type(error).__name__}: {error}"
 
 
-def _result(task: Task, asked: Asked, opened: Opened, folder: Path, tell: Callable[[str], None]) -> Any:
-    """What comes of a task; None where that lies in the folder."""
+def _result(task: Task, request: Asked, opened: Opened, folder: Path, report: Report) -> Any:
+    """Return the result of a task; None if the result is in the folder."""
     from forficula.workbench.told import design_told, model_told, pattern_told
 
     match task:
         case "design":
-            return design_told(asked, opened)
+            return design_told(request, opened)
         case "model":
-            return model_told(asked, opened)
+            return model_told(request, opened)
         case "pattern":
-            return pattern_told(asked, opened)
+            return pattern_told(request, opened)
         case "landscape":
-            leave_landscape(asked, opened, folder, tell)
+            _write_landscape(request, opened, folder, report)
         case "run":
-            leave_run(asked, opened, folder, tell)
+            _write_run(request, opened, folder, report)
     return None
 
 
-def leave_landscape(asked: Asked, opened: Opened, folder: Path, tell: Tell) -> None:
-    """Survey a design's energy by statics, as `forficula landscape --no-simulation` does, and write its results.
+def _write_landscape(request: Asked, opened: Opened, folder: Path, report: Report) -> None:
+    """Compute the energy landscape of a design, as `forficula landscape --no-simulation` does, and write its results.
 
     Raises:
         InputError: the design cannot be read or built.
     """
-    design = asked_design(asked, opened)
-    tell("building the structure")
-    landscape = energy_landscape(design, progress=lambda step: tell(f"surveying: {step}"))
-    tell("drawing")
+    design = asked_design(request, opened)
+    report("building the structure")
+    landscape = energy_landscape(design, progress=lambda step: report(f"surveying: {step}"))
+    report("drawing")
     write_landscape(landscape, folder, None, shown_tendon(design))
 
 
-def leave_run(asked: Asked, opened: Opened, folder: Path, tell: Tell) -> None:
-    """Take a design through its protocol, as `forficula run` does, and write what that leaves.
+def _write_run(request: Asked, opened: Opened, folder: Path, report: Report) -> None:
+    """Simulate a design through its protocol, as `forficula run` does, and write its results.
 
     Raises:
         InputError: the design cannot be read or built.
     """
-    design = asked_design(asked, opened)
-    tell("building the structure")
+    design = asked_design(request, opened)
+    report("building the structure")
     record = run(
         design,
-        lambda stage, time, longest: tell(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated"),
+        lambda stage, time, longest: report(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated"),
         confirm=True,
     )
-    tell("drawing")
+    report("drawing")
     write_run(record, measure(record), folder, engine=False)
