@@ -160,6 +160,11 @@ class TransitionOutcome:
     held: bool | None = None
     sprung_back: tuple[float, float] | None = None
 
+    def __repr__(self) -> str:
+        """Success, time and work."""
+        time = "" if self.time is None else f" after {show_value(self.time, 's')}"
+        return f"<TransitionOutcome: {'succeeded' if self.succeeded else 'failed'}{time}, {show_value(self.work, 'J')}>"
+
 
 @dataclass(frozen=True, kw_only=True)
 class StageOutcome:

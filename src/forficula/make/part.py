@@ -48,6 +48,10 @@ class Part:
     printed: bool = True
     bed: Array
 
+    def __repr__(self) -> str:
+        """Name, kind and material."""
+        return f"<Part {self.name}: {self.kind} of {self.stock.name}>"
+
     @cached_property
     def shape(self) -> Manifold:
         """Solid as a mesh, mm.
@@ -95,6 +99,12 @@ class PartSet(Result):
     straps: tuple[StrapPlace, ...]
     parts: tuple[Part, ...]
     sheet: CutSheet | None
+
+    def __repr__(self) -> str:
+        """Design and names of the parts."""
+        names = [part.name for part in self.parts] + (["sheet"] if self.sheet is not None else [])
+        listed = ", ".join(names[:6]) + (", ..." if len(names) > 6 else "")
+        return f"<PartSet of {self.design.name}: {listed}>"
 
     def of_body(self, body: int) -> tuple[Part, ...]:
         """Return the parts that move with a body."""

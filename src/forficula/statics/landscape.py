@@ -59,6 +59,10 @@ class Rest:
     same_as: Annotated[str, Written.OR_NULL] = ""
     shape: Annotated[NetShape | None, Written.NEVER] = None
 
+    def __repr__(self) -> str:
+        """Name and energy."""
+        return f"<Rest {self.name}: {show_value(self.energy, 'J')}, {'stable' if self.stable else 'not stable'}>"
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Pass:
@@ -97,6 +101,11 @@ class LeastTorque:
     least: float | None
     span: tuple[float, float] | None
     inertial_help: InertialHelp | None
+
+    def __repr__(self) -> str:
+        """Name of the transition and torque."""
+        least = "none was found" if self.least is None else show_value(self.least, "N m")
+        return f"<LeastTorque {self.name}: {least}>"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

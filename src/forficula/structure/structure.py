@@ -103,3 +103,9 @@ class Structure:
     contact: Contact | None = None
     gravity: float = 0.0
     appearance: Appearance = field(default_factory=Appearance)
+
+    def __repr__(self) -> str:
+        """Name and number of parts."""
+        counts = {"bodies": self.bodies, "hinges": self.hinges, "tendons": self.tendons, "membranes": self.membranes}
+        parts = ", ".join(f"{len(every)} {name}" for name, every in counts.items() if every)
+        return f"<Structure {self.name}: {parts}>"

@@ -71,6 +71,10 @@ class Cycling(Result):
     verdict: str
     remarks: tuple[str, ...]
 
+    def __repr__(self) -> str:
+        """Design and verdict."""
+        return f"<Cycling of {self.design.name}: {self.verdict}>"
+
     def to_dataframe(self) -> DataFrame:
         """Return the cycles as a pandas table: stiffness by that of the first, residual strain, outcome, margins."""
         pandas = pandas_module()

@@ -10,6 +10,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
+from forficula.quantities import show_value
 from forficula.statics.net.collapse import Collapse, collapse
 from forficula.statics.net.energy import membrane_stresses, sides_of, stored_by_part
 from forficula.statics.net.load import Load, acceleration, pressure
@@ -95,6 +96,10 @@ class NetState:
     withstands: tuple[Withstood, ...]
     passing: bool
     found: int
+
+    def __repr__(self) -> str:
+        """Name and energy."""
+        return f"<NetState {self.name}: {show_value(self.energy, 'J')}>"
 
 
 def net_state(structure: Structure, net: Net, rest: NetRest, name: str, found: int, *, loads: bool) -> NetState:

@@ -11,6 +11,7 @@ import scipy
 
 from forficula.arrays import Array
 from forficula.errors import InputError
+from forficula.quantities import show_value
 from forficula.statics.tree.equilibrium import Equilibria, PathState, states_along
 from forficula.statics.tree.pose import span
 from forficula.statics.tree.potential import Ensemble, rest
@@ -110,6 +111,10 @@ class StableState:
     ring_angle: float
     energy: float
     holding_torque: float
+
+    def __repr__(self) -> str:
+        """Name and energy."""
+        return f"<StableState {self.name}: {show_value(self.energy, 'J')}>"
 
 
 def rigid_fold(structure: Structure) -> RigidFold:

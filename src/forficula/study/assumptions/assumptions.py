@@ -112,6 +112,10 @@ class Assumptions(Result):
     uncertainty: Annotated[Mapping[str, float], Written.NEVER]
     versions: Mapping[str, str]
 
+    def __repr__(self) -> str:
+        """Design and verdict."""
+        return f"<Assumptions of {self.design.name}: {self.verdict}>"
+
     @property
     def identity(self) -> Annotated[DesignIdentity, Written.BESIDE, Written.FIRST]:
         """Name and hash of the design."""

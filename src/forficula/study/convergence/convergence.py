@@ -84,6 +84,10 @@ class Convergence(Result):
     fine: bool | None
     verdict: str
 
+    def __repr__(self) -> str:
+        """Design, key and verdict."""
+        return f"<Convergence of {self.design.name} over {self.key}: {self.verdict}>"
+
     def to_dataframe(self) -> DataFrame:
         """Return the runs as a pandas table: value of the setting, SI, verdict, status, time of each transition, s."""
         pandas = pandas_module()
