@@ -138,7 +138,8 @@ def test_every_number_in_a_table_of_the_findings_is_computed_or_measured_with_th
     blocks = measurements.measured_in(page)
     assert sum(line.startswith("|") for block in blocks for line in block.text.splitlines()) > 20
     for block in blocks:
-        assert block.version == ff.__version__, f"{block.command}: measure again, or state why its numbers remain"
+        of_this_version = (ff.__version__, measurements.SAME_RUNS.get(ff.__version__))
+        assert block.version in of_this_version, f"{block.command}: measure again, or state why its numbers remain"
         program, command, name, *_ = block.command.split()
         assert program == "forficula"
         assert name in {"run": ff.examples(), "study": ff.examples("studies")}[command]

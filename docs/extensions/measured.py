@@ -8,8 +8,8 @@
     :::
 
 shows its content, and below it the command, the version and the time. If the documentation has another version, the
-text adds that the numbers were not measured again. A test refuses tables of findings outside such a block or of another
-version, so a release measures them again.
+text adds that the numbers were not measured again, or that both versions compute the same runs. A test refuses tables of
+findings outside such a block or of a version with other runs, so a release that changes results measures them again.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from typing import ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import directives
+from measurements import SAME_RUNS
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.typing import OptionSpec
@@ -44,6 +45,8 @@ class MeasuredDirective(SphinxDirective):
         origin += nodes.Text("".join(f", {self.options[name]}" for name in ("with", "took") if name in self.options))
         version = self.options["version"]
         again = "" if version == self.config.release else f"; not measured again with {self.config.release}"
+        if SAME_RUNS.get(self.config.release) == version and "optimise" not in self.arguments[0]:
+            again = f", whose runs {self.config.release} repeats bit for bit"
         origin += nodes.Text(f", with forficula {version}{again}.")
         origin["classes"] = ["by"]
         block += origin
