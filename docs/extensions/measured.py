@@ -8,8 +8,8 @@
     :::
 
 shows its content, and below it the command, the version and the time. If the documentation has another version, the
-text adds that the numbers were not measured again, or that both versions compute the same runs. A test refuses tables of
-findings outside such a block or of a version with other runs, so a release that changes results measures them again.
+text adds that the numbers were not measured again, or that both versions compute the same runs. A test refuses tables
+of findings outside such a block or of a version with other runs, so a release that changes results measures them again.
 """
 
 from __future__ import annotations

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-# Versions that compute the same runs as an earlier one: those of all named designs and of the study binder2025-search were
-# compared bit for bit. Searches of `optimise` are not among them.
+# Versions that compute the same runs as an earlier one: the runs of all named designs and of the study
+# binder2025-search were compared bit for bit. Searches of `optimise` are not among them.
 SAME_RUNS = {"1.0.0rc1": "0.1.0"}
 _BLOCK = re.compile(
     r"^:::\{measured\} (?P<command>[^\n]+)\n(?P<options>(?::[a-z]+:[^\n]*\n)*)(?P<text>.*?)^:::$", re.M | re.S
