@@ -120,7 +120,8 @@ def test_samples_that_are_placed_refute_an_exclusion_that_is_an_accident():
     assert drawn.together.values[0, 1] != Together.EXCLUDED
     # though the hidden values meet both
     assert (
-        "No sample meets all 2 facts, but there are too few samples to exclude other values" in together_sentences(drawn)[0]
+        "No sample meets all 2 facts, but there are too few samples to exclude other values"
+        in together_sentences(drawn)[0]
     )
     for each in marginals(drawn):
         planted_at = {"hinge.overbend": np.radians(2.2), "hinge.damping": 3e-4}[each.key]

@@ -63,9 +63,7 @@ def test_the_acting_torque_is_drawn_with_the_least_slow_torque(weak, drawings):
     acts = drawn["acting on every proximal joint"]
     at = np.interp([-1, 50, 100, 250], acts.get_xdata(), acts.get_ydata())
     assert at == pytest.approx([0, 0.5, 1, 1], abs=0.03)  # it rises over 0.1 s
-    stronger = with_values(
-        weak.design, {"protocol.fold_torque": "5 N cm"}
-    )  # largest torque of the landscape
+    stronger = with_values(weak.design, {"protocol.fold_torque": "5 N cm"})  # largest torque of the landscape
     least = energy_landscape(stronger, points=61).least_torques["fold"]
     assert drawn["least slow torque"].get_ydata()[0] == pytest.approx(100 * least, rel=0.02)
     assert least > 0.01
