@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-# comparisons of the running test, by compared quantity and reference: the worst of each
+# worst comparison of the running test for every compared quantity and reference
 _TOLD: dict[tuple[Any, ...], dict[str, Any]] = {}
 
 
@@ -29,7 +29,7 @@ def _tell(key: tuple[Any, ...], strain: float, told: dict[str, Any]) -> None:
     _TOLD[key]["count"] = count
 
 
-@pytest.fixture(scope="session")  # it keeps nothing: properties and fixtures of modules may ask for it
+@pytest.fixture(scope="session")  # stateless, so property tests and fixtures of modules may use it
 def agree() -> Callable[..., None]:
     """Compare a value with a reference value, and record both for the page of validation.
 
@@ -44,7 +44,7 @@ def agree() -> Callable[..., None]:
         limits = np.maximum(0.0 if rel is None else rel * np.abs(second), 0.0 if abs is None else abs)
         allowed = np.broadcast_to(limits, first.shape)
         off = np.abs(first - second)
-        # if no difference is allowed, any difference is infinitely bad
+        # if no difference is allowed, any difference counts as infinite
         shares = np.where(allowed > 0, off / np.where(allowed > 0, allowed, 1), np.where(off == 0, 0, np.inf))
         worst = int(np.argmax(np.where(np.isnan(shares), np.inf, shares)))
         told = {

@@ -16,7 +16,7 @@ from forficula.statics.net.energy import built_shape, shape_at
 from forficula.statics.net.minimum import minimum
 from tests.statics.net.nets import sheet
 
-STIFF = 1e6  # EA over the stiffness of a crease by its length, as the issue asks for
+STIFF = 1e6  # EA over the stiffness of a crease per length
 
 
 def vertex(sectors):
@@ -38,7 +38,7 @@ def folded(sectors, signs, target):
         stiffness[creases[0]] = 1.0
         law = CreaseLaw(stiffness=stiffness, rest_angle=rest_angles)
         moved = replace(net, creases=replace(net.creases, law=law))
-        if rest_angles is rest:  # off the flat state, where the branches cross
+        if rest_angles is rest:  # away from the flat state, where the branches cross
             lifted = net.nodes + 0.02 * np.array([0, 0, 1.0]) * np.array([0, *signs])[:, None]
             start = shape_at(net, lifted)
         start = minimum(moved, start, longest_step=0.05).shape
@@ -51,7 +51,7 @@ def test_flat_foldable_vertices_satisfy_the_half_angle_tangent_relations(agree, 
     alpha, beta = np.deg2rad((first, second))
     angles = folded((alpha, beta, np.pi - alpha, np.pi - beta), (1, 1, 1, -1), np.deg2rad(target))
     agree("driven fold angle", np.rad2deg(angles[0]), target, unit="deg", by="its goal", abs=0.1)
-    # opposite creases turn alike, one pair with the same sign, the other with opposite ones
+    # opposite creases turn by equal angles: one pair with equal signs, the other with opposite ones
     alike = 0 if angles[0] * angles[2] > 0 else 1
     ours, theirs = np.rad2deg([(angles[alike], angles[alike + 2]), (angles[1 - alike], -angles[3 - alike])]).T
     agree("fold angles of a crease", ours, theirs, unit="deg", by="the opposite crease", abs=1e-3)
@@ -80,7 +80,7 @@ def test_rotations_around_any_vertex_multiply_to_the_identity(agree, first, seco
     agree("driven fold angle", np.rad2deg(angles[0]), target, unit="deg", by="its goal", abs=0.1)
     around = np.eye(3)
     for angle, sector in zip(angles, sectors, strict=True):
-        # across a valley the next panel turns about the crease, against the sense of the walk
+        # at a valley, the next panel turns about the crease against the sense of the walk
         around = around @ turn(0, angle) @ turn(2, sector)
     agree("rotation around a vertex", around, np.eye(3), by="identity", abs=np.deg2rad(2e-3))
 

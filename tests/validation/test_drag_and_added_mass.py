@@ -175,7 +175,7 @@ def taken(model, data):
     area = np.cross(here[:, 1] - here[:, 0], here[:, 2] - here[:, 0]) / 2
     size = np.linalg.norm(area, axis=1)
     across = np.einsum("tci,ti->tc", speeds, area / size[:, None])
-    # middles of the small triangles of a side divided in ten
+    # centres of the small triangles, ten per side
     middles = [
         ((one + share) / 10, (two + share) / 10)
         for one in range(10)
@@ -199,7 +199,7 @@ def test_the_power_of_the_drag_is_its_integral_over_the_panels_for_any_motion(ag
     drag = stacked_drag([model.drag])
     kinematics = {field: getattr(data, field)[None] for field in KINEMATICS}
     power = float(drag.forces(np.array([0]), kinematics, data.qvel[None])[0] @ data.qvel)
-    # of a hundred parts, and of six points where a panel moves both ways
+    # errors of the hundred parts, and of six points where a panel's parts move in both directions
     known = taken(model, data)
     agree("power that drag takes by its integral", -power / known, 1.0, by="panels in a hundred parts", rel=0.02)
 
@@ -234,7 +234,7 @@ def test_the_wing_folds_later_in_air_and_its_energy_balance_includes_the_drag(ho
     holds("ratio of the fold times in air and in empty space", times["air"] / times["none"], above=1.03, below=1.1)
     balance = energy_balance(records["air"])
     holds("missing energy", balance.residual, below=0.005, by="conservation of energy")
-    # of 0.05 J: rho times the cube of the normal speed, measured of the wing in empty space
+    # of 0.05 J: density times the cube of the normal speed, from the wing in vacuum
     holds("work of the drag", balance.drag, above=0.03, below=0.08, unit="J", by="ρ v³ of the wing in empty space")
     told = {name: summary(record, measure(record), {})["energy_balance"] for name, record in records.items()}
     assert told["air"]["drag_J"] == pytest.approx(balance.drag)

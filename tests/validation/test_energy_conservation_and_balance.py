@@ -18,7 +18,7 @@ from tests.structures import motor_work
 TIMESTEPS = [2e-4, 1e-4, 5e-5, 2.5e-5]  # s
 STORED = ("tendon_energy", "membrane_energy", "kinetic_energy")
 TAKEN = ("hinge_damping_work", "elastic_damping_work", "stop_work")
-# no guard, and joints that turn all the way: what is let go for some ms meets no stop
+# no guard and freely turning joints: a structure released for some ms meets no stop
 NO_STOPS = {"guard.stretch": 1e3, "hinge.turn_limit": math.pi, "hinge.turn_back": math.pi}
 NO_DAMPING = {"hinge.damping": 0.0, "tendon.damping": 0.0, "membrane.damping": 0.0}
 FREE = [{"name": "let go", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.012}]
@@ -40,7 +40,7 @@ def release(reference, values):
         for timestep in TIMESTEPS
     ]
     with warnings.catch_warnings():
-        # MuJoCo takes a flex without damping for one without forces, and says so; its elasticity acts all the same
+        # MuJoCo warns that a flex without damping has no forces; its elasticity acts nevertheless
         warnings.filterwarnings("ignore", message="flex 'membrane' is not rigid")
         wings = [compile_model(design) for design in designs]
     return simulate(wings)
@@ -79,7 +79,7 @@ def test_an_undamped_hinge_conserves_energy_to_the_order_of_the_integrator(agree
 def test_an_undamped_wing_conserves_energy_to_the_order_of_the_integrator(agree, free_runs):
     drifts = []
     for record in free_runs:
-        # it does move, and nothing but elasticity and inertia is at work
+        # it moves, by elasticity and inertia only
         assert record.data["kinetic_energy"].values.max() > 0.05 * stored(record)[0]
         assert all(np.abs(record.data[name].values).max() == 0 for name in (*TAKEN, "motor_work"))
         drifts.append(np.abs(stored(record) - stored(record)[0]).max() / stored(record)[0])
@@ -97,7 +97,7 @@ def test_with_damping_the_lost_energy_is_the_work_of_the_dampers(holds, damped_r
 
 
 def test_the_energy_balance_of_the_reference_closes(holds, reference_outcome):
-    # the stops are met within one step and set the error: half a percent at 0.2 ms
+    # hinges meet the stops within one step, which sets the error: 0.5 % at 0.2 ms
     residual = reference_outcome.energy_balance.residual
     holds("missing energy", residual, below=5e-3, by="conservation of energy")
 

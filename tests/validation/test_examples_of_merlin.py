@@ -29,7 +29,7 @@ from forficula.statics.net.net import Net
 from tests.statics.net.nets import miura, sheet
 
 LIMITS_OF_MERLIN = 2e-5  # relative accuracy of a parabola through three of its increments
-LAW = 3 / 2  # times the strain: relative difference of both laws in a bar's force
+LAW = 3 / 2  # times the strain: relative difference of a bar's force between both laws
 
 
 class Followed(NamedTuple):
@@ -145,7 +145,7 @@ POPPED = [
     (2.12594766, 0.81416973, 1.57724253),
     (2.55401423, 2.46431462, 2.27687873),
 ]
-# exponents 5 and 1: strains stay below 6e-5, and the laws are one
+# exponents 5 and 1: strains stay below 6e-5, where both laws agree
 FOLDED = [
     (0.29553042, 0.65966603, 1.40159730),
     (0.77839684, 0.83015372, 5.50092526),

@@ -21,7 +21,7 @@ STEPS = (
     *((0.3, 0.3), (None, 60), (0.6, 0.01), (None, 200), (0.2, 0.1)),
     *((0.8, 1.0), (None, 300), (0.3, 0.03), (1, 0.01), (0.2, 0.3)),
 )
-# each of three specimens at a rate of its own
+# three specimens, each at its own rate
 OWN_RATES = (
     ((0.3, 0.01), (None, 60), (0.8, 0.01), (None, 200), (0.2, 0.01), (1, 0.01), (0.1, 0.01)),
     ((0.5, 0.1), (None, 100), (0.1, 0.1), (0.9, 0.1), (None, 200), (0.1, 0.1)),
@@ -61,7 +61,7 @@ def specimens(law, *, scatter, rng, programs=(STEPS,) * 3, rows=12):
         knots = loading_program(steps)
         time = sampled(knots, rows=rows)
         strain, stress = viscoelastic_stress(knots, time, law.moduli, viscosity=viscosity, branches=branches)
-        # a specimen gives way rather than push
+        # a specimen becomes slack rather than push
         own = np.exp(scatter * rng.standard_normal()) * np.maximum(stress, 0)
         false = NOISE * (rng.standard_normal() + rng.standard_normal(len(time)))
         histories.append(StrainHistory(time=time, strain=strain, stress=own + false))
@@ -87,7 +87,7 @@ def test_intervals_of_95_percent_contain_the_true_value_in_at_least_90_of_100_dr
         fit = fit_law(histories, forms=[form])
         for key, inside in covered(law, fit).items():
             held[key] += inside
-    # counts are whole: more than half a draw below 90 % is 90 %
+    # counts are integers: up to half a sample below 90 % counts as 90 %
     holds(
         f"intervals with the true value, of {draws} draws, {law.name}",
         min(held.values()),
@@ -101,7 +101,7 @@ def test_intervals_of_95_percent_contain_the_true_value_in_at_least_90_of_100_dr
 def test_the_true_law_is_chosen_for_any_scatter_of_the_specimens(agree, law, scatter):
     fit = fit_law(specimens(law, scatter=scatter, rng=np.random.default_rng(5)), forms=RIVALS)
     assert fit.form == FORMS[law.name]
-    # nothing is left but the noise, and of a damper what lies between samples where the rate turns
+    # the residual is the noise, and with a damper the error between samples where the rate reverses
     if law is not VISCOUS:
         agree("misfit", 1e-3 * fit.misfit, 1e-3 * NOISE, unit="kPa", by="the noise", rel=0.1)
 
@@ -109,7 +109,7 @@ def test_the_true_law_is_chosen_for_any_scatter_of_the_specimens(agree, law, sca
 def test_the_planted_scatter_is_recovered(agree):
     rng = np.random.default_rng(2)
     fit = fit_law(specimens(ZENER, scatter=0.05, rng=rng, programs=(STEPS,) * 40), forms=[FORMS["Zener"]])
-    # a standard deviation from 40 is out by 1 / sqrt(78)
+    # a standard deviation from 40 samples has the relative error 1 / sqrt(78)
     agree("scatter of 40 specimens", fit.scatter, 0.05, by="planted value", rel=0.3)
     amplitudes = np.array([each.amplitude for each in fit.residuals])
     assert np.log(amplitudes).mean() == pytest.approx(0, abs=1e-9)
@@ -123,7 +123,7 @@ def test_the_interval_of_the_modulus_of_three_specimens_depends_on_their_scatter
     (modulus,) = [each for each in fit.law.intervals if each.key == "modulus.linear"]
     width = 2 * 4.303 * fit.scatter / np.sqrt(3)
     agree("width of the interval", np.log(modulus.high / modulus.low), width, by="Student's t of 2", rel=0.05)
-    # their time is not theirs to scatter
+    # relaxation times do not scatter
     (time,) = [each for each in fit.law.intervals if each.key == "branches.0.time"]
     holds("upper divided by lower end of the interval of a time", time.high / time.low, below=1.05)
 

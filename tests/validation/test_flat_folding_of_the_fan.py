@@ -47,7 +47,7 @@ PLEATS = st.one_of(st.sampled_from([0.0, math.pi]), st.floats(0, math.pi))
 @settings(max_examples=100)
 @given(fans())
 def test_every_ring_vertex_satisfies_kawasakis_condition(holds, fan):
-    # rounding of the coordinates, 1e-16 of the ring radius, over the shortest ring crease, 0.035 of it, four times over
+    # four times the rounding of coordinates, 1e-16 of the ring radius, over the shortest ring crease, 0.035 of it
     residual = np.degrees(np.abs(kawasaki_residuals(earwig_pattern(fan)))).max()
     holds("residual of Kawasaki's condition", residual, below=1e-12, unit="deg", by="Kawasaki 1989")
 
@@ -118,7 +118,7 @@ def test_distal_veins_fold_equally_and_the_ring_creases_alternate(agree, fan, pl
     ring = folds[roles == "ring"]
     np.testing.assert_array_equal(ring[1:], -ring[:-1])
     expected = math.sin(fan.epsilon) / math.cos(fan.sector_angle / 2) * math.tan(pleat / 2)
-    # where the hub is a point the ring does not fold, but for what `pytest.approx` allows by itself
+    # if the hub is a point the ring does not fold, up to the default tolerance of `pytest.approx`
     agree("tan(ring / 2)", np.tan(np.abs(ring) / 2), expected, by="m tan(pleat / 2)", rel=1e-12, abs=1e-12)
 
 

@@ -28,11 +28,11 @@ def plates(missing, *, bending=0.0, rest=0.0, flat=False):
     nodes = LENGTH * np.concatenate((np.zeros((4, 1, 3)), rim), axis=1).reshape(-1, 3)
     bars = np.concatenate([3 * PLATES[:, None] + pair for pair in ((0, 1), (1, 2), (2, 0))])
     middles = csr_array((np.full(16, 0.5), (np.repeat(np.arange(8), 2), _edges().ravel())), shape=(8, 12))
-    # the end of a plate lies on the beginning of the next: at the vertex, in the middle, at the rim
+    # the end of a plate coincides with the start of the next: at the vertex, in the middle, at the rim
     ends = [(3 * PLATES, 3 * NEXT), (13 + 2 * PLATES, 12 + 2 * NEXT), (3 * PLATES + 2, 3 * NEXT + 1)]
     gaps = np.concatenate([np.stack(pair, axis=1) for pair in ends])
     stiffness = np.repeat((1.0, 4.0, 1.0), 4) * EXTENSION * LENGTH / 6
-    # a crease runs outwards, the next plate on its left
+    # a crease runs outwards, with the next plate on its left
     left, right = (3 * NEXT, 3 * NEXT + 1, 3 * NEXT + 2), (3 * PLATES, 3 * PLATES + 2, 3 * PLATES + 1)
     free = np.ones((12, 3), dtype=bool)
     free[:, 2] = not flat
@@ -65,7 +65,7 @@ def test_flattened_plates_store_the_energy_of_their_open_creases(agree, missing,
     net = plates(angle, flat=True)
     rest = minimum(net, built_shape(net))
     assert rest.stable
-    # the closed form is of second order in the angle, and rigid plates; bars are 1e4 times stiffer than the creases
+    # the closed form is of second order in the angle, for rigid plates; bars are 1e4 times stiffer than creases
     known = EXTENSION * angle**2 * LENGTH**3 / 96
     agree(
         f"energy of four plates that lack {missing} deg",
@@ -85,7 +85,7 @@ def test_in_the_cone_every_crease_is_closed(agree):
 
 @pytest.mark.parametrize(("share", "stays"), [(3e-4, True), (5e-4, False)])
 def test_the_second_state_needs_rotational_springs_that_are_soft_relative_to_the_extensional_ones(holds, share, stays):
-    # it vanishes between 3e-4 and 5e-4 of k_e R^2, measured by another code
+    # it vanishes between 3e-4 and 5e-4 of k_e R^2, found with another program
     bending = share * EXTENSION * LENGTH**3
     angle = built_shape(plates(np.deg2rad(10))).angles[0]
     net = plates(np.deg2rad(10), bending=bending, rest=angle)
@@ -93,5 +93,5 @@ def test_the_second_state_needs_rotational_springs_that_are_soft_relative_to_the
     assert other.stable
     folded = np.rad2deg(other.shape.angles)
     words = f"fold angles at the other side, at {share:g} k_e R²"
-    # all beyond flat, or not one of them
+    # all beyond flat, or none
     holds(words, folded, below=0, unit="deg") if stays else holds(words, folded.max(), above=0, unit="deg")

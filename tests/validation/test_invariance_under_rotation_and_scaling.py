@@ -84,7 +84,7 @@ ANGLES = st.floats(-np.pi, np.pi)
 @given(ANGLES, ANGLES, ANGLES, st.lists(st.floats(-0.1, 0.1), min_size=3, max_size=3))
 def test_rotating_and_shifting_a_sheet_does_not_change_its_folding(agree, about_z, about_y, about_x, shift):
     rotation = Rotation.from_euler("zyx", (about_z, about_y, about_x))
-    # rounding, and what the sheet's own motion makes of it
+    # rounding, amplified by the sheet's motion
     assert_alike(agree, moved(turned(MIURA, rotation, shift)), 1e-7)
 
 

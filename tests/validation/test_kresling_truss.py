@@ -21,7 +21,7 @@ from tests.statics.net.nets import truss
 SIDES, RADIUS, STIFFNESS = 6, 1.0, 1000.0
 TWIST, HEIGHT = np.deg2rad(40), 1.3
 STEP = 2 * np.pi / SIDES
-RIGID = 1e5  # polygons, times stiffer than the bars: energies are that share too low
+RIGID = 1e5  # stiffness of polygons over that of bars; energies are too low by its inverse
 APEX = 2 * SIDES  # above the upper polygon
 
 

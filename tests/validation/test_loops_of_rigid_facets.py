@@ -43,7 +43,7 @@ def test_a_flat_foldable_vertex_satisfies_the_half_angle_tangent_relations(agree
     degrees, close = np.degrees(angles), {"unit": "deg", "abs": 0.05}
     agree("fold angles of a crease", degrees[:, :2], degrees[:, 2:], by="the opposite crease", **close)
     sine, cosine = math.sin(math.radians(one - two) / 2), math.cos(math.radians(one - two) / 2)
-    # either way to fold has its own constant ratio
+    # each of the two folding modes has its own constant ratio
     ratios = [abs(sine / math.sin(math.radians(one + two) / 2)), abs(math.cos(math.radians(one + two) / 2) / cosine)]
     ratios += [1 / each for each in ratios]
     started = math.tan(angles[0, 0] / 2) / math.tan(angles[0, 1] / 2)
@@ -79,7 +79,7 @@ def test_loops_stay_closed_to_a_hundred_thousandth_of_an_edge(agree, holds, shee
     gap = sheet.series["closure_gap"]
     holds("gap divided by an edge", gap[-1] / 0.02, above=0, below=1e-5, by="closed loops")
     assert (np.diff(gap) >= 0).all()
-    # where the corners of neighbouring facets are says the same
+    # the corners of neighbouring facets confirm it
     names = [point.name for point in sheet.structure.points]
     places = sheet.series["point_position"]
     pairs = [pair for closure in sheet.structure.closures for pair in closure.points]

@@ -25,7 +25,7 @@ from forficula.dynamics.energies.energy import branch_losses
 from forficula.structure import structure_of
 
 LENGTH, AREA, ARM = 0.06, 12.5e-6, 0.055  # m, m2, m
-BY_LENGTH = AREA / LENGTH  # N/m by Pa
+BY_LENGTH = AREA / LENGTH  # N/m per Pa
 
 
 def of(law, **values):
@@ -76,7 +76,7 @@ def test_a_maxwell_branch_at_constant_length_relaxes_with_its_relaxation_time(on
         agree(
             f"pull of a branch of {time} s at constant length", pull[1:], faded, unit="N", by="Maxwell 1867", rel=1e-11
         )
-        # it takes up k x, less what relaxed during the one step: half of the step's share of its time
+        # it takes k x, less the relaxation within the step: half of the step divided by the relaxation time
         taken = 2e6 * BY_LENGTH * 0.02 * (1 - timestep / time / 2)
         agree("initial pull of the branch", pull[1], taken, unit="N", by="k x", rel=1e-5)
 
@@ -87,7 +87,7 @@ def test_branches_dissipate_the_energy_of_their_loss_modulus_in_a_sinusoidal_tes
     rate = turns / times[0]  # rad/s
     steps, cycles, amplitude = 4000, 40, 0.004
     if turns > 1:
-        times = times[:1]  # a cycle is too short for the second to come to its steady state
+        times = times[:1]  # a cycle is too short for a steady state of the second branch
     timestep = 2 * math.pi / rate / steps
     cycles = max(3, math.ceil(12 * max(times) * rate / (2 * math.pi)))
     moments = timestep * np.arange(steps * cycles + 1)
@@ -99,10 +99,10 @@ def test_branches_dissipate_the_energy_of_their_loss_modulus_in_a_sinusoidal_tes
         stiffness, turn = 2e6 * BY_LENGTH, rate * time
         loss = math.pi * stiffness * turn / (1 + turn**2) * amplitude**2
         work = np.trapezoid(pulls[last, number], lengths[last])
-        # of second order in the step of a 4000th of a cycle: (2 pi / 4000)^2
+        # second order in the step of 1/4000 cycle: (2 pi / 4000)^2
         what = f"loss of a branch of {time} s in a cycle at {rate:g} rad/s"
         agree(what, 1e6 * work, 1e6 * loss, unit="µJ", by="π E'' x₀²", rel=1e-5)
-        # and the account of the losses says the same
+        # the recorded losses agree
         force = wing.units.energy / wing.units.length
         lost = branch_losses(wing, -pulls[last] / force).sum(axis=0)[0, number]
         agree(
@@ -113,7 +113,7 @@ def test_branches_dissipate_the_energy_of_their_loss_modulus_in_a_sinusoidal_tes
             by="π E'' x₀²",
             rel=1e-5,
         )
-        # in phase with the stretch it stores: k (w tau)^2 / (1 + (w tau)^2)
+        # storage modulus: k (w tau)^2 / (1 + (w tau)^2)
         stored = 2 / steps * np.sum(pulls[last][:-1, number] * np.sin(rate * moments[last][:-1]))
         known = stiffness * turn**2 / (1 + turn**2)
         agree("storage stiffness of the branch", stored / amplitude, known, unit="N/m", by="E'", rel=1e-4)
@@ -137,7 +137,7 @@ def test_a_kelvin_voigt_tendon_damps_a_free_hinge_with_its_logarithmic_decrement
         return stiffness * np.maximum(length - LENGTH, 0) * ARM * np.sin(angle / 2) + weight * reach / 2 * np.cos(angle)
 
     rest = brentq(moment, 1.0, 3.0)
-    assert 2 * ARM * math.cos(rest / 2) > LENGTH  # taut: spring and damper side by side
+    assert 2 * ARM * math.cos(rest / 2) > LENGTH  # taut: spring and damper in parallel
     hinge_stiffness = -(moment(rest + 1e-5) - moment(rest - 1e-5)) / 2e-5
     rate = math.sqrt(hinge_stiffness / free.inertia)
     ratio = damping * (ARM * math.sin(rest / 2)) ** 2 / (2 * free.inertia * rate)
@@ -151,7 +151,7 @@ def test_a_kelvin_voigt_tendon_damps_a_free_hinge_with_its_logarithmic_decrement
     peaks = [0, *(1 + np.flatnonzero((away[1:-1] > away[:-2]) & (away[1:-1] >= away[2:])))]
     assert len(peaks) == 5
     decrement = np.log(away[peaks[0]] / away[peaks[4]]) / 4
-    # small swings: the lever's share of the second order is (0.5 deg)^2 / 8
+    # small swings: second-order error of the lever, (0.5 deg)^2 / 8
     known = 2 * math.pi * ratio / math.sqrt(1 - ratio**2)
     agree(f"decrement at {viscosity:g} Pa s", decrement, known, by="2π ζ / √(1 - ζ²)", rel=2e-3)
     found = (time[peaks[4]] - time[peaks[0]]) / 4
@@ -195,7 +195,7 @@ def test_a_hinge_with_a_tendon_of_any_law_moves_as_with_an_integrator_of_fifth_o
 ):
     names = ("linear_viscosity", "quadratic_viscosity", "cubic_viscosity")
     law = as_law(moduli) | dict(zip(names, viscosity or (), strict=False))
-    # damping that is not linear pushes, too, which the design has to allow
+    # nonlinear damping also pushes, which the design must allow
     allowed = {"tendon.pushes_when_slack": bool(viscosity and any(viscosity[1:]))}
     hinge = one_hinge(LENGTH, values=of(law) | allowed, start=math.radians(20), duration=0.02, timestep=1e-5)
     angles, record = hinge.run()
@@ -218,7 +218,7 @@ def test_a_hinge_with_a_tendon_of_any_law_moves_as_with_an_integrator_of_fifth_o
     # semi-implicit Euler from rest: half a step ahead, 5e-6 s at up to some 100 rad/s
     over = ("time (ms)", 1e3 * time) if moduli == LAWS[1] and viscosity == (0.0, 20.0, 0.3) else None
     agree("angle of the hinge", angles, exact, unit="rad", by="Dormand and Prince 1980", abs=1e-3, over=over)
-    # and the recorded energy is the integral of the force
+    # the recorded energy is the integral of the force
     extension = np.maximum(2 * ARM * np.cos(angles / 2) - LENGTH, 0)
     first, second, third = spring(moduli)
     energy = first * extension**2 / 2 + second * extension**3 / 3 + third * extension**4 / 4
@@ -226,7 +226,7 @@ def test_a_hinge_with_a_tendon_of_any_law_moves_as_with_an_integrator_of_fifth_o
     agree("energy of the tendon", found, energy, unit="J", by="integral of its force", abs=1e-13)
 
 
-# of second order, which the engine has exactly, and cubic ones, as a fit finds them, which it has in pieces
+# laws of second order, exact in the engine, and cubic ones, as from a fit, which it approximates in pieces
 LETTING_GO = [
     ((1e6, 0.0, 0.0), 1e-7),
     ((3e5, 2e6, 0.0), 1e-7),
@@ -258,12 +258,12 @@ def test_the_sum_of_spring_damper_and_branches_pulls_or_is_zero(
     mujoco.mj_forward(wing.engine, data)
     after = mujoco.MjData(wing.engine)
     mujoco.mj_copyData(after, wing.engine, data)
-    mujoco.mj_step(wing.engine, after)  # the engine takes the branches' forces after the step
+    mujoco.mj_step(wing.engine, after)  # the engine uses the branches' forces after the step
     length, lever = 2 * ARM * math.cos(angle / 2), ARM * math.sin(angle / 2)
     pull = polynomial(*spring(moduli), max(length - LENGTH, 0)) - 300.0 * BY_LENGTH * lever * speed
     pull -= after.act.sum() * units.energy / units.length
     moment = data.qfrc_actuator[0] + data.qfrc_passive[0]
-    # where the spring sets in it is rounded over a millionth of the resting length; in pieces it is off by a share of
+    # the spring's onset is smoothed over 1e-6 of the resting length; laws in pieces are off by a share of
     # its largest force
     largest = polynomial(*spring(moduli), np.linspace(0, 2 * ARM - LENGTH)).max()
     found, known = moment * -units.energy, (max(pull, 0) if length > LENGTH else 0) * lever
@@ -331,7 +331,7 @@ def test_a_tendon_stretched_beyond_its_yield_keeps_a_permanent_set(agree, one_hi
     law = {"linear_modulus": 1e6, "quadratic_modulus": 5e5, "yield_strain": 0.2}
     out = np.linspace(0.05, 0.1, 500)
     _, _, rests = pulled(one_hinge, law, np.concatenate([out, out[::-1]]), 1e-4)
-    # nothing up to 20 %, then all that is beyond; on the way back it stays
+    # no permanent stretch up to 20 %, beyond it all excess; constant on the way back
     expected = np.maximum.accumulate(np.maximum(LENGTH, np.concatenate([out, out[::-1]]) - 0.2 * LENGTH))
     agree("resting length", 100 * rests, 100 * expected, unit="cm", by="ideal plasticity", abs=1e-7)
     assert rests[-1] == pytest.approx(0.1 - 0.012, abs=1e-9)
@@ -347,7 +347,7 @@ def test_yielding_dissipates_the_yield_force_times_the_set(agree, one_hinge):
     rest = data["tendon_rest_length"].values[:, 0]
     assert np.degrees(angles[-1]) == pytest.approx(-3, abs=0.1)
     longest = np.maximum.accumulate(data["tendon_length"].values[:, 0])
-    # put where it is stretched too far, it has yielded; the longest may lie between two rows
+    # placed where it is overstretched, it has yielded; the largest length may be between two rows
     known = np.maximum(LENGTH, longest - 0.3 * LENGTH)
     agree("resting length", 100 * rest, 100 * known, unit="cm", by="ideal plasticity", abs=1e-4)
     extension = 0.3 * LENGTH
@@ -385,7 +385,7 @@ def test_the_energy_balance_of_a_free_wing_closes_with_branches_as_without(holds
         # the integrator is of first order
         order = np.polyfit(np.log(TIMESTEPS), np.log(missing[name]), 1)[0]
         holds(f"order of the missing energy, {name} branches", order, above=0.8, by="first order")
-    # in mid-flight what branches would push, but do not, is not there to make up for half a step's error of the spring
+    # in flight the branches' omitted push cannot compensate the spring's error of half a step
     holds(
         "missing energy divided by the tendons' energy at 0.2 ms",
         missing["with"][0],
@@ -403,7 +403,7 @@ def test_the_energy_balance_of_a_whole_run_closes_with_branches_as_with_a_linear
     linear, branched = (outcome.energy_balance for outcome in outcomes)
     assert (linear.branches, linear.branch_damping, linear.yielding) == (None, None, None)
     assert branched.branch_damping > 0.01 * branched.work
-    # half a percent at 0.2 ms: the stops are met within a step
+    # 0.5 % at 0.2 ms: hinges meet the stops within a step
     by = "conservation of energy"
     holds("missing energy, linear", linear.residual, below=5e-3, by=by)
     holds("missing energy, with a branch", branched.residual, below=5e-3, by=by)
@@ -423,7 +423,7 @@ def test_a_linear_law_equals_direct_values_of_stiffness_and_damping(agree, refer
     ours, theirs = (ff.run(design, confirm=False) for design in (law, direct))
     assert ours.stages == theirs.stages
     for name, values in theirs.series.items():
-        # rounding, 1e-16, grown by the snaps
+        # rounding, 1e-16, amplified by the snaps
         assert np.abs(ours.series[name] - values).max() < 1e-10 * max(1, np.abs(values).max()), name
 
 
@@ -433,7 +433,7 @@ def test_a_wing_with_a_material_law_has_the_same_scaled_motion(agree, holds, ref
     allowed = {"tendon.pushes_when_slack": True}
     large = with_law(reference, law | {"yield_strain": 0.15, "residual_strain": 0.02}, **allowed)
     small = scale_design(large, size)
-    # by hand: at fixed modulus and density time goes with the size, and viscosity is modulus times time
+    # by hand: at fixed modulus and density time scales with size, and viscosity is modulus times time
     assert small.tendon.law.linear_modulus == pytest.approx(4.8e6, rel=1e-12)
     assert small.tendon.law.linear_viscosity == pytest.approx(200.0 * size, rel=1e-12)
     assert small.tendon.law.quadratic_viscosity == pytest.approx(2.0 * size**2, rel=1e-12)
@@ -449,7 +449,7 @@ def test_a_wing_with_a_material_law_has_the_same_scaled_motion(agree, holds, ref
     }.items():
         series = records[0].series[name]
         assert np.abs(series).max() > 0
-        # rounding, grown by the snaps
+        # rounding, amplified by the snaps
         apart = np.abs(records[1].series[name] / size**power - series).max() / np.abs(series).max()
         holds(
             f"difference of {name.replace('_', ' ')} divided by its largest value",

@@ -26,7 +26,7 @@ def test_a_flat_sheet_has_many_mechanisms_and_a_folded_one_has_one(agree, size, 
     what = f"mechanisms of {size} x {size} facets, {'folded' if fold else 'flat'}"
     agree(what, found.degrees_of_freedom, expected, by="Schenk and Guest 2011")
     assert found.rigid_motions == 6
-    # the count of Calladine (1978): columns less rows
+    # Calladine's (1978) count: columns less rows
     rows = len(net.springs.points) + np.count_nonzero(diagonals)
     assert found.degrees_of_freedom + 6 - found.self_stresses == 3 * len(net.nodes) - rows
     assert len(mechanisms(net, diagonals)) == expected
@@ -36,7 +36,7 @@ def test_the_single_mechanism_is_the_folding_of_the_sheet(agree):
     net, diagonals = sheet(*miura(4, 4, fold=0.6))
     mechanism = mechanisms(net, diagonals)[0].ravel()
     folding = (miura(4, 4, fold=0.6 + 1e-5)[0] - miura(4, 4, fold=0.6 - 1e-5)[0]).ravel()
-    # up to a motion of the whole
+    # except for a rigid motion
     whole = rigid_motions(net.nodes).reshape(folding.size, -1)
     folding -= whole @ (whole.T @ folding)
     share = abs(folding @ mechanism) / np.linalg.norm(folding)

@@ -87,7 +87,7 @@ def test_the_recorded_energy_is_that_of_the_recorded_angle(agree, one_hinge, res
     hinge, angles, record = swing(one_hinge, rest_length, arms, steps=500)
     energy = record.data["tendon_energy"].values[:, 0]
     assert angles.max() > math.radians(179)
-    # rounding: a length lagging one step behind its angle would be out by 1e-3
+    # rounding; a length that lags its angle by one step would be off by 1e-3
     ours, theirs = energy / hinge.energy(0), hinge.energy(angles) / hinge.energy(0)
     agree("energy divided by that when straight", ours, theirs, by="law of cosines", abs=1e-12)
 
@@ -136,24 +136,24 @@ def test_the_error_is_proportional_to_the_timestep(agree, holds, one_hinge, rest
         time = crossing(angles, record.design.protocol.timestep, math.pi)
         errors.append(abs(time / time_to(hinge, math.pi) - 1))
     slope = -np.polyfit(np.log(steps), np.log(errors), 1)[0]
-    # order 1; a half of an order would be 0.2 away only where the error had a second cause
+    # order 1, to 0.2; half an order would need a second cause of error
     agree("order of the time's error in the timestep", slope, 1, by="symplectic Euler", abs=0.2)
     holds("error at 2000 steps", errors[-1], below=1e-3)
     if rest_length == 0.03:
         share = 100 * np.array(errors)
         at_first = share[-1] * steps[-1] / np.array(steps)
         axis = ("steps to 180 deg", steps)
-        # a line of the first order through the last error; a quarter beside it is no other order
+        # a line of first order through the last error; 25 % off is still no other order
         agree("error of the time to 180 deg", share, at_first, unit="%", by="first order", rel=0.25, over=axis)
 
 
 @pytest.mark.parametrize("rest_length", REST_LENGTHS)
 def test_the_final_speed_is_that_of_energy_conservation(one_hinge, agree, rest_length):
     hinge, angles, record = swing(one_hinge, rest_length, (0.055, 0.055), steps=1000)
-    last = int(np.argmax(angles >= math.pi))  # the step that passes 180 deg knows no stop yet
+    last = int(np.argmax(angles >= math.pi))  # the step that passes 180 deg does not act on a stop yet
     speed = (angles[last] - angles[last - 1]) / record.design.protocol.timestep
     closed_form = 2 * math.cos(hinge.start / 2) - rest_length / 0.055
-    # first order, a step in a thousand
+    # first order: one step in a thousand
     what = f"final speed times t*, resting length {100 * rest_length:.0f} cm"
     agree(what, speed * hinge.time_scale, closed_form, by="conservation of energy", rel=1e-3)
 
@@ -165,7 +165,7 @@ def test_after_the_tendon_goes_slack_the_speed_is_constant(holds, one_hinge, res
     taut = record.data["tendon_energy"].values[:, 0] > 0
     assert np.array_equal(taut, angles < slack)
     speed = np.diff(angles[np.argmax(angles > slack) : np.argmax(angles >= math.pi) + 1])
-    # no force, so the speed stays to rounding of the angles, 1e-16 rad over steps of 1e-3 rad
+    # without force the speed is constant up to rounding of angles, 1e-16 rad in steps of 1e-3 rad
     holds("change of the speed with a slack tendon", np.ptp(speed) / speed[0], below=1e-11, by="no force")
 
 

@@ -58,7 +58,7 @@ def test_a_hanging_plate_has_the_period_of_a_pendulum_of_large_amplitude(agree, 
     expected = 4 * math.sqrt(INERTIA / (MASS * 9.81 * LENGTH / 2)) * ellipk(math.sin(math.pi / 4) ** 2)
     found = period(record.time, angle, math.pi / 2)
     agree("period of a plate that swings by 90 deg", found, expected, unit="s", by="a pendulum's K(m)", rel=2e-3)
-    # past folded back, without a jump: level on the other side is 180 deg
+    # beyond fully folded back, without a jump: level on the other side is 180 deg
     agree("amplitude of the swing", np.degrees(angle.max()), 180, unit="deg", by="horizontal on the other side", abs=1)
     holds("missing energy", energy_balance(record).residual, below=5e-3, by="conservation of energy")
 
@@ -131,7 +131,7 @@ def flattened_energy(design):
     structure = structure_of(design)
     flat = [[structure.points[point].place for point in plate.points] for plate in structure.plates]
     carriers = {plate.body: number for number, plate in enumerate(structure.plates)}
-    # of every plate, two unit vectors in it: along its bisector, and square to that
+    # two unit vectors in every plate: along its bisector, and at right angles to it
     frames = []
     for places in flat:
         one, other = places[1] - places[0], places[2] - places[0]

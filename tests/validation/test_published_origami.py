@@ -94,7 +94,9 @@ def test_the_bending_poissons_ratio_of_a_miura_sheet_is_minus_the_in_plane_ratio
     agree("curvatures and strains of flat facets", stretch, [0, 0, 0, 1, ratio, 0], by="Wei et al. 2013", abs=1e-7)
     bent = ways(np.zeros_like(bends(built)))
     assert len(bent) == 3
-    assert np.linalg.matrix_rank(bent[:, :3] / np.abs(bent[:, :3]).max(), tol=1e-6) == 2  # a saddle and a twist
+    assert (
+        np.linalg.matrix_rank(bent[:, :3] / np.abs(bent[:, :3]).max(), tol=1e-6) == 2
+    )  # a saddle mode and a twist mode
     across, along = bent[:, :2].T / np.abs(bent[:, :2]).max()
     agree("curvature along, of bent facets", along, -ratio * across, by="Wei et al. 2013", abs=1e-7)
 

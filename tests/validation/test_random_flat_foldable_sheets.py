@@ -25,8 +25,8 @@ from forficula.statics.net.net_of import net_of, start_shape
 from tests.sheets import fold_angles, sheet_design, stage, stored_energy
 
 GENERATE = (Phase.explicit, Phase.generate)  # shrinking a run takes minutes
-STIFFNESS = 0.02  # of creases by length, N m/rad/m
-# bends 1e3 times that; damping about critical for facets of 2 cm
+STIFFNESS = 0.02  # of creases per length, N m/rad/m
+# facets bend 1e3 times as stiffly; damping is about critical for facets of 2 cm
 STIFF = {
     "facet.bend_stiffness": 20.0,
     "crease.stiffness": STIFFNESS,
@@ -100,7 +100,7 @@ def test_flat_foldable_vertices_fold_along_the_closed_form_and_rest_on_it(agree,
         assert edges.tolist() == [0, 1, 2, 3]
         assert np.ptp(angles[:, 0]) > 0.1
         ways = degree4_closure(sectors, angles[:, 0]).swapaxes(1, 2)
-        # of the two ways that in which it was built
+        # of the two folding modes, the one in which it was built
         way = int(np.argmin(np.abs(ways[:, 0] - angles[0]).max(axis=1)))
         ours, theirs = np.rad2deg(angles), np.rad2deg(ways[way])
         agree("fold angles along the path", ours, theirs, unit="deg", by="Huffman 1976", abs=0.05)
@@ -118,7 +118,7 @@ def quadrilaterals(widths, heights, angles):
     """A flat sheet of columns of given widths and rows of given heights, with zigzag lines at given angles."""
     across = np.concatenate(([0.0], np.cumsum(widths)))
     up = np.concatenate(([0.0], np.cumsum(heights)))
-    # how far a zigzag has gone up or down at every column
+    # height of a zigzag at every column
     swing = np.concatenate(([0.0], np.cumsum(np.asarray(widths) * (-1) ** np.arange(len(widths)))))
     line = len(across)
     coords = np.array(
@@ -160,7 +160,7 @@ def test_sheets_of_different_quadrilaterals_fold_along_the_closed_form_and_rest_
     records = driven(zip(patterns, folds, strict=True), "role:zigzag", 0.2, 3e4)
     for (_, _, acute, fold), pattern, record in zip(drawn, patterns, records, strict=True):
         folded = partial(sheet_angles, pattern, np.deg2rad(acute))
-        folded_coordinates(pattern, folded(1.0))  # refuses angles for which it tears
+        folded_coordinates(pattern, folded(1.0))  # rejects angles at which the sheet would tear
         assert_rests_as(agree, record, pattern, folded, fold)
 
 

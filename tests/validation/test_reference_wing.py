@@ -46,8 +46,8 @@ def outcome_of():
 def test_energies_have_the_order_reported_in_the_paper(agree, reference_outcome):
     states = reference_outcome.states
     flat, opened, folded = (states[name].tendon_energy.sum() for name in ("flat", "opened", "folded"))
-    # The paper's stops are soft, so its opened wing rests elsewhere than its flat one. Ours are rigid and both
-    # lie at the same one: equal but for what has not yet come to rest, 1e-7 rad
+    # The paper's stops are soft, so its opened and flat states differ. Here stops are rigid and both states
+    # are at the same stop: equal except for residual motion, 1e-7 rad
     agree("energy of the opened wing's tendons", opened, flat, unit="J", by="the flat wing", rel=1e-6)
     assert opened > folded
     assert folded == 0
@@ -72,7 +72,7 @@ def test_a_torque_of_20_newton_centimetres_folds_a_wing_with_soft_long_tendons(h
 def test_a_wing_with_stiff_short_tendons_does_not_fold(holds, outcome_of):
     outcome = outcome_of({"tendon.stiffness": "60 N/cm", "tendon.rest_length": "0 cm"})
     assert not outcome.holds["folded"]
-    # every hinge still in the overbend, under the torque
+    # every hinge is still in the overbend under the torque
     angles = np.degrees(outcome.states["folded"].readings["distal_angle"].mean)
     holds("angle of the veins under the torque", angles, above=0, unit="deg", by="the paper does not fold it")
     assert outcome.status == "did not fold"
@@ -91,7 +91,7 @@ def test_the_reference_wing_folds_and_opens(reference_outcome):
 def test_a_wing_with_too_little_torque_to_open_is_reported(outcome_of):
     outcome = outcome_of({"protocol.unfold_torque": "1 N cm"})
     assert (outcome.holds["folded"], outcome.holds["opened"], outcome.status) == (True, False, "did not open")
-    # statics need 25.7 N cm, beyond ten times what the protocol sets
+    # statics need 25.7 N cm, more than ten times the protocol's torque
     assert outcome.advice == "No slowly growing torque up to 10 N cm makes it open."
 
 
@@ -152,10 +152,10 @@ def test_runs_at_the_automatic_timestep_do_not_diverge(values):
 
 
 def test_a_wing_is_stable_just_below_the_longest_timestep_and_diverges_well_above_it(reference, monkeypatch):
-    # of numbers that grow without end: how far a hinge runs into its stop is another matter, and of accuracy
+    # stability only: the penetration of stops is a question of accuracy
     monkeypatch.setattr("forficula.dynamics.stepping.stage_plan._FAR", math.inf)
     longest = stable_timestep(reference)
-    # the limit is an estimate along the fold: the reference diverged, while opening, from nine tenths of it on
+    # the limit is an estimate along the fold: while opening, the reference diverged from 0.9 of it on
     designs = [with_values(reference, {"protocol.timestep": longest * factor}) for factor in (0.8, 3)]
     sound, diverged = simulate([compile_model(design) for design in designs])
     assert sound.diverged_at is None
@@ -189,7 +189,7 @@ def test_a_stretched_strip_stores_half_of_modulus_times_strain_squared_times_vol
         margin=0.0,
     )
     energy = stretch_energy(corners * [1 + strain, 1, 1], joined_mesh([strip]))
-    # Green's strain is longer by half of its square: a share of the strain in the energy; 1e-9 for 1 + strain - 1
+    # Green strain is larger by half its square, so energy by a share of the strain; 1e-9: rounding of 1 + strain - 1
     volume = length * width * thickness
     known = modulus * strain**2 / 2 * volume
     agree("energy divided by that of the strip", energy / known, 1, by="E ε² V / 2", rel=1.1 * strain + 1e-9)
@@ -212,7 +212,7 @@ def test_the_engines_membrane_forces_are_the_gradient_of_its_energy(holds, refer
     step = 1e-5
     slope = [(energy(angles + each) - energy(angles - each)) / (2 * step) for each in step * np.eye(wing.engine.nq)]
     energy(angles)
-    # central differences err by the square of step by bend, 1e-6 at most, for an energy of fourth power
+    # error of central differences: (step / bend)^2, at most 1e-6, for an energy of fourth power
     apart = np.abs(data.qfrc_passive + slope).max() / np.abs(slope).max()
     holds("difference of force and energy derivative", apart, below=1e-5, by="central differences")
 
@@ -230,13 +230,15 @@ def test_the_work_of_the_membrane_is_the_decrease_of_its_energy(agree, reference
         return stretch_energy(data.flexvert_xpos.copy(), wing.mesh), data.qfrc_passive @ direction
 
     work = sum(weight / 2 * 0.3 * at(0.15 * (1 + place))[1] for place, weight in zip(places, weights, strict=True))
-    # twenty points are exact to rounding for so smooth a path
+    # twenty points are exact up to rounding for this smooth path
     agree("work of the membrane", work, at(0.0)[0] - at(0.3)[0], by="decrease of its energy", rel=1e-9)
 
 
 def test_the_holding_time_of_the_open_wing_does_not_change_the_verdict():
     held = ff.load_design("binder2025", {"protocol.stages.3.hold": "0.5 s", "protocol.stages.3.time_limit": "2 s"})
-    assert held.protocol.stages[3].hold > held.protocol.window  # longer than what counts as stuck
+    assert (
+        held.protocol.stages[3].hold > held.protocol.window
+    )  # longer than the window after which a run counts as stuck
     assert ff.measure(ff.run(held, confirm=False)).status == "folded and opened"
 
 

@@ -86,7 +86,7 @@ def test_a_vertex_with_a_band_rests_equally_in_statics_and_dynamics(holds):
         below=1e-3,
         by="statics and dynamics",
     )
-    # it has moved: the band pulls the corners together
+    # it has moved, because the band pulls the corners together
     built = load_design("bistable-clasp").sheet.vertices_coords
     assert apart(statics, built) > 0.01
 

@@ -13,7 +13,7 @@ import forficula as ff
 from forficula.design import scale_design, with_values
 from tests.places import places
 
-# power of the size by key, worked out by hand at fixed Pa and kg/m3; what is not listed is a ratio, an angle or a count
+# exponent of the size per key, by hand, at fixed Pa and kg/m3; other keys are ratios, angles or counts
 POWERS = {
     "pattern.proximal_length": 1,
     "pattern.distal_length": 1,
@@ -24,7 +24,7 @@ POWERS = {
     "membrane.thickness": 1,
     "membrane.damping": 1,  # time
     "membrane.margin": 1,
-    "hinge.damping": 4,  # torque by angular speed
+    "hinge.damping": 4,  # torque / angular speed
     "hinge.armature": 5,
     "tendon.stiffness": 1,  # N/m = Pa m
     "tendon.rest_length": 1,
@@ -38,7 +38,7 @@ POWERS = {
     "protocol.unfold_torque": 3,
     "protocol.rest_speed": -1,  # angular
     "protocol.window": 1,
-    "protocol.gravity": -1,  # speed by time
+    "protocol.gravity": -1,  # speed / time
 }
 
 
@@ -61,7 +61,7 @@ def assert_moves_alike(agree, holds, small, large, size):
     # rounding of the times
     ours, theirs = small.data["time"].values / size, large.data["time"].values
     agree("times divided by the size", ours, theirs, unit="s", by="the reference", rel=1e-12)
-    # rounding, 1e-16, grown by the snaps in between, which pull neighbouring motions apart: 1e-8 was the most seen
+    # rounding, 1e-16, amplified by snaps, in which neighbouring motions diverge; largest difference seen: 1e-8
     ours, theirs = small.series["hinge_angle"], large.series["hinge_angle"]
     agree("angles of hinges", ours, theirs, unit="rad", by="the reference", abs=1e-6)
     for name in ("tendon_energy", "membrane_energy", "kinetic_energy", "motor_work"):
@@ -87,7 +87,7 @@ def test_a_wing_of_a_tenth_of_the_size_has_the_same_scaled_motion(agree, holds, 
 def test_a_wing_whose_size_is_not_a_power_of_ten_has_the_same_scaled_motion(
     agree, holds, reference, reference_run, size
 ):
-    # its lengths are other numbers in the model's units, so nothing may be fixed there
+    # its lengths have other values in the model's units, so no constant may be in these units
     assert_moves_alike(agree, holds, ff.run(scaled_by_hand(reference, size), confirm=False), reference_run, size)
 
 
@@ -108,11 +108,11 @@ def test_an_earwig_sized_wing_folds_with_microjoules_to_millijoules(holds, earwi
 
 @pytest.mark.parametrize("size", [0.1, 1 / 3, 0.01 / 0.22, 7.0])
 def test_scale_design_multiplies_every_value_according_to_dimensional_analysis(reference, size):
-    # gravity is 0 in the reference and would hide its power
+    # gravity is 0 in the reference, which would hide its exponent
     reference = with_values(reference, {"protocol.gravity": 9.81})
     by_hand, scaled = scaled_by_hand(reference, size), scale_design(reference, size)
     for section, fields in by_hand.model_dump(exclude={"name", "source", "reproduces", "shows"}).items():
-        # a section that the design does not have is in neither
+        # both omit a section that the design does not have
         for name, expected in (fields or {}).items():
             got = scaled.model_dump()[section][name]
             if name == "stages":
@@ -134,16 +134,16 @@ def test_the_speed_of_the_tips_does_not_depend_on_size(earwig, reference_run, ag
     agree(
         "largest speed of the tips of a wing of 1 cm", fastest(earwig), large, unit="m/s", by="one of 22 cm", rel=1e-6
     )
-    assert math.log10(fastest(reference_run)) == pytest.approx(1, abs=1)  # metres a second
+    assert math.log10(fastest(reference_run)) == pytest.approx(1, abs=1)  # m/s
 
 
 def test_a_wing_with_contact_has_the_same_scaled_motion_at_any_size(agree, reference):
     touching = with_values(reference, {"protocol.contact": True})
-    small = scale_design(touching, 0.5)  # other decades of the model's units
+    small = scale_design(touching, 0.5)  # other powers of ten in the model's units
     records = [ff.run(design, confirm=False) for design in (touching, small)]
     angles = [record.angles("ring") for record in records]
     fold = records[0].stages[1].end
     rows = int(np.sum(records[0].time <= fold))
-    # every contact multiplies what rounding makes different
+    # every contact amplifies differences by rounding
     ours, theirs = angles[1][:rows], angles[0][:rows]
     agree("angles of a wing of half the size with contact", ours, theirs, unit="rad", by="full size", abs=1e-5)

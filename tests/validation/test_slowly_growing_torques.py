@@ -32,7 +32,7 @@ KEYS = (
     "tendon.distal_attachment",
     "hinge.overbend",
 )
-# in SI, the values of these keys: two random fans within 20 % of the reference, and one whose opening has two paths
+# values of these keys, SI: two random fans within 20 % of the reference, and one with two opening paths
 SHORT_DISTAL = (
     *(0.1399, 0.08441, 0.01748, 0.3383, 913700.0, 9.624e-05),
     *(0.02277, 0.6996, 925.2, 0.08645, 0.05131, 0.04991, 0.04073),
@@ -63,7 +63,7 @@ def ramp(design, stages, **torques):
         with_values(
             design,
             {
-                # a fan without more damping than its own takes steps of 0.4 ms, which these stops allow
+                # with its own damping only, a fan uses steps of 0.4 ms, which these stops allow
                 "protocol.timestep": 4e-4,
                 "stops.time_constant": 2e-3,
                 "protocol.rise": RISE,

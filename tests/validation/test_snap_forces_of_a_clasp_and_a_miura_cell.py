@@ -72,7 +72,7 @@ def test_a_stiff_clasp_opens_and_closes_at_the_forces_of_the_closed_form(agree):
     shut, opened = snaps(-clasp_forces(CLASP)[1])
     for name, closed_form in (("open", opened), ("shut", shut)):
         agree(f"least force, {name}", stiff[name], closed_form, unit="N", by="closed form", rel=3e-3)
-    # as it is designed its hinge opens a little
+    # in the example's design the hinge opens slightly
     agree("least force, open, as designed", slow(CLASP)["open"], opened, unit="N", by="closed form", rel=0.02)
     assert 5.0 < opened < 8.0
 
@@ -83,7 +83,7 @@ def test_a_miura_cell_with_stiff_facets_snaps_up_and_down_at_the_forces_of_the_c
     stiff = slow(with_values(CELL, {"facet.youngs_modulus": 5e9, "facet.bend_stiffness": 1e3}))
     agree("least force, up", stiff["raise"], up, unit="N", by="Schenk and Guest 2013", rel=2e-3)
     agree("least force, down", stiff["lower"], down, unit="N", by="Schenk and Guest 2013", rel=5e-3)
-    # soft facets bend under a force on one vertex, mostly near the stop, where its lever is short
+    # soft facets bend under a force on one vertex, most near the stop, where its lever is short
     soft = slow(CELL)
     agree("least force, up, as designed", soft["raise"], up, unit="N", by="Schenk and Guest 2013", rel=0.05)
     assert down < soft["lower"] < 1.5 * down
@@ -145,7 +145,7 @@ def test_a_stop_yields_by_its_moment_divided_by_its_stiffness(agree):
         length = math.sqrt(0.03**2 + 0.04**2 + 2 * 0.03 * 0.04 * math.cos(angle))
         moment = 800 * (length - 0.05) * 0.03 * 0.04 * math.sin(angle) / length - 0.02 * (angle - math.radians(30))
         beyond = math.degrees(angle) - 60
-        # the film opens by some 1 % of the lever
+        # the film opens by about 1 % of the lever
         agree(
             "deflection of a stop",
             beyond,

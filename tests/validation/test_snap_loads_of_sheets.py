@@ -55,7 +55,7 @@ def test_a_sheet_withstands_98_percent_of_its_limit_load_and_snaps_under_102_per
     holds(
         f"least height of {name} under 98 % of its limit load", 1e3 * borne.min(), above=1e3 * height, unit="mm", by=by
     )
-    # far beyond where the load turns, at the other state's side
+    # far beyond the limit point, close to the other state
     beyond, by = 1e3 * (built - 3 * (built - height)), "three times as far as the limit load's"
     holds(f"last height of {name} under 102 %", 1e3 * snapped[-1], below=beyond, unit="mm", by=by)
     assert np.all(np.isfinite(snapped))

@@ -41,7 +41,7 @@ def damped_design(reference, stages, damping, timestep=5e-4, **torques):
             "protocol.timestep": timestep,
             "stops.time_constant": 2e-3,
             "protocol.sample_interval": 0.1,
-            "protocol.rest_speed": 1e-5,  # slower than it creeps on its way
+            "protocol.rest_speed": 1e-5,  # slower than its creep before it rests
             "protocol.folded_angle": FOLDED,
             "protocol.stages": [stage("settle", "none", "time", 1.0), *stages],
             **{f"protocol.{name}": torque for name, torque in torques.items()},
@@ -119,7 +119,7 @@ def test_the_flat_wing_rests_on_its_stops_in_statics_and_simulation(agree, holds
         row = end_of(run, 0)
         off.append(np.abs(rings(wings, angles(run, row) - flat)).max())
         energy = run.series["tendon_energy"][row].sum()
-        # the stops give by 0.01 deg, against a moment of 0.03 N m of each tendon
+        # the stops yield by 0.01 deg under each tendon's moment of 0.03 N m
         agree(
             "energy of the flat wing's tendons",
             energy,
@@ -149,7 +149,7 @@ def test_the_wing_under_half_its_least_torque_rests_at_the_same_angles_and_energ
         found = 1e3 * run.series["membrane_energy"][-1]
         agree("energy of its membrane", found, 1e3 * membrane, unit="mJ", by="statics", rel=1e-3)
     assert math.degrees(np.ptp(static.position)) > 90
-    # the softest way of the wing enlarges what the stops give by ten times
+    # the wing's softest mode amplifies the yielding of the stops ten times
     holds("difference of angles under half the least torque", math.degrees(off[0]), below=0.1, unit="deg", by="statics")
     agree(
         "this difference at half the timestep, divided by it",
@@ -182,7 +182,7 @@ def test_the_least_opening_torque_is_that_of_a_damped_simulation_and_below_it_th
     designs = [
         damped_design(reference, opening, 0.03, fold_torque=0.06, unfold_torque=share * least) for share in (0.97, 1.03)
     ]
-    # side by side, they fold once
+    # runs in one batch share the fold stage
     below, above = simulate([compile_model(design) for design in designs])
     assert angles(below, end_of(below, 1)) == pytest.approx(folded, abs=1e-12)
     opened = angles(above, end_of(above, 2))
@@ -200,7 +200,7 @@ def test_the_least_opening_torque_is_that_of_a_damped_simulation_and_below_it_th
     released = rest(wings, static.position)
     tendons, membrane = energies(wings, released.position)
     assert released.rests.all()
-    # hinges on their stops and one folded; what no force holds, a slack tendon's wing, creeps on
+    # hinges at their stops and one folded; a wing with a slack tendon, which no force holds, creeps
     found = below.series["tendon_energy"][-1].sum()
     agree("energy of its tendons, released", found, tendons, unit="J", by=by, rel=1e-4)
     found = 1e3 * below.series["membrane_energy"][-1]
@@ -222,7 +222,7 @@ def test_the_least_torque_of_one_motor_on_coupled_veins_is_that_of_a_damped_simu
         assert (run.series["kinetic_energy"][-1] < 1e-9) or folds
         if not folds:
             static = rest(wings, flat, driven(wings, "fold", share * least))
-            # the engine's stops give, and the wing creeps on
+            # the engine's stops yield, and the wing creeps
             ours, theirs = np.degrees(angles(run, -1)), np.degrees(static.position)
             agree("angles below the least torque", ours, theirs, unit="deg", by="statics", abs=1)
 
@@ -234,7 +234,7 @@ def test_two_ring_folds_held_partly_folded_by_a_torque_rest_as_in_statics(agree)
     torque = 0.0436  # N m, at which they rest partly folded
     below = damped(thick, [stage("fold", "fold", "folded", 40.0)], 0.005, fold_torque=torque)
     assert below.stages[1].goal_time is None
-    # partly folded, where the statics rest
+    # partly folded, at the rest state of the statics
     assert below.series["kinetic_energy"][-1] < 1e-9
     held = angles(below, -1)
     assert np.ptp(rings(wings, held)) > math.radians(80)

@@ -40,7 +40,7 @@ def by_hand(design, *, confirmed):
     } | {f"{name}_energy": state and float(np.sum(state.tendon_energy)) for name, state in outcome.states.items()}
     if not outcome.verdict.tells:
         numbers = dict.fromkeys(numbers)
-    # a table knows of no third value
+    # a table does not contain a third value
     return numbers, (outcome.status, outcome.verdict, bool(outcome.holds["folded"]), bool(outcome.holds["opened"]))
 
 
@@ -91,7 +91,7 @@ def test_a_study_over_one_factor_equals_separate_runs(agree, tmp_path, study_fil
     st.sampled_from(
         [("tendon.rest_length", 0, 0.1), ("pattern.hub_radius", 0.01, 0.02), ("hinge.damping", 1e-4, 1e-2)]
     ),
-    # shares that are written differently
+    # equal shares in different notation
     st.lists(st.integers(0, 1000).map(lambda thousandths: thousandths / 1000), min_size=1, max_size=3, unique=True),
     st.integers(1, 2),
     st.integers(1, 3),

@@ -46,7 +46,7 @@ def test_the_mirror_image_of_the_wing_has_the_mirrored_motion(agree, reference, 
     assert image.data.sizes == reference_run.data.sizes
     signs = {"ring": 1, "turn": 1, "sweep": 1, "lift": -1}  # angles in the hinges' own senses
     for role, sign in signs.items():
-        # rounding, 1e-16, grown by the snaps: 3e-13 was seen
+        # rounding, 1e-16, amplified by the snaps; largest difference seen: 3e-13
         ours, theirs = image.angles(role), sign * reference_run.angles(role)
         agree("angles of hinges", ours, theirs, unit="rad", by="the image in its plane", abs=1e-9)
     places = image.series["point_position"] * [1, 1, -1]
@@ -94,7 +94,7 @@ def test_a_diverging_wing_does_not_affect_wings_simulated_with_it(reference, ref
 
 
 def test_a_saved_design_gives_the_same_bits(reference, tmp_path):
-    # numbers that no decimal text of a few digits holds
+    # numbers that a text of a few digits cannot represent
     design = with_values(reference, {"tendon.rest_length": 0.1 / 3, "pattern.hub_radius": 0.01 * 2**0.5})
     ff.save_design(design, tmp_path / "design.toml")
     again = ff.load_design(tmp_path / "design.toml")

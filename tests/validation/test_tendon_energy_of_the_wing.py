@@ -34,7 +34,7 @@ def tendon_length(design, angles):
     epsilon = math.asin(pattern.hub_radius / radius)
     vertex, following = radius * direction(0), radius * direction(pattern.sector_angle)
     crease = (following - vertex) / np.linalg.norm(following - vertex)
-    # the proximal vein comes in at epsilon from the radius, the distal one leaves deflected by twice epsilon
+    # the proximal vein meets the ring at epsilon to the radius; the distal one is deflected by twice epsilon
     before = -tendon.proximal_attachment * direction(epsilon)
     beyond = turned(tendon.distal_attachment * direction(-epsilon), crease, np.asarray(angles))
     return np.linalg.norm(beyond - before, axis=-1)
@@ -71,7 +71,7 @@ def test_tendon_lengths_and_energies_follow_from_the_angles_during_the_whole_ref
 
 def test_the_flat_opened_and_folded_states_have_the_energies_of_their_angles(agree, reference_run, reference_outcome):
     for state in reference_outcome.states.values():
-        # a state is a mean over its window, and a mean of energies is not the energy of a mean: second order in a swing
+        # a state is a mean over its window, whose energy differs from the mean energy by second order in a swing
         # of up to 0.1 deg
         energy = tendon_energy(reference_run.design, state.readings["distal_angle"].mean)
         agree("energy of tendons in a state", state.tendon_energy, energy, unit="J", by="that of the angles", abs=1e-6)
@@ -88,7 +88,7 @@ def test_tendon_lengths_follow_from_the_geometry_in_other_fans(agree, reference,
         "tendon.proximal_attachment": before,
         "tendon.distal_attachment": beyond,
         "tendon.rest_length": 0.0,
-        # twice the torque runs some of them further than 10 deg into their stops at 0.2 ms
+        # at 0.2 ms, twice the torque would push some hinges more than 10 deg into their stops
         "protocol.timestep": 5e-5,
     }
     folding = [{**SETTLE[0], "time_limit": 0.01}, {**SETTLE[0], "drive": "fold", "time_limit": 0.04}]
@@ -123,6 +123,6 @@ def test_the_softest_tendon_without_resting_length_stores_about_6_joules(referen
 
 def test_with_equal_attachments_a_folded_tendon_without_resting_length_stores_little_energy(holds, reference):
     flat, folded = tendon_energy(with_values(reference, {"tendon.rest_length": 0.0}), [0.0, -math.pi])
-    # the crease is not square to the vein: the ends pass each other at a distance, by twice the crease's slant,
-    # (2 sin(theta / 2))^2 of the square of the length where epsilon is small
+    # the crease is not at right angles to the vein: the ends pass each other at a distance, from twice its slant:
+    # (2 sin(theta / 2))^2 times the squared length for small epsilon
     holds("energy when folded divided by energy when flat", folded / flat, below=0.04, by="the crease's slant")

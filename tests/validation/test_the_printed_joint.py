@@ -24,10 +24,10 @@ from forficula.structure import structure_of
 
 BY = "the closed form"
 JOINT = ff.load_design("binder2025-joint")
-# N/m and m, as the paper measured and printed it
+# N/m and m, measured and stated in the paper
 STIFFNESS, REST_LENGTH = 400.0, 0.06
 P, D, HEIGHT = 0.059, 0.051, 0.003
-# sectors are counted from the bar inwards up to the hinge, and outwards beyond it
+# sectors count from the bar towards the hinge, and away from the bar beyond it
 ALPHA, BETA = math.radians(180 - 87), math.radians(107)
 OVERBEND = math.radians(3)
 
@@ -77,7 +77,7 @@ def test_the_landscape_of_the_joint_has_the_barrier_and_holding_torque_of_the_cl
     fold, unfold = (surveyed.least_torques[name] for name in ("fold", "unfold"))
     agree("least slow torque that folds", fold, moment(OVERBEND), by=BY, unit="N m", rel=0.01)
     agree("least slow torque that opens", unfold, -steepest.fun, by=BY, unit="N m", rel=0.01)
-    # it rests at both ends, open and folded
+    # it rests in both end states, open and folded
     assert [(rest.name, rest.stable) for rest in surveyed.rests[:2]] == [("flat", True), ("folded", True)]
 
 
@@ -92,7 +92,7 @@ def test_pushed_over_its_barrier_the_joint_folds_by_itself_stays_folded_and_reop
     pushed = joint_run.time <= push.end
     climbed = stored[pushed].max() - stored[joint_run.time <= push.start][-1]
     agree("energy climbed in the run", climbed, energy(-DELTA) - energy(OVERBEND), by="statics", unit="J", rel=2e-3)
-    # nothing pushes any more, and it goes on
+    # no torque acts any more, and it continues to fold
     assert np.degrees(angles[pushed][-1]) > -25
     rested = np.degrees(angles[joint_run.time <= snap.end][-1])
     assert -180 <= rested < -150
@@ -111,7 +111,7 @@ def test_the_least_torques_of_simulated_joints_are_those_of_statics(agree, key, 
     def stage(drive, until, time_limit):
         return {"name": drive, "drive": drive, "until": until, "hold": 0.0, "time_limit": time_limit}
 
-    # the tendon's force is all that a slow run climbs against
+    # a slow run works against the tendon's force only
     stages = [stage("none", "time", 0.02), stage("fold", "distal_angle < -20 deg", 0.4)]
     if key == "unfold":
         stages += [{**stage("none", "time", 0.1), "name": "snap"}, stage("unfold", "opened", 0.8)]
@@ -121,7 +121,7 @@ def test_the_least_torques_of_simulated_joints_are_those_of_statics(agree, key, 
         )
         if run.stages[-1].at_goal:
             break
-    # the first that does, less half a step
+    # the first torque that suffices, less half a step
     step = torques[1] - torques[0]
     least = (torque - step / 2) / 100
     agree(f"least torque of runs, {key}", least, closed, by="statics", unit="N m", abs=step / 100)

@@ -114,7 +114,7 @@ def test_with_a_soft_spring_in_series_the_truss_snaps_back_under_displacement(ag
 
 
 def test_the_path_has_a_corner_where_a_tendon_goes_slack(agree):
-    # it pulls the apex down as far as 0.1 m, and keeps it from snapping until then
+    # it pulls the apex down to 0.1 m, and prevents a snap up to there
     slack, pull = 0.1, 400.0
     nodes = [[-HALF, 0, 0], [0, 0, 0.3], [HALF, 0, 0], [0, 0, -1]]
     net = truss(nodes, [[0, 1], [1, 2]], stiffness=STIFFNESS, held=[0, 2, 3, (1, 0), (1, 1)])
@@ -205,6 +205,6 @@ def test_the_frequency_of_the_apex_follows_from_its_stiffness(agree):
     modes = natural_modes(net, built_shape(net))
     squares = 2 * STIFFNESS * np.array([0.3**2, HALF**2]) / (0.3**2 + HALF**2)
     found = 2 * np.pi * modes.frequencies
-    # of a square twice the share of what is squared
+    # the relative error of a square is twice that of its base
     agree("frequencies", found, np.sqrt(squares), unit="rad/s", by="√(k / m)", rel=0.5e-9)
     assert not modes.rigid.any()
