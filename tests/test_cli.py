@@ -294,6 +294,7 @@ def test_a_new_design_file_of_each_kind_describes_itself(call, refusal):
 def test_keys_and_named_studies_are_listed(call, refusal):
     said = call("keys", "coupling").out
     assert "[coupling]" in said
+    assert said.splitlines()[-1].endswith("docs/glossary.md")
     assert 'N m/rad, >= 0 or "rigid"' in " ".join(said.split())
     assert "fold_angle" not in said
     assert "sampling" in call("keys", "--study").out
