@@ -295,6 +295,7 @@ def test_a_new_design_file_of_each_kind_describes_itself(call, refusal):
 def test_keys_and_named_studies_are_listed(call, refusal):
     said = call("keys", "coupling").out
     assert "[coupling]" in said
+    assert said.splitlines()[-1].endswith("docs/glossary.md")
     assert 'N m/rad, >= 0 or "rigid"' in " ".join(said.split())
     assert "fold_angle" not in said
     assert "sampling" in call("keys", "--study").out
@@ -359,7 +360,7 @@ def test_switches_of_earlier_versions_exclude_each_other(refusal):
     assert refusal("new", "other.csv", "--tests", "--kind", "pleats").startswith("--tests: cannot be used with --kind")
 
 
-def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, refusal):
+def test_json_is_the_only_standard_output(in_an_empty_folder, call, refusal):
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     ran = call("run", "wing.toml", "--out", "there", "--json")
     assert json.loads(ran.out) == json.loads((in_an_empty_folder / "there" / "summary.json").read_text())
@@ -529,7 +530,7 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
         ),
     ],
 )
-def test_bad_input_is_answered_in_one_line_and_nothing_is_written(refusal, in_an_empty_folder, arguments, message):
+def test_bad_input_is_refused_in_one_line_and_nothing_is_written(refusal, in_an_empty_folder, arguments, message):
     (in_an_empty_folder / "bad.toml").write_text("x = ?")
     (in_an_empty_folder / "latin.toml").write_bytes('source = "Käfer"'.encode("latin-1"))
     (in_an_empty_folder / "folder.toml").mkdir()
@@ -583,16 +584,14 @@ def test_a_hostile_setting_is_answered_in_one_line(refusal, value):
         (["pattern", f"{'x' * 5000}.svg"], f"{'x' * 150}...{'x' * 15}.svg: cannot be read"),
     ],
 )
-def test_what_is_wrong_with_words_of_the_command_line_is_said_in_a_short_line(
-    refusal, in_an_empty_folder, arguments, message
-):
+def test_errors_of_the_command_line_are_one_short_line(refusal, in_an_empty_folder, arguments, message):
     (in_an_empty_folder / "mine.toml").write_text('design = "mine.toml"')
     answered = refusal(*arguments)
     assert message in answered
     assert len(answered) < 400
 
 
-def test_names_too_long_for_the_disk_are_answered_before_anything_is_done(refusal):
+def test_too_long_file_names_are_refused_before_anything_runs(refusal):
     assert "File name too long" in refusal("run", "binder2025", "--out", "x" * 300)
     assert "File name too long" in refusal("new", "x" * 300 + ".toml")
     assert "File name too long" in refusal("pattern", "binder2025", "--out", "x" * 300 + ".svg")
@@ -683,7 +682,7 @@ def test_assumptions_leave_a_table_that_a_run_of_the_same_design_then_names(in_a
     assert "\nAssumptions: none of 8 changed assumptions changes the verdict (out/flap-assumptions).\n" in told
 
 
-def test_a_run_whose_replacing_was_killed_half_way_stands_whole_when_it_is_next_looked_at(in_an_empty_folder, call):
+def test_a_run_that_was_killed_while_it_was_replaced_is_restored(in_an_empty_folder, call):
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     call("run", "wing.toml", "--no-confirm", "--out", "killed/there")
 
@@ -720,7 +719,7 @@ def test_a_study_leaves_its_table_and_names_their_folder_last(in_an_empty_folder
     assert (folder / "journal.jsonl").read_bytes().split() == before.split()
 
 
-def test_a_study_keeps_runs_to_be_played_in_its_page_as_many_as_asked(in_an_empty_folder, call, study_file):
+def test_a_study_stores_the_requested_number_of_runs_for_playback(in_an_empty_folder, call, study_file):
     study_file(TENDONS)
     folder = in_an_empty_folder / "out" / "small"
     output = call("study", "small.toml", "--keep", "1")
@@ -734,7 +733,7 @@ def test_a_study_keeps_runs_to_be_played_in_its_page_as_many_as_asked(in_an_empt
     assert (folder / "report.html").stat().st_size < with_a_run - 50_000
 
 
-def test_a_number_of_runs_that_is_none_is_answered_before_the_study(refusal, in_an_empty_folder, study_file):
+def test_a_wrong_number_of_runs_is_refused_before_the_study(refusal, in_an_empty_folder, study_file):
     study_file(TENDONS)
     message = refusal("study", "small.toml", "--keep", "-1")
     assert message == "--keep: need a whole number of points >= 0, got -1"
@@ -809,7 +808,7 @@ def test_a_job_array_is_written_and_nothing_is_run(in_an_empty_folder, call, stu
         ),
     ],
 )
-def test_a_study_that_cannot_be_is_answered_in_one_line(refusal, study_file, arguments, message):
+def test_an_impossible_study_is_refused_in_one_line(refusal, study_file, arguments, message):
     study_file(TENDONS)
     assert refusal("study", *arguments) == message
 
@@ -870,7 +869,7 @@ def test_a_landscape_over_two_keys_is_a_map_beside_a_study(tmp_path, write_study
         ),
     ],
 )
-def test_a_wrong_map_is_told_before_anything_is_written(options, message, tmp_path, capsys):
+def test_a_wrong_map_is_refused_before_anything_is_written(options, message, tmp_path, capsys):
     with pytest.raises(SystemExit):
         main(["landscape", "binder2025", *options, "--out", str(tmp_path / "map")])
     assert message in capsys.readouterr().err
@@ -924,7 +923,7 @@ def test_a_wing_is_folded_with_its_tendons_as_they_are_at_each_cycle(in_an_empty
         ("3", '--cycles: need a stage with drive = "fold" in protocol.stages, got none'),
     ],
 )
-def test_cycles_that_cannot_be_are_told_before_anything_runs(refusal, in_an_empty_folder, cycles, message):
+def test_impossible_cycles_are_refused_before_anything_runs(refusal, in_an_empty_folder, cycles, message):
     (in_an_empty_folder / "short.toml").write_text(SHORT)
     assert refusal("run", "short.toml", "--cycles", cycles) == message
     assert everything_in(in_an_empty_folder) == ["short.toml"]
@@ -1024,7 +1023,7 @@ def test_a_material_known_as_a_range_is_sized_at_the_modulus_chosen(call):
         ),
     ],
 )
-def test_a_material_that_cannot_be_is_answered_in_one_line(refusal, arguments, message):
+def test_an_impossible_material_is_refused_in_one_line(refusal, arguments, message):
     assert refusal(*arguments) == message
 
 

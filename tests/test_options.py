@@ -73,7 +73,7 @@ def test_a_key_that_is_set_twice_is_refused(option):
     assert str(caught.value) == f"{option}: tendon.stiffness is given twice"
 
 
-def test_bytes_that_are_no_text_are_refused():
+def test_bytes_that_are_not_text_are_refused():
     with pytest.raises(InputError, match=r"^--set: need text in UTF-8, got "):
         read_settings(["source=\udcff"])
 
@@ -123,7 +123,7 @@ def test_a_folder_with_another_kind_of_results_is_refused(tmp_path, kind):
             check_own_kind(tmp_path, own)
 
 
-def test_a_folder_that_cannot_be_made_is_told_before_anything_runs(refusal, tmp_path):
+def test_a_folder_that_cannot_be_made_is_refused_before_anything_runs(refusal, tmp_path):
     name = "n" * 300
     message = refusal("run", "binder2025", "--set", f"name={name}")
     assert message.startswith("--out: out/nnn")

@@ -44,7 +44,7 @@ def test_letters_that_the_output_lacks_are_spelled(tmp_path, monkeypatch, encodi
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="there is no full device here")  # noqa: PTH110
 @pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["designs"], ["study", "--help"]])
-def test_a_full_device_is_told_in_one_line(arguments):
+def test_a_full_device_is_reported_in_one_line(arguments):
     with open("/dev/full", "w") as full:  # noqa: PTH123
         done = subprocess.run(
             [sys.executable, "-m", "forficula", *arguments], stdout=full, stderr=subprocess.PIPE, check=False, text=True
@@ -77,7 +77,7 @@ def test_a_warning_of_a_library_is_one_line_without_its_place(monkeypatch, capsy
         ValueError("Error: engine error: Could not allocate memory"),
     ],
 )
-def test_no_memory_left_is_told_in_one_line(monkeypatch, capsys, error):
+def test_no_memory_left_is_reported_in_one_line(monkeypatch, capsys, error):
     def fill():
         raise error
 

@@ -195,18 +195,18 @@ def read_shard(text: str) -> tuple[int, int]:
     raise InputError(f"--shard: need a number and a count such as 2/8, got {as_written(text)}")
 
 
-def check_apart(option: str, given: bool, others: Mapping[str, bool]) -> None:
+def check_apart(option: str, is_used: bool, others: Mapping[str, bool]) -> None:
     """Refuse options that have no meaning together with another option.
 
     Args:
         option: name of the option.
-        given: whether the option is used.
+        is_used: whether the option is used.
         others: options that have no meaning with it, and whether each is used.
 
     Raises:
         InputError: one of the others is used with the option.
     """
-    if given and (conflicting := [other for other, used in others.items() if used]):
+    if is_used and (conflicting := [other for other, used in others.items() if used]):
         raise InputError(f"{option}: cannot be used with {listed(conflicting)}; leave one of them out")
 
 

@@ -46,7 +46,7 @@ def sent(name, text):
         {"Sec-Fetch-Site": "same-site"},
     ],
 )
-def test_who_is_not_its_own_page_is_refused(served, headers):
+def test_requests_of_other_pages_are_refused(served, headers):
     for method, what in (("POST", "design"), ("GET", "")):
         status, content = served.request(method, what, "{}" if method == "POST" else None, JSON | headers)
         assert status == 403
@@ -63,7 +63,7 @@ def test_its_own_page_is_answered(served):
     assert b"'unsafe-eval'" not in page
 
 
-def test_who_does_not_know_its_address_finds_nothing(served):
+def test_requests_without_the_secret_address_find_nothing(served):
     for path in ("/", "/design", "/wrong/", f"{'x' * 22}/design"):
         assert served.request("GET", path)[0] == 404
     assert served.request("GET", "results/1/report.html")[0] == 404
@@ -77,7 +77,7 @@ def test_it_listens_on_one_address_of_this_machine_alone(served):
         socket.create_connection(("127.0.0.2", served.port), timeout=5)
 
 
-def test_more_than_a_design_can_be_is_not_taken(served):
+def test_requests_larger_than_a_design_are_refused(served):
     connection = http.client.HTTPConnection("127.0.0.1", served.port, timeout=SECONDS)
     path = served.address.partition(str(served.port))[2]
     connection.putrequest("POST", f"{path}design")
@@ -105,13 +105,13 @@ def test_more_than_a_design_can_be_is_not_taken(served):
         ("PUT", "{}", "application/json", 405, "need GET or POST, got PUT"),
     ],
 )
-def test_what_no_page_of_its_own_asks_is_refused(served, method, body, kind, status, why):
+def test_requests_that_its_page_cannot_send_are_refused(served, method, body, kind, status, why):
     found, content = served.request(method, "design", body, {"Content-Type": kind})
     assert found == status
     assert why in json.loads(content)["refused"]
 
 
-def test_a_design_is_told_with_its_keys_its_file_and_the_command_that_runs_it(served):
+def test_the_response_for_a_design_has_its_keys_its_file_and_its_command(served):
     told = served.ask("design", settings={"tendon.0.stiffness": "0.6 N/cm"})
     design = load_design("letter-fold", {"tendon.0.stiffness": "0.6 N/cm"})
     assert design_from_text(told["text"]).hash == design.hash
@@ -141,7 +141,7 @@ def served_value(name, key):
         ({"files": sent("a.fold", "{")}, "a.fold: "),
     ],
 )
-def test_what_is_no_design_is_refused_in_the_words_of_the_package(served, asked, refused):
+def test_invalid_designs_are_refused_with_the_message_of_the_package(served, asked, refused):
     told = served.ask("design", **asked)
     assert told["refused"].startswith(refused)
     assert "/tmp" not in told["refused"]
@@ -197,7 +197,7 @@ def lines(served, what, **asked):
     return [json.loads(line) for line in content.splitlines()]
 
 
-def test_a_landscape_is_told_step_by_step_and_kept_as_a_page(served):
+def test_a_landscape_reports_progress_and_is_stored_as_a_page(served):
     *steps, last = lines(served, "landscape", design="binder2025-joint")
     assert any("drawing" in step["doing"] for step in steps)
     status, page = served.request("GET", last["done"])
@@ -210,7 +210,7 @@ def test_what_cannot_be_surveyed_says_why(served):
     assert last["refused"] == "tendon.0.stiffness: need >= 0, got -1 N/cm"
 
 
-def test_work_ends_when_its_page_leaves(served):
+def test_a_task_ends_when_its_page_is_closed(served):
     slow = json.dumps({"design": "binder2025", "settings": {"protocol.timestep": "0.0005 ms"}})
     connection = http.client.HTTPConnection("127.0.0.1", served.port, timeout=SECONDS)
     connection.request(
@@ -277,7 +277,7 @@ def test_a_port_that_is_taken_is_named(capsys):
         (["--set", "tendon.0.stiffness=-1 N/cm"], "tendon.0.stiffness: need >= 0, got -1 N/cm"),
     ],
 )
-def test_what_cannot_be_opened_is_answered_in_one_line(arguments, message, capsys):
+def test_what_cannot_be_opened_is_refused_in_one_line(arguments, message, capsys):
     from forficula.cli import main
 
     with pytest.raises(SystemExit):

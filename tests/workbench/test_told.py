@@ -17,7 +17,7 @@ LETTER = Opened(design="letter-fold")
 @given(
     st.dictionaries(st.sampled_from(["name", "tendon.stiffness", "protocol.stages"]), st.text(min_size=1), max_size=3)
 )
-def test_the_command_is_read_by_a_shell_as_what_was_set(settings):
+def test_a_shell_reads_the_command_as_the_values_that_were_set(settings):
     kept = {key: text for key, text in settings.items() if text.isprintable()}
     words = shlex.split(command_of(Asked(settings=kept), LETTER))
     assert words[:3] == ["forficula", "run", "letter-fold"]
@@ -40,14 +40,14 @@ def test_the_command_names_what_is_open(asked, opened, command):
     assert command_of(asked, opened) == command
 
 
-def test_a_design_says_what_it_is_and_each_section_what_it_holds():
+def test_the_response_describes_the_design_and_its_sections():
     told = design_told(Asked(), LETTER)
     assert told["hash"] == load_design("letter-fold").hash
     assert set(told["sections"]) == {key["key"].partition(".")[0] for key in told["keys"] if "." in key["key"]}
     assert all(told["sections"].values())
 
 
-def test_a_structure_that_the_engine_of_pages_would_move_otherwise_is_told_with_the_reason_and_shown():
+def test_a_structure_that_the_engine_in_pages_cannot_simulate_is_shown_with_the_reason():
     told = model_told(Asked(design="bistable-miura"), LETTER)
     assert told["live"] == {"refused": "its creases are not joints, which engines before MuJoCo 4.0 do not support"}
     assert told["bench"]["clips"][0]["pointCount"] == 9

@@ -117,9 +117,9 @@ def size(
         law = read_option("--modulus", lambda: chosen(law, value))
     elif not law.no_tendon:
         read_option("--modulus", lambda: known_moduli(law))
-    own = None if length is None else read_quantity("--length", length, LENGTH)
+    natural = None if length is None else read_quantity("--length", length, LENGTH)
     sizes = size_tendons(
-        load_design(design, read_settings(settings)), law, read_stiffnesses("--stiffness", stiffness), length=own
+        load_design(design, read_settings(settings)), law, read_stiffnesses("--stiffness", stiffness), length=natural
     )
     print_sizes(law, sizes)
     set_result(sizes_json(sizes))
