@@ -316,7 +316,7 @@ class BucklingColumn:
 
     Attributes:
         lengths: lengths of the two bars, m.
-        offsets: distances of the bars' axes from the line of the load, unloaded, at the first end, at the connection, and
+        offsets: distances of the bars' axes from the load's line, unloaded, at the first end, at the connection, and
             at the other end, m, (3, 2): in the sheet's plane and out of it.
         section: cross-section of both bars.
         youngs_modulus: Pa.

@@ -80,7 +80,7 @@ class CutSheet:
         style: style of its creases.
         kerf: kerf for which its lines compensate, m.
         pattern: flat, m.
-        outlines: corners of the finished sheet, nominal size, holes clockwise, without round holes, m, (corner, 2) each.
+        outlines: corners of the finished sheet, nominal, holes clockwise, without round holes, m, (corner, 2) each.
         creases: lines by index of the pattern's edge as built; a crease that is cut in several pieces has all of them.
         lines: lines of the cutter.
         holes: round holes.
