@@ -69,8 +69,8 @@ class Tolerance:
         runs: number of designs that were tried.
         nominal: the nominal design, one sample.
         samples: independent points within the tolerances, from which the probabilities are estimated.
-        indices: indices of every margin, for the important factors and for the others as one group. If there was no time
-            for these, first-order indices from a linear fit, without total ones.
+        indices: indices of every margin, for the important factors and for the others as one group. If there was no
+            time for these, first-order indices from a linear fit, without total ones.
         effects: fraction of the margin's variance that involves each factor, from few rows; without screening the total
             indices; NaN if not computed.
         kept: factors with indices of their own, in the order of the indices.
