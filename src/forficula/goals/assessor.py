@@ -47,9 +47,9 @@ class Assessor:
     if several machines share the work.
 
     Attributes:
-        folder: with the journals.
+        folder: folder with the journals.
         base: design from which all others are derived.
-        journal: to append to.
+        journal: journal to append to.
         rows: known rows, by key.
         shard: number, from 1, and count of the processes that share the work.
         threads: number of threads; 0 for one per core.
@@ -223,7 +223,7 @@ def open_assessor(
         shard: number, from 1, and count of processes. They share every batch, wait for each other's rows, and get the
             same result. A process that has been gone for a minute is ignored.
         threads: number of threads; 0 for one per core.
-        cluster: from `dask_cluster`.
+        cluster: cluster from `dask_cluster`.
         progress: called after every row.
 
     Raises:

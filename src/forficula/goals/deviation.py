@@ -109,9 +109,9 @@ def read_deviations(given: Mapping[str, object], design: Design) -> tuple[Deviat
     """Read the tolerances of a goal file.
 
     Args:
-        given: by key of the design: a text such as "10 %" or "0.1 mm", uniform in both directions; a table with
-            `distribution` and `size`; for `tendon.law` a table with `intervals_of`, a law file whose 95 % intervals are
-            used as independent normal distributions, because the file has no correlations. `all` stands for every
+        given: tolerances by key of the design: a text such as "10 %" or "0.1 mm", uniform in both directions; a table
+            with `distribution` and `size`; for `tendon.law` a table with `intervals_of`, a law file whose 95 % intervals
+            are used as independent normal distributions, because the file has no correlations. `all` stands for every
             positive number with a unit that is not in the protocol; other keys take precedence, and "none" removes one.
         design: the nominal design.
 
@@ -203,7 +203,7 @@ def off_values(design: Design, deviations: Sequence[Deviation], offsets: Sequenc
 
     Args:
         design: the nominal design.
-        deviations: of some of its keys.
+        deviations: deviations of some of its keys.
         offsets: in widths, (deviation,).
 
     Returns:

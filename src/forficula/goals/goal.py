@@ -51,7 +51,7 @@ class Goal(Displayed):
         runs: largest number of designs to try.
         batch: number of designs that run side by side.
         neighbours: number of variants within the tolerances that are run for one design.
-        seed: of the random numbers.
+        seed: seed of the random numbers.
     """
 
     name: str

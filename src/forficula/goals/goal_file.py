@@ -95,7 +95,7 @@ class GoalFile(Section):
         examples=('${first}_work = "least"',),
     )
     tolerances: _Tolerances = entry(
-        "manufacturing tolerance of the key, uniform in both directions unless stated; the key all stands for every"
+        'manufacturing tolerance of the key, uniform in both directions unless stated; the key "all" means every'
         " positive number with a unit that is not in the protocol",
         {},
         examples=('all = "10 %"', '"$key" = "5 %"', '"$key" = { distribution = "normal", size = "$step" }'),

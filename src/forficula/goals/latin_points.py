@@ -21,7 +21,7 @@ def latin_points(columns: int, count: int, seed: int) -> NDArray[np.float64]:
     Args:
         columns: number of axes.
         count: number of rows, a power of two.
-        seed: of the draw. The first rows do not depend on the count.
+        seed: seed of the draw. The first rows do not depend on the count.
 
     Returns:
         (count, columns), above 0 and below 1.

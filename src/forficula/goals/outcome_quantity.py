@@ -36,7 +36,7 @@ class OutcomeQuantity:
     """A number for limits and objectives.
 
     Attributes:
-        name: as in goal files; for a value of the design, its key.
+        name: name as in goal files; for a value of the design, its key.
         told_as: name in rows, without its unit: the same except for spaces in names of states.
         unit: display unit and SI unit.
         meaning: in words.

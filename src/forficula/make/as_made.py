@@ -34,7 +34,7 @@ class MadeChange:
     """A value that differs between the parts and their design.
 
     Attributes:
-        group: of the value.
+        group: group of the value.
         key: dotted key of the design.
         designed: in words, "" if the design gives none.
         made: in words.
@@ -61,9 +61,9 @@ def as_made(parts: PartSet, groups: Collection[Group] = GROUPS, values: MadeValu
     Properties without a key are returned by `forficula.make.unkept.unkept`.
 
     Args:
-        parts: with joints.
-        groups: of values that are taken from the parts; the others stay those of the design.
-        values: of the parts, if they have been measured already.
+        parts: parts with joints.
+        groups: groups of values that are taken from the parts; the others stay those of the design.
+        values: values of the parts, if they have been measured already.
 
     Returns:
         A design with a name of its own, whose source says which values were measured.

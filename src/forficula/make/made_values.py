@@ -21,12 +21,12 @@ class MadeTendon:
     """A tendon as its straps are made.
 
     Attributes:
-        number: of the tendon.
+        number: number of the tendon.
         attachments: distances of the pegs from the hinge along the bars, proximal first, m.
-        offsets: of the pegs out of the plane of the sheet, towards the overbend side, m.
+        offsets: offsets of the pegs out of the plane of the sheet, towards the overbend side, m.
         area: printed cross-section of all straps together, m^2.
         by_area: printed area / area that the design's stiffness requires: the factor of the stiffness.
-        mass: of all straps including their eyes, kg; None if the density is unknown.
+        mass: mass of all straps including their eyes, kg; None if the density is unknown.
         rest_length: between the pegs, m.
     """
 
@@ -44,7 +44,7 @@ class MadeBars:
     """A uniform bar with a mass at the hinge that is dynamically equivalent to the outer halves of the joints.
 
     Attributes:
-        density: of the bar, from the inertia of a half about its hinge, kg/m^3; mean of all halves.
+        density: density of the bar, from the inertia of a half about its hinge, kg/m^3; mean of all halves.
         hinge_mass: twice the mass to add at the end of the bar to reach the mass of the half, kg; mean, and 0 if the
             bar alone is heavier.
         spread: difference between the largest and the smallest density of single halves, relative to the mean.

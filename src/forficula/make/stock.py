@@ -18,14 +18,14 @@ class Stock:
     """Material of a part.
 
     Attributes:
-        name: of the material.
+        name: name of the material.
         density: kg/m^3; None if its sources give none.
         youngs_modulus: least reported value, Pa; None if there is none.
         strength: least reported value in the plane of printed layers, Pa; None if there is none.
         strength_across: least reported value across printed layers, Pa; that in their plane if sources do not
             distinguish.
-        source: of these numbers.
-        density_source: of the density; "" without one.
+        source: source of these numbers.
+        density_source: source of the density; "" without one.
     """
 
     name: str

@@ -27,7 +27,7 @@ class Unkept:
     """A real value that the design as made does not reproduce.
 
     Attributes:
-        name: of the value.
+        name: name of the value.
         part: to which it belongs.
         real: value of the parts, SI.
         modelled: value in the design as made; nan if it has no such property.
@@ -47,7 +47,7 @@ def unkept(parts: PartSet, made: Design) -> tuple[Unkept, ...]:
     """Return the properties of parts that the design as made does not reproduce.
 
     Args:
-        parts: with joints.
+        parts: parts with joints.
         made: design as made.
 
     Raises:

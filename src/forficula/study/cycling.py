@@ -56,7 +56,7 @@ class Cycling(Result):
     """Behaviour of a structure over cycles.
 
     Attributes:
-        design: at the first cycle.
+        design: design at the first cycle.
         runs: in the order of cycles.
         seen: first and last cycle of the material's tests; None if the tests do not report cycles.
         transitions: transitions that the protocol drives.
@@ -143,8 +143,8 @@ def design_at_cycle(design: Design, cycle: int) -> Design:
     in the built shape. The run of every cycle begins with rested tendons.
 
     Args:
-        design: with a law for its tendons.
-        cycle: from 1.
+        design: design with a law for its tendons.
+        cycle: number of the cycle, from 1.
     """
     laws = _laws_at(structure_of(design), cycle)
     return with_values(design, {f"{key}.law": law for key, (law, _) in laws.items()})

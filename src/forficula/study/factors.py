@@ -35,7 +35,7 @@ class Factor:
     Attributes:
         key: dotted key of the design.
         model: class of the design.
-        values: as in a design file: texts with units, numbers, words. Empty if the values are sampled.
+        values: values as in a design file: texts with units, numbers, words. Empty if the values are sampled.
         distribution: distribution of the values, or None.
     """
 
@@ -205,7 +205,7 @@ def grid_points(factors: tuple[Factor, ...], times: int = 1) -> list[dict[str, o
     """Return every combination of the factors' values; the last factor varies fastest.
 
     Args:
-        factors: with values.
+        factors: factors with values.
         times: number of times that the study repeats this grid.
 
     Raises:
@@ -224,10 +224,10 @@ def drawn_values(factors: tuple[Factor, ...], method: str, count: int, seed: int
     """Sample points from the distributions of all factors, with values as in a design file.
 
     Args:
-        factors: with distributions.
+        factors: factors with distributions.
         method: "random", or "sobol" for scrambled Sobol points (Owen 1998), which fill the space more evenly.
         count: number of points.
-        seed: of the generator; the same seed gives the same points.
+        seed: seed of the generator; the same seed gives the same points.
     """
     if method == "sobol":
         # a power of two keeps the points balanced; the first `count` of them are returned

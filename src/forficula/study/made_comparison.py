@@ -26,7 +26,7 @@ class HingePair:
     """A hinge with one tendon across it, as designed and as made.
 
     Attributes:
-        name: of the hinge.
+        name: name of the hinge.
         designed: landscape over its range, as designed.
         made: landscape over its range, as made.
     """
@@ -62,7 +62,7 @@ class MadeTrial:
 
     Attributes:
         groups: groups of values that are as made.
-        outcome: of the run; None if the design cannot be built.
+        outcome: outcome of the run; None if the design cannot be built.
         why: reason why it cannot be built, else empty.
     """
 
@@ -157,7 +157,7 @@ def made_comparison(
     """Compare a design with its made parts.
 
     Args:
-        parts: with joints.
+        parts: parts with joints.
         simulate: whether to run both. If the design as made misses a state that the design reaches, it is also run with
             each group as designed, and with each group alone as made.
         steps: called with a text for each step.

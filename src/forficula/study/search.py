@@ -206,7 +206,7 @@ def until_driven(stages: Sequence[StageSection], last: int) -> tuple[StageSectio
     """Return the stages up to a driven one, which takes over the final state of the release after it.
 
     Args:
-        stages: of a protocol.
+        stages: stages of a protocol.
         last: number of the driven stage.
     """
     return (*stages[:last], *(_ending_in(stage, stages[last + 1 :]) for stage in stages[last : last + 1]))

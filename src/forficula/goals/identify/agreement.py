@@ -26,7 +26,7 @@ class AgreementWindow:
     """Interval in which a fact's quantity must lie, in the units of its emulator.
 
     Attributes:
-        emulator: of the quantity.
+        emulator: emulator of the quantity.
         low: lower end; minus infinity if there is none.
         high: upper end; infinity if there is none.
     """
@@ -62,10 +62,10 @@ def agreement(windows: Sequence[AgreementWindow], choices: Sequence[int], seed: 
     the facts are assumed to be independent.
 
     Args:
-        windows: of the facts.
+        windows: windows of the facts.
         choices: for each side of the cube, its number of equal parts within which nothing varies; 0 if it is
             continuous.
-        seed: of the random numbers.
+        seed: seed of the random numbers.
     """
     generator = np.random.default_rng([seed, len(choices), len(windows)])
     points = generator.random((_PARTICLES, len(choices)))
@@ -104,9 +104,9 @@ def least_apart(windows: Sequence[AgreementWindow], choices: Sequence[int], seed
     """Return the smallest deviation of the worst fact anywhere, in standard errors, by differential evolution.
 
     Args:
-        windows: of the facts.
+        windows: windows of the facts.
         choices: see `agreement`.
-        seed: of the random numbers.
+        seed: seed of the random numbers.
     """
     generator = np.random.default_rng([seed, len(choices), len(windows)])
     points = generator.random((_SEARCHERS, len(choices)))

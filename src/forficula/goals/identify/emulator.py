@@ -34,11 +34,11 @@ class Emulator:
         lengths: correlation lengths, (unknowns,), sides of the cube.
         noise: variance of unexplained scatter, as a fraction of `variance`.
         trend: coefficients of 1 and each unknown, (1 + unknowns,).
-        weights: of the samples' correlations in the mean, (samples,).
+        weights: weights of the samples' correlations in the mean, (samples,).
         factor: Cholesky factor of the correlations, (samples, samples), lower.
         whitened: basis of the trend, solved by the factor, (samples, 1 + unknowns).
         trend_factor: Cholesky factor of the trend's information, lower.
-        variance: of the residual of the trend, scaled to the leave-one-out errors.
+        variance: variance of the residual of the trend, scaled to the leave-one-out errors.
         freedom: degrees of freedom of the variance.
     """
 
@@ -81,7 +81,7 @@ def fit_emulator(points: Array, values: Array) -> Emulator | None:
 
     Args:
         points: in the unit cube, (samples, unknowns).
-        values: of the quantity, (samples,), finite.
+        values: values of the quantity, (samples,), finite.
 
     Returns:
         The emulator; None with fewer than `least_samples`.
@@ -143,7 +143,7 @@ class _Regression:
         trend_factor: Cholesky factor of the trend's information, lower.
         trend: coefficients.
         left: residuals, solved by the factor, (samples,).
-        variance: of the residuals.
+        variance: variance of the residuals.
     """
 
     factor: Array

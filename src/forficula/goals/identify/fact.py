@@ -27,11 +27,11 @@ class LeastValue:
     """A value that grows until a state is reached.
 
     Attributes:
-        key: of the design, such as "protocol.fold_torque".
-        values: to try, rising, as in a design file.
+        key: key of the design, such as "protocol.fold_torque".
+        values: values to try, rising, as in a design file.
         numbers: the same in SI.
-        unit: of the values.
-        state: that must be reached.
+        unit: unit of the values.
+        state: state that must be reached.
         monotone: whether the state is assumed to be reached with all larger values, too; then only a few values are
             tried.
     """
@@ -49,8 +49,8 @@ class Term:
     """A statistic of a quantity of runs over a grid of conditions.
 
     Attributes:
-        quantity: of each run; empty for the least value itself.
-        statistic: over all conditions.
+        quantity: name of the quantity of each run; empty for the least value itself.
+        statistic: statistic over all conditions.
         over: the grid; empty for a single run.
         settings: values under every condition, by key, as in a design file.
         until: name of the transition after whose stage runs end; None for the whole protocol.
@@ -59,7 +59,7 @@ class Term:
         rising: keys of `over` along which larger values are assumed to reach the state, too.
         falling: keys of `over` along which smaller values are assumed to reach the state, too.
         absent: number for a condition without a value, SI; None for states.
-        unit: of the statistic; None for counts.
+        unit: unit of the statistic; None for counts.
     """
 
     quantity: Combination
@@ -109,7 +109,7 @@ class Fact:
         places: conditions at which the quantity must be least or largest: allowed values by key of the grid; else
             empty.
         tolerance: allowed deviation, in the term's unit, SI.
-        scale: of the deviation; None for the spread of the samples.
+        scale: scale of the deviation; None for the spread of the samples.
     """
 
     name: str

@@ -41,9 +41,9 @@ class Sample:
     """A sample and its results for every fact.
 
     Attributes:
-        number: from 0, in the order in which samples were drawn or placed.
+        number: number from 0, in the order in which samples were drawn or placed.
         shares: position in the unit cube, (unknowns,).
-        values: of the unknowns by key, as in a design file.
+        values: values of the unknowns by key, as in a design file.
         findings: for every fact; empty if the design does not exist.
         why: why the design does not exist, else "".
         target: indices of the facts that it was placed to meet together; empty if it was drawn from the priors.
@@ -193,7 +193,7 @@ class Finding:
     """Result of a sample for a fact.
 
     Attributes:
-        value: of the observed quantity, SI.
+        value: value of the observed quantity, SI.
         miss: value minus bound, SI, signed.
         distance: deviation from the fact, SI, at least 0. If inconclusive runs allow a range, it is the larger end; if
             they allow any value, they are treated as having no number.
@@ -317,7 +317,7 @@ def directed_shares(shares: Array, excess: Array, targets: Sequence[Target], cou
         excess: see `misses`.
         targets: used in turn, from the first.
         count: number of samples to place.
-        seed: of the random numbers.
+        seed: seed of the random numbers.
 
     Returns:
         Points of the unit cube, (count, unknowns).

@@ -30,11 +30,11 @@ class Inference:
     """Predictions of the facts' emulators between the samples.
 
     Attributes:
-        windows: of the facts; empty if there are too few samples for an emulator of one of them.
+        windows: windows of the facts; empty if there are too few samples for an emulator of one of them.
         choices: number of choices of each unknown, 0 for continuous ones, (unknowns,).
         agreement: points that meet all facts; None without windows.
         needed: minimum number of samples for emulators.
-        seed: of the random numbers.
+        seed: seed of the random numbers.
     """
 
     windows: tuple[AgreementWindow, ...]

@@ -24,8 +24,8 @@ class Marginal:
     """Prior and agreeing range of one unknown.
 
     Attributes:
-        name: of the coordinate in the result.
-        key: of the design.
+        name: name of the coordinate in the result.
+        key: key of the design.
         believed: 5th and 95th percentile of the drawn samples, as in the coordinate; words for choices.
         agrees: ends of the agreeing range between the samples, as in the coordinate, or the agreeing choices. For a
             result without these, 5th and 95th percentile of the agreeing samples.

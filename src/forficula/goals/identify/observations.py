@@ -23,7 +23,7 @@ class Observations(Displayed):
         facts: the observations.
         samples: number of samples from the priors.
         directed: number of further samples, placed to refute that facts exclude one another.
-        seed: of the random numbers.
+        seed: seed of the random numbers.
     """
 
     name: str

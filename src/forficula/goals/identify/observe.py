@@ -71,10 +71,10 @@ def observe(term: Term, places: Mapping[str, tuple[object, ...]], runs: SampleRu
     runs.
 
     Args:
-        term: of a fact.
-        places: of the fact.
-        runs: of a sample.
-        rows: by key.
+        term: term of a fact.
+        places: conditions of the fact, by key.
+        runs: runs of a sample.
+        rows: rows by key.
     """
     if is_state(term.quantity) and term.least is None:
         return _count(term, runs, rows)

@@ -24,7 +24,7 @@ def prior_shares(priors: Sequence[Factor], count: int, seed: int) -> Array:
     Args:
         priors: the unknowns.
         count: number of points.
-        seed: of the draw.
+        seed: seed of the draw.
     """
     return latin_points(len(priors), 2 ** math.ceil(math.log2(max(count, 1))), seed)[:count]
 

@@ -24,10 +24,10 @@ class RowQuantity:
     """A number in a run's row.
 
     Attributes:
-        name: such as "fold_time"; for a state, its name.
-        column: of the row.
+        name: name, such as "fold_time"; for a state, its name.
+        column: column of the row.
         unit: None for a state.
-        factor: from the column's number to SI.
+        factor: factor from the column's number to SI.
     """
 
     name: str
@@ -69,7 +69,7 @@ def read_combination(text: object, known: Mapping[str, RowQuantity]) -> Combinat
     """Read a quantity or a sum of quantities, such as "opened_energy - 0.5 folded_energy".
 
     Args:
-        text: as in a file.
+        text: the quantity or sum, as in a file.
         known: quantities by name.
 
     Raises:

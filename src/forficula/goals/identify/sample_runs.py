@@ -21,9 +21,9 @@ class ConditionRun:
     """A run of a sample under a condition.
 
     Attributes:
-        key: of its row.
-        design: to run.
-        values: of the unknowns and of the condition, by key, as in a design file.
+        key: key of its row.
+        design: design to run.
+        values: values of the unknowns and of the condition, by key, as in a design file.
     """
 
     key: str
@@ -41,8 +41,8 @@ class SampleRuns:
         """Start with the values of a sample.
 
         Args:
-            base: with all known values.
-            values: of the unknowns, by key.
+            base: design with all known values.
+            values: values of the unknowns, by key.
 
         Raises:
             InputError: the values are not allowed.
@@ -56,7 +56,7 @@ class SampleRuns:
         """Return the run under a condition; None if its values are not allowed.
 
         Args:
-            values: of the condition, by key, as in a design file.
+            values: values of the condition, by key, as in a design file.
             until: name of the transition after whose stage the run ends; None for the whole protocol.
         """
         name = until, tuple(sorted(values.items()))

@@ -72,7 +72,7 @@ class Ladder:
         holds: index of the least value that is known to reach it; the number of values if none is.
         fails: index of the largest smaller value that does not reach it, or is treated as such; -1 if none.
         untold: indices of inconclusive values whose result is not implied by others.
-        rows: of tried values, by index.
+        rows: rows of tried values, by index.
     """
 
     holds: int
@@ -97,7 +97,7 @@ class Ladder:
 
         Args:
             number: index of the value.
-            row: of its run.
+            row: row of its run.
             holds: whether the state is reached; None for an inconclusive run, which is treated as a failure.
             monotone: see `next`.
         """

@@ -82,7 +82,7 @@ def neighbours_of(
     Args:
         goal: requirements for each neighbour.
         assess: computes rows of designs.
-        designs: to evaluate.
+        designs: designs to evaluate.
         offsets: deviation of each neighbour in widths, (neighbour, deviation).
         least: required fraction; None to evaluate all neighbours.
     """
@@ -122,7 +122,7 @@ class Candidate:
 
     Attributes:
         point: position in the unit cube of the parameters.
-        values: of the parameters by key, as in a design file.
+        values: values of the parameters by key, as in a design file.
         found: result.
         neighbours: results of its neighbours; None if they were not evaluated.
     """
@@ -185,7 +185,7 @@ class Verification:
 
     Attributes:
         candidate: the candidate.
-        timestep: of its run, s; None without simulation.
+        timestep: timestep of its run, s; None without simulation.
         finer: result at a quarter of this timestep; None without simulation.
         fresh: results of new neighbours; None without tolerances.
         holds: whether all limits are met again, including that on the probability.
@@ -209,7 +209,7 @@ def verified(goal: Goal, assess: Assessor, candidates: Sequence[Candidate], befo
     Args:
         goal: the goal.
         assess: computes rows of designs.
-        candidates: that could be built.
+        candidates: candidates that could be built.
         before: number of other candidates that failed verification before; new neighbours are drawn each time.
     """
     designs = [candidate.found.design for candidate in candidates if isinstance(candidate.found.design, Design)]

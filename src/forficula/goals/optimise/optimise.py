@@ -83,7 +83,7 @@ def optimise_goal(
         out: folder with the journal of all rows.
         shard: number, from 1, and count of the processes that share every batch.
         threads: number of threads; 0 for one per core.
-        cluster: from `dask_cluster`.
+        cluster: cluster from `dask_cluster`.
         progress: called after every row.
 
     Raises:

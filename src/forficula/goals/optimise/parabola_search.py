@@ -75,10 +75,10 @@ class ParabolaSearch:
         """Start a search.
 
         Args:
-            axes: of the unit cube.
+            axes: axes of the unit cube.
             objectives: number of objectives, 1 to 3.
             batch: number of points per batch.
-            seed: of all random numbers.
+            seed: seed of all random numbers.
             starts: points to try first.
         """
         self._axes, self._batch, self._seed, self._starts = axes, batch, seed, starts
@@ -162,7 +162,7 @@ def filling_count(axes: Sequence[Axis], batch: int) -> int:
     """Return the number of points that fill the space evenly before the search uses results, in whole batches.
 
     Args:
-        axes: of the search.
+        axes: axes of the search.
         batch: number of points per batch.
     """
     return batch * math.ceil(max(_LEAST_START, _START * len(axes), batch) / batch)
@@ -209,10 +209,10 @@ def _varied(axes: Sequence[Axis], best: Sequence[Trial], count: int, generator: 
     Storn and Price, 1997, doi.org/10.1023/A:1008202821328: "best/1" with one of the few best trials.
 
     Args:
-        axes: of the search.
+        axes: axes of the search.
         best: trials, the best first.
         count: number of points.
-        generator: of random numbers.
+        generator: generator of random numbers.
     """
     points = np.array([trial.point for trial in best])
     base, first, second = (points[generator.integers(len(points), size=count)] for _ in range(3))

@@ -77,7 +77,7 @@ class Parabola:
     """Quadratic model of a quantity near a base.
 
     Attributes:
-        value: at the base.
+        value: value at the base.
         slope: derivatives with respect to the coordinates of the free axes.
         curvature: second derivatives, symmetric.
         span: range of the fitted values.
@@ -97,8 +97,8 @@ class Neighbourhood:
         base: the trial in the middle.
         free: axes that vary: all except choices.
         radius: distance of the farthest trial.
-        objectives: as parabolas, scaled from 0 at the ideal to 1 at the end of the span.
-        margins: as parabolas, by index of the limit, if enough trials are known.
+        objectives: objectives as parabolas, scaled from 0 at the ideal to 1 at the end of the span.
+        margins: margins as parabolas, by index of the limit, if enough trials are known.
     """
 
     base: Trial
@@ -158,7 +158,7 @@ def _fitted(points: Array, values: Array, centre: Array) -> Parabola:
 
     Args:
         points: coordinates on the free axes, one point per row.
-        values: of a quantity at these points.
+        values: values of a quantity at these points.
         centre: the base.
     """
     steps = points - centre
@@ -197,9 +197,9 @@ def proposed(
     Stepped axes are rounded to their steps first; then the optimum over the other axes is computed.
 
     Args:
-        axes: of the search.
+        axes: axes of the search.
         near: neighbourhood with the parabolas.
-        aim: to be minimised.
+        aim: aim to be minimised.
         reach: the longest step, as a fraction of the neighbourhood's radius.
         back: distance to keep from the limits, as a fraction of the span of their margins.
         giving: index of the limit to relax if not all can be met; None to treat all equally.

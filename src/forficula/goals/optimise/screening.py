@@ -27,7 +27,7 @@ class Screened:
         design: the design, or why there is none.
         row: values of its sources, as far as computed.
         works: margin of the protocol; nan if it was not run; 1 if the goal needs no run.
-        margins: of the goal's own limits, in their order; nan if not computed.
+        margins: margins of the goal's own limits, in their order; nan if not computed.
         ruled_out: source of the limit that it missed before any run; "" if it was run, or if the goal needs no run.
     """
 

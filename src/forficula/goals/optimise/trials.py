@@ -39,7 +39,7 @@ def placed(axes: Sequence[Axis], shares: Array) -> list[Point]:
     """Return the nearest allowed points; n levels lie in the middles of n parts.
 
     Args:
-        axes: as many as the shares have columns.
+        axes: axes of the search, as many as the shares have columns.
         shares: coordinates, which may lie outside [0, 1], one row per point.
     """
     columns = []
@@ -62,7 +62,7 @@ class Trial:
 
     Attributes:
         point: coordinates from 0 to 1, one per axis.
-        objectives: to be minimised, in any units; nan if unknown.
+        objectives: objectives to be minimised, in any units; nan if unknown.
         margins: by how much each limit is met (> 0) or missed (< 0); nan if not computed, because a cheaper one was
             missed before.
         surplus: probability of working minus the required one; nan if none is required or it was not computed.
@@ -102,7 +102,7 @@ class Archive:
         trials: in their order.
         points: coordinates.
         objectives: nan if unknown.
-        margins: of limits, and last the surplus of probability; nan if unknown.
+        margins: margins of limits, and last the surplus of probability; nan if unknown.
         standings: see `standing`, without objectives.
     """
 
@@ -130,7 +130,7 @@ def standing(trial: Trial, objective: float = 0.0) -> Standing:
     This is the rule of Deb, 2000, doi.org/10.1016/S0045-7825(99)00389-8, extended to several kinds of violation.
 
     Args:
-        trial: to rank.
+        trial: trial to rank.
         objective: used only if the trial is feasible.
     """
     infeasible = trial.unknown or trial.violation or trial.shortfall
@@ -141,7 +141,7 @@ def undominated(objectives: Array) -> Flags:
     """Return which rows are not dominated: no other row is at least as small everywhere and smaller somewhere.
 
     Args:
-        objectives: to be minimised, one row per trial.
+        objectives: objectives to be minimised, one row per trial.
     """
     nowhere_larger = (objectives[:, None, :] <= objectives[None, :, :]).all(axis=2)
     somewhere_smaller = (objectives[:, None, :] < objectives[None, :, :]).any(axis=2)

@@ -62,10 +62,10 @@ def assess_tolerance(
         out: folder with the rows and the plan; an interrupted analysis continues there.
         minutes: available time.
         runs: largest number of runs, whatever time they take; by default determined from the time.
-        seed: of the points.
+        seed: seed of the points.
         shard: number, from 1, and count of the processes that share every batch.
         threads: number of threads; 0 for one per core.
-        cluster: from `dask_cluster`.
+        cluster: cluster from `dask_cluster`.
         progress: called after every run with the number of completed runs, the largest number of runs, and the row.
 
     Raises:
@@ -97,7 +97,7 @@ def estimate_tolerance(
         question: the design, its tolerances, and the conditions for working.
         out: folder with rows, if there are any.
         minutes: available time.
-        seed: of the points.
+        seed: seed of the points.
         runs: see `assess_tolerance`.
 
     Raises:
@@ -186,8 +186,8 @@ class _Decided:
     Attributes:
         samples: independent samples.
         every: these samples and those with exchanged columns.
-        indices: of groups of factors.
-        effects: of every factor.
+        indices: indices of groups of factors.
+        effects: effects of every factor.
         kept: factors with indices of their own.
         screened: result of the screening; None without screening.
     """

@@ -69,7 +69,7 @@ def sobol_indices(
         at_first: results at the first sample, (results, rows); the number of rows is a power of two.
         at_second: results at the second sample, same shape.
         at_mixed: results at the first sample with a group's columns of the second, (groups, results, rows).
-        seed: of the resampling.
+        seed: seed of the resampling.
         compared: `leads` compares the first groups, up to this number; by default all.
 
     Raises:
@@ -119,7 +119,7 @@ def line_indices(
         groups: names of the factors.
         points: one sample, (rows, factors).
         at_points: results, (results, rows).
-        seed: of the resampling.
+        seed: seed of the resampling.
 
     Raises:
         ValueError: a result that is not finite.
@@ -189,7 +189,7 @@ def total_effects(at_first: Values, at_mixed: Values, steps: Values) -> Values:
 
     Args:
         at_first: a result at the first sample, (rows,).
-        at_mixed: with one factor exchanged, (factors, rows).
+        at_mixed: the result with one factor exchanged, (factors, rows).
         steps: change of the exchanged coordinate in the unit cube, (factors, rows).
 
     Returns:

@@ -46,9 +46,9 @@ def narrowed(offsets: Values, works: Booleans, distribution: Literal["uniform", 
     two means over the same samples, to first order.
 
     Args:
-        offsets: of one factor, in widths, (samples,).
+        offsets: offsets of one factor, in widths, (samples,).
         works: whether each sample works, (samples,).
-        distribution: of the offsets.
+        distribution: distribution of the offsets.
     """
     if distribution == "uniform":
         weights = np.where(np.abs(offsets) <= 0.5, 2.0, 0.0)

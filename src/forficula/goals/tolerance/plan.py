@@ -83,7 +83,7 @@ def two_samples(factors: int, count: int, seed: int) -> tuple[Array, Array]:
     Args:
         factors: number of columns of each sample.
         count: number of rows, a power of two, so that they are balanced.
-        seed: of the draw.
+        seed: seed of the draw.
 
     Returns:
         Both samples, (count, factors), above 0 and below 1.
@@ -98,7 +98,7 @@ def exchanged(first: Array, second: Array, columns: Sequence[int]) -> Array:
     Args:
         first: (count, factors).
         second: same shape.
-        columns: of one factor, or of a group.
+        columns: columns of one factor, or of a group.
 
     Returns:
         (count, factors).

@@ -95,8 +95,8 @@ def surely_less(one: Probability, other: Probability, looks: int) -> bool:
     """Return whether one probability is significantly less than another, by Fisher's exact test.
 
     Args:
-        one: from some samples.
-        other: from other samples.
+        one: estimate from some samples.
+        other: estimate from other samples.
         looks: number of compared pairs. In total, at most 5 in 100 tests are significant by chance.
     """
     counts = [[one.works, one.fails], [other.works, other.fails]]

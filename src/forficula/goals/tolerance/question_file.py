@@ -26,8 +26,8 @@ def question_of(
 
     Args:
         design: the nominal design; None for the design of the goal.
-        tolerances: by key, as in a goal file.
-        limits: by quantity, as in a goal file.
+        tolerances: tolerances by key, as in a goal file.
+        limits: limits by quantity, as in a goal file.
         goal: a named goal, or the path of a file with a table `[tolerances]` and optional tables `[limits]` and
             `[settings]`. Its tolerances and limits are the defaults of the arguments. Its settings replace values of
             the design, except keys that the goal varies. If no tolerances are given at all, every positive number

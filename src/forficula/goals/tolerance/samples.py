@@ -30,8 +30,8 @@ class Samples:
         answers: whether each sample works, (samples,).
         outcomes: outcome in words, (samples,).
         statuses: outcome in full, (samples,).
-        verdicts: of the runs, (samples,).
-        margins: by `margin_names`, (results, samples); always finite.
+        verdicts: verdicts of the runs, (samples,).
+        margins: margins by `margin_names`, (results, samples); always finite.
         facts: by `fact_names`, whether each holds, (facts, samples).
     """
 

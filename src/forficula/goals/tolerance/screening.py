@@ -50,10 +50,10 @@ def screening(points: Values, values: Values, effects: Values, kept: int, seed: 
 
     Args:
         points: independent rows in the unit cube, (rows, factors).
-        values: of the margin, (rows,).
+        values: values of the margin, (rows,).
         effects: see `Screening`, (factors,).
         kept: largest number of factors.
-        seed: of the permutations.
+        seed: seed of the permutations.
     """
     shares, resolved = deciding_factors(points, values, seed)
     by_share = np.argsort(-shares, kind="stable").tolist()
@@ -77,8 +77,8 @@ def deciding_factors(points: Values, values: Values, seed: int) -> tuple[Values,
 
     Args:
         points: independent rows in the unit cube, (rows, factors).
-        values: of the result, (rows,).
-        seed: of the permutations.
+        values: values of the result, (rows,).
+        seed: seed of the permutations.
 
     Returns:
         Fractions of the variance, (factors,), and whether each is significant, (factors,).
@@ -121,7 +121,7 @@ def _largest_parts(bases: Values, left: Values, scale: float) -> tuple[Values, I
     """Return the largest standardised part of the residual that a factor's first cosines explain, and their number.
 
     Args:
-        bases: of the factors.
+        bases: bases of the factors.
         left: residual, (rows,) or (rows, permutations).
         scale: variance of the residual.
 

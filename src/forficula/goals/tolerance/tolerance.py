@@ -65,12 +65,12 @@ class Tolerance:
     Attributes:
         question: design, tolerances and conditions.
         plan: numbers of runs.
-        seed: of the points.
+        seed: seed of the points.
         runs: number of designs that were tried.
         nominal: the nominal design, one sample.
         samples: independent points within the tolerances, from which the probabilities are estimated.
-        indices: of every margin, for the important factors and for the others as one group. If there was no time for
-            these, first-order indices from a linear fit, without total ones.
+        indices: indices of every margin, for the important factors and for the others as one group. If there was no
+            time for these, first-order indices from a linear fit, without total ones.
         effects: fraction of the margin's variance that involves each factor, from few rows; without screening the total
             indices; NaN if not computed.
         kept: factors with indices of their own, in the order of the indices.
@@ -78,7 +78,7 @@ class Tolerance:
         narrowed: effect of every factor's tolerance.
         reaches: range of every factor alone, downwards and upwards, in widths; empty if not computed.
         nearest: nearest failure with all factors deviating; None if not found or not computed.
-        map: over the two most important factors, or None.
+        map: map over the two most important factors, or None.
     """
 
     question: Question

@@ -14,8 +14,8 @@ class Check:
     """Result of one check: whether a part can be made and works as drawn.
 
     Attributes:
-        name: of the check.
-        part: that was checked.
+        name: name of the check.
+        part: part that was checked.
         ok: whether it passed; None if it was not checked, for the reason in the text.
         value: measured, in the unit.
         limit: allowed, in the unit.

@@ -31,7 +31,7 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
     Printability, fatigue, creep and bonding are not checked.
 
     Args:
-        parts: to check.
+        parts: parts to check.
         record: record of a run of the design, or its folder, to check for collisions in this motion.
 
     Returns:

@@ -30,8 +30,8 @@ def motion_checks(parts: PartSet, record: Record, mend: bool = True) -> Iterator
     """Check parts in a recorded motion.
 
     Args:
-        parts: with joints.
-        record: of a run of their design.
+        parts: parts with joints.
+        record: record of a run of their design.
         mend: whether to try changes that avoid collisions, if there are any; this takes about ten seconds.
     """
     if record.diverged_at is not None:

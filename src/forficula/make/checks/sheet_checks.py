@@ -63,7 +63,7 @@ def sheet_checks(sheet: CutSheet, parts: SheetParts) -> tuple[Check, ...]:
     """Check a sheet, in this order: strips, windows, bridges, slits, rows, round holes, kept holes, one piece.
 
     Args:
-        sheet: as drawn.
+        sheet: sheet as drawn.
         parts: input from which it was drawn.
 
     Returns:

@@ -315,10 +315,10 @@ class BucklingColumn:
     """Two rigidly connected bars, compressed along the line between their far ends.
 
     Attributes:
-        lengths: of the two bars, m.
-        offsets: of the bars' axes from the line of the load, unloaded, at the first end, at the connection, and at the
-            other end, m, (3, 2): in the sheet's plane and out of it.
-        section: of both.
+        lengths: lengths of the two bars, m.
+        offsets: distances of the bars' axes from the load's line, unloaded, at the first end, at the connection, and
+            at the other end, m, (3, 2): in the sheet's plane and out of it.
+        section: cross-section of both bars.
         youngs_modulus: Pa.
     """
 

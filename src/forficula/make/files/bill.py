@@ -27,9 +27,9 @@ class BillRow:
         count: number of pieces.
         material: name; None if the design names none, as for a sheet.
         comes: how it is obtained.
-        size: of the box around one piece in its print orientation, its longest rod along x, m; None if unknown.
-        volume: of one piece, m^3; None if unknown.
-        density: of the material, kg/m^3; None if its sources give none.
+        size: size of the box around one piece in its print orientation, its longest rod along x, m; None if unknown.
+        volume: volume of one piece, m^3; None if unknown.
+        density: density of the material, kg/m^3; None if its sources give none.
         density_source: source of the density; "" without one.
         printed_share: fraction of the volume that remains after rounding to whole layers of a filament.
     """
@@ -60,8 +60,8 @@ class BillTotal:
     Attributes:
         material: name.
         count: number of pieces.
-        volume: of all pieces, m^3.
-        mass: of all pieces, kg; None if the density is unknown.
+        volume: volume of all pieces, m^3.
+        mass: mass of all pieces, kg; None if the density is unknown.
         density: kg/m^3; None if its sources give none.
         density_source: source of the density; "" without one.
     """

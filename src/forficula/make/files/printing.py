@@ -21,7 +21,7 @@ def print_files(parts: PartSet, progress: Callable[[str], None] = lambda _: None
     """Return all printed pieces as STL, one file each, and as one 3MF file, by file path; empty without pieces.
 
     Args:
-        parts: of a design.
+        parts: parts of a design.
         progress: called with a text for each file.
 
     >>> list(print_files(ff.make.parts("binder2025-joint")))

@@ -39,8 +39,8 @@ def write_step(part: Part, path: Path) -> None:
     The file has the part's name, its material and, if known, its density.
 
     Args:
-        part: to write.
-        path: of the file. It may be left incomplete after an error; the caller handles this.
+        part: part to write.
+        path: path of the file. It may be left incomplete after an error; the caller handles this.
 
     Raises:
         InputError: Open Cascade is not installed, or cannot write the file.

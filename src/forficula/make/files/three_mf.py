@@ -47,8 +47,8 @@ class Item:
     """A printed part and its number of copies.
 
     Attributes:
-        name: of the part.
-        material: of the part.
+        name: name of the part.
+        material: material of the part.
         mesh: in print orientation, smallest x, y and z 0, mm.
         count: number of copies.
     """
@@ -136,7 +136,7 @@ def places_on_bed(sizes: Sequence[Sequence[float]], gap: float = GAP, bed: float
     The packing is not the tightest, and the depth of the bed is not limited, because pieces can be moved in the slicer.
 
     Args:
-        sizes: of the boxes along x and y, mm.
+        sizes: sizes of the boxes along x and y, mm.
         gap: between any two, mm.
         bed: width of the shelves, mm; a longer box makes them wider.
 

@@ -57,7 +57,7 @@ def crease_cuts(crease: CreaseLine, make: MakeSection, sides: Array) -> list[Arr
     Args:
         crease: the crease.
         make: how the sheet is made; with a style other than a score.
-        sides: of the region in which cuts are allowed, m, (side, 2, 2).
+        sides: sides of the region in which cuts are allowed, m, (side, 2, 2).
 
     Returns:
         The ends of every cut, m, (2, 2) each; empty if the crease is too short.
@@ -132,7 +132,7 @@ def crease_lines(
     """Return the creases of a flat sheet with the angles between them.
 
     Args:
-        points: of its vertices, m, (vertex, 2).
+        points: points of its vertices, m, (vertex, 2).
         edges: two vertices each, (edge, 2).
         chosen: indices of the edges that are creases.
         others: indices of edges that are cut; they count as neighbours, too.

@@ -23,7 +23,7 @@ class CutLine:
     """A path of the cutter.
 
     Attributes:
-        layer: which determines how it is made.
+        layer: layer, which determines how it is made.
         kind: the border, a window, a hole of the pattern, a relief hole, a cut of the pattern, a slit of a crease, a
             scored crease, or the edge of the model's membrane within the sheet.
         points: m, (point, 2); in a closed line the first is not repeated.
@@ -45,7 +45,7 @@ class CutHole:
     Attributes:
         kind: "relief" where creases meet, "window" for a peg.
         place: m, (2,).
-        diameter: of the cutter's path, m.
+        diameter: diameter of the cutter's path, m.
         nominal: diameter of the finished hole, m.
     """
 
@@ -61,8 +61,8 @@ class CutLabel:
 
     Attributes:
         text: the text.
-        place: of its centre, m, (2,).
-        height: of its letters, m.
+        place: position of its centre, m, (2,).
+        height: height of its letters, m.
     """
 
     text: str
@@ -75,18 +75,18 @@ class CutSheet:
     """A crease pattern as it is cut from a sheet, seen from +z, in the coordinates of the flat pattern.
 
     Attributes:
-        name: of the design.
-        title: of the pattern.
-        style: of its creases.
-        kerf: for which its lines compensate, m.
+        name: name of the design.
+        title: title of the pattern.
+        style: style of its creases.
+        kerf: kerf for which its lines compensate, m.
         pattern: flat, m.
-        outlines: of the finished sheet, nominal size, holes clockwise, without round holes, m, (corner, 2) each.
-        creases: by index of the pattern's edge as built; a crease that is cut in several pieces has all its lines.
-        lines: of the cutter.
+        outlines: corners of the finished sheet, nominal, holes clockwise, without round holes, m, (corner, 2) each.
+        creases: lines by index of the pattern's edge as built; a crease that is cut in several pieces has all of them.
+        lines: lines of the cutter.
         holes: round holes.
         labels: texts on the sheet.
         notes: sentences for the maker.
-        checks: of the sheet.
+        checks: checks of the sheet.
         faults: outlines of what fails the checks: overlapping windows, pieces that come off, m, (corner, 2) each.
     """
 

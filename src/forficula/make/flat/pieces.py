@@ -27,10 +27,10 @@ class Piece:
         body: index of the body, or GROUND.
         feature: "hinge", "peg", "sleeve", "bar" or "hub".
         shape: mm.
-        ends: of a line through the piece, m, (2, 3).
+        ends: end points of a line through the piece, m, (2, 3).
         radius: around this line that contains the whole piece, m.
         frame: axes of its bounding box, as columns, (3, 3).
-        middle: of the box, m, (3,).
+        middle: middle of the box, m, (3,).
         half: half sides of the box, m, (3,).
     """
 

@@ -103,7 +103,7 @@ def spans_within(sides: Array, start: Array, along: Array, least: float, most: f
     """Return the intervals of a straight line within a region.
 
     Args:
-        sides: of the region, m, (side, 2, 2).
+        sides: sides of the region, m, (side, 2, 2).
         start: a point on the line, m, (2,).
         along: unit vector, (2,).
         least: beginning of the line, from `start`, m.

@@ -39,8 +39,8 @@ def write_sheet_dxf(sheet: CutSheet, path: str | os.PathLike[str]) -> None:
     Outlines are closed POLYLINEs, lines are LINEs, round holes are CIRCLEs. The same sheet gives the same bytes.
 
     Args:
-        sheet: from `cut_sheet`.
-        path: of the file; an existing file is replaced.
+        sheet: sheet from `cut_sheet`.
+        path: path of the file; an existing file is replaced.
 
     Raises:
         InputError: the file cannot be written.

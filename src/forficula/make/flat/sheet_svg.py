@@ -29,8 +29,8 @@ def write_sheet_svg(sheet: CutSheet, path: str | os.PathLike[str]) -> None:
     no program reads them as lines. The same sheet gives the same bytes.
 
     Args:
-        sheet: from `cut_sheet`.
-        path: of the file; an existing file is replaced.
+        sheet: sheet from `cut_sheet`.
+        path: path of the file; an existing file is replaced.
 
     Raises:
         InputError: the file cannot be written.

@@ -26,7 +26,7 @@ class SheetWindow:
     """A cut-out of a sheet for a part that passes through it.
 
     Attributes:
-        name: of the tendon.
+        name: name of the tendon.
         outline: counterclockwise, nominal size, m, (corner, 2).
     """
 
@@ -52,8 +52,8 @@ def sheet_windows(
 
     Args:
         design: in SI.
-        structure: of the design.
-        pattern: of the structure, as built.
+        structure: structure of the design.
+        pattern: pattern of the structure, as built.
         sheet: flat pattern.
 
     Returns:

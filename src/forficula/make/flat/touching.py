@@ -32,12 +32,12 @@ class Touch:
     Attributes:
         bodies: names of the two.
         features: piece of either body: "hinge", "peg", "sleeve", "bar", "hub".
-        time: of the first overlap, s.
+        time: time of the first overlap, s.
         stage: name of the stage at this time.
         after: time since the start of this stage, s.
-        angles: of the hinges between the two at this time, by name, in their own senses, rad.
-        volume: of the overlap, m^3: the largest one at this time and in the four later rows in which their middles are
-            nearest to each other.
+        angles: angles of the hinges between the two at this time, by name, in their own senses, rad.
+        volume: volume of the overlap, m^3: the largest one at this time and in the four later rows in which their
+            middles are nearest to each other.
         deepest: time of this volume, s.
     """
 
@@ -67,11 +67,11 @@ def touches(
     the joints of the design.
 
     Args:
-        parts: of the design that ran, or with changes that do not affect the motion.
-        record: of a run that did not diverge.
+        parts: parts of the design that ran, or with changes that do not affect the motion.
+        record: record of a run that did not diverge.
         rows: rows to check, rising; by default as above.
         deepest: number of rows after the first overlap in which its volume is measured: those with the nearest middles.
-        pieces: of the parts, if they have been cut already.
+        pieces: pieces of the parts, if they have been cut already.
     """
     poses = poses_of(record, telling_rows(record, _ROWS) if rows is None else rows)
     collisions = []

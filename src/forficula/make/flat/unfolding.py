@@ -80,7 +80,7 @@ def laid_place(pattern: CreasePattern, sheet: Unfolding, place: Array) -> tuple[
     """Return the flat position of a point of the sheet as built.
 
     Args:
-        pattern: as built.
+        pattern: pattern as built.
         sheet: the same, flat.
         place: m, (3,).
 

@@ -36,7 +36,7 @@ def range_between(joint: JointLayout, proximal: Manifold, distal: Manifold) -> t
     deg may be missed.
 
     Args:
-        joint: with the hinge.
+        joint: joint with the hinge.
         proximal: fixed solid, as built, mm.
         distal: turning solid, as built, mm.
 

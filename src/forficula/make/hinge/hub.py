@@ -27,7 +27,7 @@ class Root:
 
     Attributes:
         body: index of the bar's body.
-        place: of the joint that it replaces, at the height of the bar's axis, m, (3,).
+        place: position of the joint that it replaces, at the height of the bar's axis, m, (3,).
         along: unit vector from there along the bar, (3,).
         begins: distance from there to the beginning of the bar, m.
         make: how it is made.
@@ -103,8 +103,8 @@ def with_sleeve(bar: Solid, root: Root, joint: JointLayout) -> Solid:
     """Return a bar that begins at its root, with a sleeve around the rod.
 
     Args:
-        bar: from the joint that the root replaces.
-        root: of the bar.
+        bar: bar from the joint that the root replaces.
+        root: root of the bar.
         joint: whose proximal side the bar is.
     """
     deep = _DEEP * root.make.root_diameter

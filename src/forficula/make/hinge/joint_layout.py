@@ -34,9 +34,9 @@ class Arm:
     Attributes:
         body: index of the bar's body.
         along: unit vector from the hinge along the bar, in the axes of the ground as built, (3,).
-        length: of the bar, m.
+        length: length of the bar, m.
         peg: distance along the bar from the hinge to the peg for straps, m; 0 without one.
-        height: of the peg over the hinge, to the overbend side, m.
+        height: height of the peg over the hinge, to the overbend side, m.
     """
 
     body: int
@@ -51,10 +51,10 @@ class JointLayout:
     """A joint to make, in the axes of the ground as built.
 
     Attributes:
-        name: of its hinge.
+        name: name of its hinge.
         hinge: index of the hinge.
         tendon: index of the tendon across it; None without one.
-        origin: of the hinge's axis between the two bars, m, (3,).
+        origin: origin of the hinge's axis between the two bars, m, (3,).
         frame: x, y and z of the joint as columns, (3, 3).
         proximal: the side that is fixed in the joint's axes.
         distal: the side that turns.
@@ -62,10 +62,10 @@ class JointLayout:
         upper: angle of the overbend stop, rad, >= 0.
         bar_diameter: m.
         standoff: distance of the bars' axes from the hinge's axis, m.
-        knuckle_diameter: of the hinge, m.
-        width: of all knuckles of the hinge, along it, m.
+        knuckle_diameter: knuckle diameter of the hinge, m.
+        width: width of all knuckles of the hinge, along it, m.
         lug: length of the two lugs with the stops along the bars, m.
-        strap: as which the tendon is made; None without one.
+        strap: strap of which the tendon consists; None without one.
         aside: distance of each strap's middle from the bar's axis, in the plane of the sheet, m; 0 for a single strap.
         make: how it is made.
     """

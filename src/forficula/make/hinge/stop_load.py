@@ -22,13 +22,13 @@ class StopLoad:
 
     Attributes:
         stop: "overbend" or "fold".
-        pull: of the tendon, N.
+        pull: pull of the tendon, N.
         by_tendon: moment of the tendon that presses on the stop, N m; < 0 if it pulls away from it.
         by_drive: the same for the drive with the largest moment, N m, >= 0.
         drive: its name; "" without one.
         couple: moment of the tendon across the hinge's axis, which loads the pin, N m.
         force: on the faces of the stop, N, >= 0.
-        area: of the faces, m^2; 0 if nothing is left of them.
+        area: area of the faces, m^2; 0 if nothing is left of them.
     """
 
     stop: Stop

@@ -31,8 +31,8 @@ class StrapPlace:
 
     Attributes:
         tendon: index of the tendon.
-        strap: as which it is made.
-        bodies: of the two pegs, proximal first.
+        strap: strap of which the tendon consists.
+        bodies: bodies of the two pegs, proximal first.
         ends: centres of a strap's eyes on the pegs, m, (strap, 2, 3).
         across: unit vectors along the two pegs, (2, 3).
         up: unit vector to the side of the overbend, (3,).
@@ -138,9 +138,9 @@ def strap_line(place: StrapPlace, start: Array, end: Array, axis: Array, side: i
     It bends about its width, which stays parallel to the hinge. Its displacement along the hinge is linear.
 
     Args:
-        place: of the tendon's straps.
-        start: of its proximal eye, m, (3,).
-        end: of the other eye, m, (3,).
+        place: position of the tendon's straps.
+        start: position of its proximal eye, m, (3,).
+        end: position of the other eye, m, (3,).
         axis: unit vector along the hinge, (3,).
         side: +1 or -1, the side to which it bows.
     """

@@ -22,13 +22,13 @@ class Strap:
     """A tendon as made: one strap, or two equal ones that share its pull.
 
     Attributes:
-        width: of one strap, m.
-        thickness: of one strap, m.
+        width: width of one strap, m.
+        thickness: thickness of one strap, m.
         count: number of straps.
         rest_length: between its pegs without pull, m.
         material: name.
         area: total cross-section, m^2.
-        density: of the material, kg/m^3; None if its sources give none.
+        density: density of the material, kg/m^3; None if its sources give none.
     """
 
     width: float
@@ -54,7 +54,7 @@ def strap_of(design: Design, tendon: Tendon) -> Strap:
 
     Args:
         design: in SI, with or without a section on how its parts are made.
-        tendon: of its structure.
+        tendon: tendon of its structure.
 
     Raises:
         InputError: a resting length of 0, a stiffness of 0, a material that no tendon can be made of, or a strap more

@@ -19,7 +19,7 @@ class MassProperties:
 
     Attributes:
         mass: kg.
-        centre: of mass, m, (3,).
+        centre: centre of mass, m, (3,).
         inertia: about the centre, kg m^2, (3, 3).
     """
 

@@ -27,8 +27,8 @@ class Mending:
     """Parts with other sizes in the same motion.
 
     Attributes:
-        name: of the change.
-        values: of the design, by key, as text.
+        name: name of the change.
+        values: values of the design, by key, as text.
         touches: remaining collisions; None if the parts cannot be made.
         states: named states in which parts touch.
         why: reason why the parts cannot be made, else empty.
@@ -54,8 +54,8 @@ def mendings(parts: PartSet, record: Record) -> tuple[Mending, ...]:
     ignored.
 
     Args:
-        parts: of bars, with joints.
-        record: of a run of their design.
+        parts: parts of bars, with joints.
+        record: record of a run of their design.
     """
     tried: list[tuple[str, dict[str, str]]] = [
         ("bars half as thick", {"vein.diameter": _share(parts, "vein.diameter")}),

@@ -18,7 +18,7 @@ class PartPoses:
     """Motions of bodies from their built positions, in some rows of a record.
 
     Attributes:
-        rows: of the record, rising, (row,).
+        rows: rows of the record, rising, (row,).
         frames: rotations, (row, body + 1, 3, 3); the last body is the ground, which stays.
         origins: translations after the rotations, m, (row, body + 1, 3).
     """
@@ -45,7 +45,7 @@ def telling_rows(record: Record, most: int) -> Indices:
     From the first row on, the row whose hinge angles are furthest from all selected rows is added (Gonzalez 1985).
 
     Args:
-        record: of a run.
+        record: record of a run.
         most: largest number of rows.
 
     Returns:

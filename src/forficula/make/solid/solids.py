@@ -34,7 +34,7 @@ class Prism:
 
     Attributes:
         outline: corners counterclockwise, seen against the normal, in the axes of the polygon, m, (corner, 2).
-        origin: of these axes, m, (3,).
+        origin: origin of these axes, m, (3,).
         frame: the two axes and the normal as columns, (3, 3), right-handed.
         height: along the normal, half of it on either side of the polygon, m.
     """

@@ -48,9 +48,9 @@ class TransitionName:
     """Names of a transition of a structure.
 
     Attributes:
-        name: of the transition, such as "fold".
-        time: of its time, such as "fold time".
-        noun: of the process, such as "folding" in "work of folding".
+        name: name of the transition, such as "fold".
+        time: name of its time, such as "fold time".
+        noun: noun for the process, such as "folding" in "work of folding".
     """
 
     name: str
@@ -63,17 +63,17 @@ class AssumptionRun:
     """A run of a design with one assumption changed, or of the design itself.
 
     Attributes:
-        name: of the assumption; "as designed" for the design itself.
+        name: name of the assumption; "as designed" for the design itself.
         label: the changed assumption, such as "drives rise over 0.2 s".
         meaning: the assumption of the design and the changed assumption, in a sentence.
-        timestep: of the run, s.
-        verdict: of the run; undecided if a run at half the timestep has another verdict.
+        timestep: timestep of the run, s.
+        verdict: verdict of the run; undecided if a run at half the timestep has another verdict.
         goal: name of the transition that the verdict is about, or "none".
         word: outcome without its numbers.
         status: outcome in a few words.
         times: by transition, from the start of its stage until its goal was reached, s; None if it failed.
         works: by transition, work of the motors over the stage, J; None if the protocol did not reach the stage.
-        effect: of the change.
+        effect: effect of the change.
     """
 
     name: str
@@ -95,13 +95,13 @@ class Assumptions(Result):
 
     Attributes:
         design: the design whose assumptions are changed.
-        transitions: of its structure, in the order of the protocol.
+        transitions: transitions of its structure, in the order of the protocol.
         own: run of the unchanged design.
         runs: runs with one changed assumption each, in the order of `ASSUMPTIONS`.
         left_out: why an assumption does not apply, by its name.
         uncertainty: numerical uncertainty of times (s) and works (J) of the unchanged design, by name as in
             "fold.time"; from runs at half the timestep and from another start.
-        versions: of forficula and of the packages that computed the runs, by name.
+        versions: versions of forficula and of the packages that computed the runs, by name.
     """
 
     design: Annotated[Design, Written.NEVER]
@@ -213,7 +213,7 @@ def run_assumptions(
 
     Args:
         design: the design whose assumptions are changed. A timestep "auto" is determined first.
-        assumptions: to change.
+        assumptions: assumptions to change.
         progress: called now and then with the number of completed runs and the stage, the time of the stage and its
             time limit, s.
 
@@ -269,7 +269,7 @@ def effect_of(run: AssumptionRun, own: AssumptionRun, uncertainty: Mapping[str, 
     """Return the effect of a changed assumption, given the numerical uncertainty of the unchanged design's run.
 
     Args:
-        run: with the change.
+        run: run with the change.
         own: run of the unchanged design.
         uncertainty: see `Assumptions`.
     """

@@ -20,7 +20,7 @@ def one_at_a_time(base: Design, factors: Sequence[Factor]) -> tuple[Mapping[str,
 
     Args:
         base: the design that is varied.
-        factors: with values.
+        factors: factors with values.
 
     Returns:
         For each choice, the value of one factor by its key. The first is empty: the base.

@@ -50,7 +50,7 @@ class Variant:
 
     Attributes:
         label: the changed assumption, such as "torques rise over 0.2 s".
-        design: with the change.
+        design: design with the change.
     """
 
     label: str

@@ -59,7 +59,7 @@ class Convergence(Result):
         starts: by transition, start time of its stage, s, nan if it did not start, (run,).
         orders: by transition, how its time depends on the timestep; None for another key, or without two times to
             compare.
-        times: of the rows of each run, s, (row,).
+        times: times of the rows of each run, s, (row,).
         hinge: index of the displayed hinge among those of the first measure, from 0.
         angles: reading of the first measure at this hinge in each run, rad, (row,).
         tolerance: largest allowed difference from the limit, as a fraction of the limit.

@@ -31,7 +31,7 @@ def read_values(key: str, text: str) -> list[float]:
 
     Args:
         key: `TIMESTEP`, `YOUNGS_MODULUS`, or `MESH`, whose values are whole numbers without a unit.
-        text: as written by the user.
+        text: text as written by the user.
 
     Returns:
         The values in their order: s, Pa, or numbers.

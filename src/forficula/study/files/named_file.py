@@ -59,7 +59,7 @@ def load_named(name_or_path: object, kind: FileKind[Model], build: Callable[[Mod
     """Load a named file or a file at a path, and build its object. A file without `name` is named by its stem.
 
     Args:
-        name_or_path: as a user writes it.
+        name_or_path: name or path as a user writes it.
         kind: kind of the file.
         build: builds the object from the content of the file and the folder that paths in the file are relative to.
 

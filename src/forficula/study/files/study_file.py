@@ -174,7 +174,7 @@ def check_not_settled(settings: Mapping[str, object], name: str, factors: Sequen
     """Reject a factor whose key is also under `settings`, because the setting would have no effect.
 
     Args:
-        settings: of the file.
+        settings: settings of the file.
         name: name of the table of factors.
         factors: factors that have a value in every run.
         base: the design that is varied.

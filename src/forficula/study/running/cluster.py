@@ -65,7 +65,7 @@ def dask_cluster(address: str) -> Iterator[Evaluate]:
     first runs, which measure the time of a run, and rounds of a search that take less than 0.2 s run in this process.
 
     Args:
-        address: of the scheduler, such as "tcp://scheduler:8786".
+        address: address of the scheduler, such as "tcp://scheduler:8786".
 
     Raises:
         InputError: Dask is not installed; nothing answers at the address, or it has no workers. Later: the scheduler

@@ -48,7 +48,7 @@ def evaluate(
     run was not repeated. If they differ, the verdict is "undecided", and each margin is the smaller one.
 
     Args:
-        designs: to run.
+        designs: designs to run.
         threads: number of threads; 0 for one per core.
         until_last: see `run_each`.
         whole: whether to keep whole records, which the columns of `whole_row` need.
@@ -201,9 +201,9 @@ def needs_confirmation(record: Record, outcome: Outcome, margins: Mapping[str, f
     missed by a small margin.
 
     Args:
-        record: of the run; a record with checks has been confirmed.
-        outcome: of the run.
-        margins: of the run, by transition.
+        record: record of the run; a record with checks has been confirmed.
+        outcome: outcome of the run.
+        margins: margins of the run, by transition.
     """
     if not outcome.verdict.tells or record.checks:
         return False

@@ -29,7 +29,7 @@ def read_rows(folder: Path, base: Design) -> dict[str, Row]:
     A damaged row, cut short by a crash or changed on disk, is skipped with a warning on stderr. Its run is repeated.
 
     Args:
-        folder: of the study; it need not exist.
+        folder: folder of the study; it need not exist.
         base: the study's design.
 
     Raises:
@@ -150,7 +150,7 @@ def open_journal(folder: Path, base: Design, shard: tuple[int, int]) -> Iterator
     Only one process at a time may open it. A second one would only repeat the same runs, so it is rejected at once.
 
     Args:
-        folder: of the study; created if missing.
+        folder: folder of the study; created if missing.
         base: the study's design.
         shard: number, from 1, and count.
 

@@ -56,8 +56,8 @@ class RunToKeep:
     Attributes:
         point: index of the study's point, from 0.
         part: for a search, the process of its transition, such as "folding" or "opening"; "run" for a plain study.
-        name: of its folder: the row of `table.csv`, from 1, and the part.
-        design: to run.
+        name: name of its folder: the row of `table.csv`, from 1, and the part.
+        design: design to run.
         transition: index of the transition for which a search did this run; None if it is for all of them.
     """
 
@@ -76,7 +76,7 @@ class KeptRun:
         point: index of the study's point, from 0.
         part: see `RunToKeep`.
         folder: path within the study's folder.
-        record: with the rows that `thin_record` keeps.
+        record: record with the rows that `thin_record` keeps.
         outcome: bitwise the same as in the study's table.
         transition: see `RunToKeep`.
     """
@@ -142,7 +142,7 @@ def kept_runs(
     of the same study there, so shards may end at the same time.
 
     Args:
-        runs: to keep.
+        runs: runs to keep.
         out: folder of the study.
         threads: number of threads; 0 for one per core.
         progress: called after every run with the number of kept runs, the number of all runs, and the run's row.

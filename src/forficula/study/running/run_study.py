@@ -45,7 +45,7 @@ def run_study(
     """Do the missing runs of a study and build its table.
 
     Args:
-        study: to run.
+        study: study to run.
         out: folder with the rows. An interrupted study continues there.
         shard: number, from 1, and count. Only every count-th point runs, so that several machines can share a study.
         threads: number of threads; 0 for one per core.
@@ -125,7 +125,7 @@ def estimate(study: Study, out: str | Path, building: Building | None = None) ->
     is run now, times the number of unfinished points.
 
     Args:
-        study: to run.
+        study: study to run.
         out: folder with rows, if there are any.
         building: see `run_study`.
     """

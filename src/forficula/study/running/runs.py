@@ -47,8 +47,8 @@ class _Attempt:
     """A design at a timestep, with its outcomes at longer ones.
 
     Attributes:
-        number: of the design.
-        design: with the timestep, s; before the first attempt it may be "auto".
+        number: number of the design.
+        design: design with the timestep, s; before the first attempt it may be "auto".
         halvings: number of times the first timestep was halved; None if the design sets the timestep.
         before: timesteps, s, and outcomes of at most two earlier attempts.
         agreeing: number of timesteps that must agree.
@@ -156,7 +156,7 @@ def run_each(
     The result of a design does not depend on the others, on their order, or on threads.
 
     Args:
-        designs: to run.
+        designs: designs to run.
         threads: number of threads; 0 for one per core.
         sparse: whether to keep only what an outcome needs, see `simulate`.
         until_last: whether to try designs that differ only in the strength of their last drive one after another, in

@@ -30,12 +30,12 @@ class TimedRun:
     Attributes:
         status: in a few words.
         word: status without its numbers.
-        verdict: of the run.
+        verdict: verdict of the run.
         outcome: properties that must not change.
         transition_times: by transition, time from the start of its stage until all that its goal bounds has crossed the
             bound for the last time, s; nan if the transition failed.
         starts: by transition, start time of its stage, s; nan if it did not start.
-        times: of the rows, s, (row,).
+        times: times of the rows, s, (row,).
         hinge: index of the displayed hinge among those of the first measure, from 0.
         angle: reading of this measure at the hinge, rad, (row,).
     """
@@ -55,7 +55,7 @@ def timed_run(record: Record, hinge: int | None = None) -> TimedRun:
     """Compute the times of a run's transitions.
 
     Args:
-        record: with every step, or nearly every step.
+        record: record with every step, or nearly every step.
         hinge: index of the hinge to display, among those of the first measure, from 0. By default, or if there are
             fewer hinges, the last one.
     """
@@ -109,9 +109,9 @@ def _crossing(record: Record, end: StageEnd | None, distance: Array) -> float:
     is exact enough, because the velocity of semi-implicit Euler is constant over a step.
 
     Args:
-        record: with every step, or nearly every step.
-        end: of the stage.
-        distance: from the goal, (row,), <= 0 if reached.
+        record: record with every step, or nearly every step.
+        end: end of the stage.
+        distance: distance from the goal, (row,), <= 0 if reached.
     """
     if end is None or end.goal_time is None:
         return math.nan

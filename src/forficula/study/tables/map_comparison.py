@@ -29,10 +29,10 @@ def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) 
     """Return for every structure where it has a least torque: in statics, in the simulation, or in both.
 
     Args:
-        statics: from `static_map`.
+        statics: statics from `static_map`.
         simulated: table of a search for the least torques over the same factors. Values of factors that are not in the
             static map are ignored.
-        name: of a least torque, such as "least_fold_torque".
+        name: name of a least torque, such as "least_fold_torque".
 
     Returns:
         Words, over the factors of the static map.

@@ -100,8 +100,8 @@ def check_table(table: Dataset, path: Path, again: str) -> None:
     """Reject a table that lacks its transitions.
 
     Args:
-        table: that was read.
-        path: of its file.
+        table: table that was read.
+        path: path of its file.
         again: command that writes the table again.
 
     Raises:

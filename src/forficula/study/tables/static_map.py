@@ -40,7 +40,7 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
     """Return the grid of a static map as a study.
 
     Args:
-        design: that is varied.
+        design: design that is varied.
         over: values by key of the design, as the factors of a study file: a range with a step, or a list.
         search: torques to try; by default those of a study file without a table `search`.
 

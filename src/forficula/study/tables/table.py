@@ -34,8 +34,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
 
     Args:
         study: the study.
-        designs: by index of the point; or why there is none.
-        rows: by key, none missing.
+        designs: designs by index of the point, or the reason why there is none.
+        rows: rows by key, none missing.
 
     Returns:
         Dimensions are the factors, in the study's order; or "sample" if the points were sampled; or "choice" (the base
@@ -184,7 +184,7 @@ class TableRow:
 
     Attributes:
         status: outcome in a few words.
-        verdict: of the run.
+        verdict: verdict of the run.
         others: values of the factors, and numbers and states of the run, by name with unit.
     """
 
