@@ -4,7 +4,11 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 INSTALLED_DOCS := $(VENV)/.installed-docs
 
-.PHONY: install benchmarks demo test test-step browsers check format page docs docs-all docs-links validation walk clean
+# compiled modules are kept between processes, also where the environment forbids it: compiling all of them takes each
+# process 2 s
+unexport PYTHONDONTWRITEBYTECODE
+
+.PHONY: install release-check benchmarks demo test test-step browsers check format page docs docs-all docs-links validation walk clean
 
 install: $(INSTALLED_DOCS)  ## all that the targets below need, at once
 
@@ -61,6 +65,9 @@ docs-links: $(INSTALLED_DOCS)  ## ask the network whether what the documentation
 	mkdir -p docs/_build
 	-$(BIN)/python -m sphinx -q -b linkcheck -d docs/_build/doctrees docs docs/_build/links >docs/_build/links.log 2>&1
 	$(BIN)/python docs/check_links.py docs/_build/links/output.json
+
+release-check: $(INSTALLED)  ## before a release: build the packages into dist/, install and use them with three Pythons
+	$(BIN)/python release/check.py
 
 walk:  ## do what README and tutorial say, word for word, in a clean clone with an empty environment
 	$(PYTHON) docs/walk.py

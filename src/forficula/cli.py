@@ -17,7 +17,7 @@ from typing import Annotated, Any
 
 from cyclopts import App, CycloptsError, MissingArgumentError, Parameter, UnusedCliTokensError
 
-from forficula.commands import designs, goals, landscapes, materials, parts, runs, schemas, studies
+from forficula.commands import citations, designs, goals, landscapes, materials, parts, runs, schemas, studies
 from forficula.commands.new import new
 from forficula.errors import InputError
 from forficula.names import listed
@@ -54,6 +54,7 @@ _COMMANDS: dict[Callable[..., int | None], bool] = {
     designs.designs: True,
     studies.studies: True,
     designs.keys: True,
+    citations.cite: False,
     schemas.schema: False,
 }
 _AsJson = Annotated[

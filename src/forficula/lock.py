@@ -16,6 +16,7 @@ else:
 
 _LOOK_SECONDS = 0.02
 _SILENT_SECONDS = 2.0
+_REMOVED_SECONDS = 1.0
 
 
 @contextmanager
@@ -34,10 +35,18 @@ def held(path: Path, *, wait: bool = True) -> Iterator[bool | None]:
     Raises:
         OSError: the file cannot be made.
     """
-    start, told = time.monotonic(), False
+    start, refused, told = time.monotonic(), 0.0, False
     while True:
-        # not through a link that someone has planted
-        descriptor = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
+        try:
+            # not through a link that someone has planted
+            descriptor = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
+        except PermissionError:
+            # Windows refuses to open a file that is being removed
+            refused = refused or time.monotonic()
+            if sys.platform != "win32" or time.monotonic() - refused > _REMOVED_SECONDS:
+                raise
+            time.sleep(_LOOK_SECONDS)
+            continue
         taken = _take(descriptor)
         # who held it before may have removed the file that is open here
         if taken is None or (taken and _is_open(path, descriptor)):

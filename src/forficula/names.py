@@ -11,6 +11,9 @@ from forficula.quantities import as_written, is_whole
 
 # what moves a terminal's cursor or ends a line, and halves of characters that no file can hold
 _NO_LETTER = re.compile(r"[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
+_NOT_IN_FOLDERS = re.compile(r'[/\\<>:"|?*]')
+# names of devices on Windows, with any ending (Microsoft, "Naming Files, Paths, and Namespaces")
+_DEVICE = re.compile(r"(con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³])(\..*)?", re.IGNORECASE)
 
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 
@@ -95,14 +98,29 @@ def near_name(got: str, names: Iterable[str]) -> str:
 
 
 def folder_name(name: object) -> str:
-    """Take a name that outputs, and the folder that they lie in, are called by.
+    """Return a name of outputs and of their folder, checked.
+
+    A folder may be copied to another system, so names that Windows cannot have are refused everywhere.
 
     Raises:
         InputError: it is no text, or none that a folder can have; the caller knows the key.
     """
-    if not isinstance(name, str) or not name.strip(" .") or re.search(r"[/\\]", name) or _NO_LETTER.search(name):
-        raise InputError(f"need a name that a folder can have, without slashes, got {as_written(name)}")
+    if not isinstance(name, str) or not name.strip(" .") or _NOT_IN_FOLDERS.search(name) or _NO_LETTER.search(name):
+        raise InputError(
+            'need a name that a folder can have on every system, without any of / \\ < > : " | ? *, got '
+            + as_written(name)
+        )
+    if name != name.rstrip(" .") or is_device_name(name):
+        raise InputError(
+            "need a name that a folder can have on every system: Windows refuses device names such as aux and nul, and"
+            f" a dot or space at the end; got {as_written(name)}"
+        )
     return name
+
+
+def is_device_name(name: str) -> bool:
+    """Return whether Windows takes a name, with any ending, for a device, so that no file or folder can have it."""
+    return _DEVICE.fullmatch(name) is not None
 
 
 def shown_name(name: str) -> str:

@@ -50,14 +50,21 @@ def closed_states(hinge):
     """Ends of the ranges in which a hinge stays, rad, from the overbend to the fold limit.
 
     The energy falls from the top to both sides for half a turn, because the law pulls and the tendon is longest there.
-    So a state is at a stop, or is the range up to it over which the tendon is slack.
+    So a state is at a stop, or is the range up to it over which the tendon is slack. Beyond half a turn the energy
+    rises again, as it fell.
     """
     if not hinge.pulls:
         return [(hinge.overbend, -hinge.fold_limit)]
     sides = ((hinge.top_to_overbend, hinge.overbend, 1), (hinge.top_to_fold, -hinge.fold_limit, -1))
     slack = hinge.slack_distance
-    return [
-        (stop, stop) if slack is None or slack >= end else (side * slack - hinge.offset_angle, stop)
-        for end, stop, side in sides
-        if end > 0
-    ]
+    states = []
+    for end, stop, side in sides:
+        if end <= 0:
+            continue
+        least = math.pi if slack is None else slack
+        if least >= end:
+            states.append((stop, stop))
+        else:
+            farthest = stop if end <= 2 * math.pi - least else side * (2 * math.pi - least) - hinge.offset_angle
+            states.append((side * least - hinge.offset_angle, farthest))
+    return states

@@ -272,13 +272,13 @@ def test_a_scaled_design_has_energy_and_torque_by_the_cube(factor):
     ]
     for hinge, larger in pairs:
         # rounding of extensions of a fifth, and of the position of the peak
-        assert top_barrier(larger) == pytest.approx(factor**3 * top_barrier(hinge), rel=1e-12)
-        assert holding_torque(larger) == pytest.approx(factor**3 * holding_torque(hinge), rel=1e-12)
+        assert top_barrier(larger) == pytest.approx(factor**3 * top_barrier(hinge), rel=1e-11)
+        assert holding_torque(larger) == pytest.approx(factor**3 * holding_torque(hinge), rel=1e-11)
         assert peak_opening_torque(larger).torque == pytest.approx(
-            factor**3 * peak_opening_torque(hinge).torque, rel=1e-12
+            factor**3 * peak_opening_torque(hinge).torque, rel=1e-11
         )
-        assert slack_angle(larger) == pytest.approx(slack_angle(hinge), rel=1e-12)
-        assert larger.inertia == pytest.approx(factor**5 * hinge.inertia, rel=1e-12)
+        assert slack_angle(larger) == pytest.approx(slack_angle(hinge), rel=1e-11)
+        assert larger.inertia == pytest.approx(factor**5 * hinge.inertia, rel=1e-11)
 
 
 def test_energy_and_torque_keep_the_shape_of_the_angles():

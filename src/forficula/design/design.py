@@ -51,6 +51,8 @@ class Design(Displayed, Section):
     # a named design that a new file begins with; None: `example` has the keys of a pattern to begin with
     reference: ClassVar[str | None] = None
     example: ClassVar[Mapping[str, object]] = {}
+    # publications of its pattern and model, by their keys in analysis/citations.py, and what is taken from each
+    papers: ClassVar[Mapping[str, str]] = {}
     # keys, or starts of keys, of what matters to where it rests, but for its tendons
     rest_keys: ClassVar[tuple[str, ...]]
     # the section that says how heavy it is, which matters to where it rests under gravity

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
@@ -40,6 +41,7 @@ class Kresling(Section):
 class KreslingDesign(SheetDesign):
     """A Kresling tower, and what is done to it."""
 
+    papers: ClassVar[Mapping[str, str]] = {"cai2015": "geometry of the tower and its two states"}
     reference: ClassVar[str | None] = "kresling-cell"
 
     pattern: Kresling

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
@@ -37,6 +38,10 @@ class MiuraOri(Section):
 class MiuraDesign(SheetDesign):
     """A Miura sheet, and what is done to it."""
 
+    papers: ClassVar[Mapping[str, str]] = {
+        "schenk2013": "places of the vertices",
+        "tachi2009": "rigid folding of the parallelograms",
+    }
     reference: ClassVar[str | None] = "miura-sheet"
 
     pattern: MiuraOri

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
@@ -44,6 +45,7 @@ class Vertex(Section):
 class VertexDesign(SheetDesign):
     """One vertex with the facets around it, and what is done to it."""
 
+    papers: ClassVar[Mapping[str, str]] = {"faber2018": "vertices whose sector angles do not sum to 360 deg"}
     reference: ClassVar[str | None] = "bistable-clasp"
 
     pattern: Vertex

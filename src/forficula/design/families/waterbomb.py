@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
@@ -55,6 +56,7 @@ class Waterbomb(Section):
 class WaterbombDesign(SheetDesign):
     """A waterbomb, or a sheet of them, and what is done to it."""
 
+    papers: ClassVar[Mapping[str, str]] = {"chen2016": "the tessellation and its rigid folding"}
     reference: ClassVar[str | None] = "waterbomb-base"
 
     pattern: Waterbomb

@@ -47,6 +47,7 @@ class Yoshimura(Section):
 class YoshimuraDesign(SheetDesign):
     """A sheet or a tube of diamonds, and what is done to it."""
 
+    papers: ClassVar[Mapping[str, str]] = {"guest1994": "geometry of triangulated tubes"}
     example: ClassVar[Mapping[str, object]] = {
         "columns": 5,
         "rows": 4,

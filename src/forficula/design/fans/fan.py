@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import lru_cache
 from typing import Annotated, Any, ClassVar, Self
@@ -77,6 +77,10 @@ class FanDesign(Design):
     """A fan of bars with membranes between them, and what is done to it."""
 
     varied_key: ClassVar[str] = "tendon.stiffness"
+    papers: ClassVar[Mapping[str, str]] = {
+        "binder2025": "fan, tendons and protocol",
+        "saito2020": "the crease pattern that the fan simplifies",
+    }
     reference: ClassVar[str | None] = "binder2025"
     weight_section: ClassVar[str] = "vein"
     rest_keys: ClassVar[tuple[str, ...]] = (

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import ClassVar, Self
 
@@ -49,6 +50,7 @@ class JointDesign(Design):
     """Two bars with a hinge and a tendon between them, and what is done to them."""
 
     varied_key: ClassVar[str] = "tendon.rest_length"
+    papers: ClassVar[Mapping[str, str]] = {"binder2025": "the joint and its tendon"}
     reference: ClassVar[str | None] = "binder2025-joint"
     weight_section: ClassVar[str] = "vein"
     rest_keys: ClassVar[tuple[str, ...]] = ("pattern", "hinge", *REST_KEYS)

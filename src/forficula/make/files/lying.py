@@ -13,7 +13,7 @@ from forficula.arrays import Array
 from forficula.make.part import Part, PartSet
 from forficula.make.solid.mesh import MILLIMETRES, Mesh, mesh_of
 from forficula.make.solid.solids import Cut, Joined, Rod, Shared, Solid
-from forficula.names import listed
+from forficula.names import is_device_name, listed
 
 # mm: edges shorter than this are no edges, and coordinates have steps of it, which single precision keeps below 1.6 m
 _SHORTEST = 1e-3
@@ -93,7 +93,7 @@ def file_names(names: Sequence[str]) -> list[str]:
     for name in names:
         plain = "".join(letter if letter.isascii() and (letter.isalnum() or letter in "-_") else "_" for letter in name)
         tried, number = plain or "part", 1
-        while tried.lower() in [each.lower() for each in taken]:
+        while is_device_name(tried) or tried.lower() in [each.lower() for each in taken]:
             number += 1
             tried = f"{plain}-{number}"
         taken.append(tried)
