@@ -93,7 +93,13 @@ def test_the_folder_has_all_of_it_and_draws_it_again(found, table, folder):
 def test_the_terminal_has_probability_indices_and_reaches(found, capsys):
     print_tolerance(found)
     told = capsys.readouterr().out
-    for words in ("letter-fold: The design works in", "stays opened", "the 3 others", "fails above", "tendon left rest length"):
+    for words in (
+        "letter-fold: The design works in",
+        "stays opened",
+        "the 3 others",
+        "fails above",
+        "tendon left rest length",
+    ):
         assert words in told
 
 
