@@ -112,8 +112,8 @@ def read_deviations(given: Mapping[str, object], design: Design) -> tuple[Deviat
         given: tolerances by key of the design: a text such as "10 %" or "0.1 mm", uniform in both directions; a table
             with `distribution` and `size`; for `tendon.law` a table with `intervals_of`, a law file whose 95 %
             intervals are used as independent normal distributions, because the file has no correlations. `all` means
-            every positive number with a unit that is not in the protocol; other keys take precedence, and "none" removes
-            one.
+            every positive number with a unit that is not in the protocol; other keys take precedence, and "none"
+            removes one.
         design: the nominal design.
 
     Raises:
