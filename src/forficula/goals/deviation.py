@@ -110,9 +110,10 @@ def read_deviations(given: Mapping[str, object], design: Design) -> tuple[Deviat
 
     Args:
         given: tolerances by key of the design: a text such as "10 %" or "0.1 mm", uniform in both directions; a table
-            with `distribution` and `size`; for `tendon.law` a table with `intervals_of`, a law file whose 95 % intervals
-            are used as independent normal distributions, because the file has no correlations. `all` stands for every
-            positive number with a unit that is not in the protocol; other keys take precedence, and "none" removes one.
+            with `distribution` and `size`; for `tendon.law` a table with `intervals_of`, a law file whose 95 %
+            intervals are used as independent normal distributions, because the file has no correlations. `all` means
+            every positive number with a unit that is not in the protocol; other keys take precedence, and "none"
+            removes one.
         design: the nominal design.
 
     Raises:
