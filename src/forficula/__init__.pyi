@@ -14,6 +14,7 @@ from .calls import check_design as check_design
 from .calls import compare as compare
 from .calls import converge as converge
 from .calls import examples as examples
+from .calls import export as export
 from .calls import figure as figure
 from .calls import film as film
 from .calls import identify as identify

@@ -180,6 +180,11 @@ _COMMANDS = (
         examples=("film out/binder2025 --out wing.mp4", "film out/binder2025 --out wing.gif --slower 20"),
     ),
     _Command(
+        call=runs.export,
+        group=_LOOK,
+        examples=("export out/binder2025 --to gltf", 'export out/binder2025 --to stl --at "30 ms" --out wing.stl'),
+    ),
+    _Command(
         call=runs.compare,
         group=_LOOK,
         examples=("compare out/soft out/stiff --out both.html", "compare out/a out/b out/c --out three.html"),

@@ -5,7 +5,7 @@ In the examples, `ff` is forficula, `design` is `ff.load_design("letter-fold")`,
 
 from forficula.calls.designs import Examples, check_design, examples
 from forficula.calls.goals import identify, optimise, tolerance
-from forficula.calls.output import compare, figure, film, page, save
+from forficula.calls.output import compare, export, figure, film, page, save
 from forficula.calls.patterns import pattern_facts
 from forficula.calls.progress import Progress
 from forficula.calls.runs import landscape, load_run, run
@@ -30,6 +30,7 @@ __all__ = [
     "converge",
     "estimate",
     "examples",
+    "export",
     "figure",
     "film",
     "identify",

@@ -80,6 +80,32 @@ def film(
     write_film(as_record(run), file, size=size, rate=fps, slowed=slower, strain=strain)
 
 
+def export(run: AnyRun, path: AnyPath, *, to: str | None = None, at: float | None = None) -> None:
+    """Write a run to a file of another program, as `forficula export` does.
+
+    Args:
+        run: run, its record or its folder.
+        path: path of the file.
+        to: "gltf" (.glb, an animation: m, y up), "obj" (.obj, one moment: m, y up), "stl" (.stl, the solid of one
+            moment: mm, z up), "vtk" (.pvd, a series for ParaView: m), "usd" (.usda, an animation: m, z up), "fold"
+            (.fold, frames with fold angles) or "csv" (.csv, all series); that of the ending of the path if not given.
+        at: time of the only moment to write, s; if not given, the whole motion, and for "obj" and "stl" its end.
+
+    Raises:
+        InputError: no such run or format, another ending, a time outside of the run, a structure that never moved, a
+            library that is not installed, or files that cannot be written.
+
+    >>> ff.export(result, "motion.glb")
+    >>> ff.export(result, "folded.fold", at=0.01)
+    """
+    from forficula.dynamics import as_record
+    from forficula.show.export import export_run, format_of
+
+    file = as_path(path, "the path of a file")
+    chosen = format_of(file, to)
+    export_run(as_record(run), file, chosen, at=at)
+
+
 def page(of: object, path: AnyPath, *, engine: bool = True) -> None:
     """Write a result as one HTML file that opens in any browser without a network.
 

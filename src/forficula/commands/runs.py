@@ -28,6 +28,7 @@ from forficula.options import (
     note_replaced,
     read_design,
     read_option,
+    read_quantity,
     read_settings,
     read_size,
 )
@@ -240,3 +241,42 @@ def film(
 
         write_film(record, out, size=pixels, rate=fps, slowed=slower, strain=strain, progress=drawn)
     print(f"written to {out}")
+
+
+def export(
+    run: Annotated[Path, Parameter(help="Folder of a run.")],
+    /,
+    *,
+    to: Annotated[
+        str | None,
+        Parameter(
+            help="Format: gltf (animation for Blender, slides and phones), obj or stl (one moment), vtk (series for"
+            " ParaView), usd, fold or csv; by default that of the ending of --out."
+        ),
+    ] = None,
+    at: Annotated[
+        str | None,
+        Parameter(
+            help='Time of the only moment to write, such as "30 ms"; default: the motion, for obj and stl its end.'
+        ),
+    ] = None,
+    out: Annotated[
+        OutIfGiven,
+        Parameter(
+            help="File to write (.glb, .obj, .stl, .pvd, .usda, .fold or .csv); default: in the folder of the run."
+        ),
+    ] = None,
+) -> None:
+    """Write the motion of a run, or one moment of it, for Blender, ParaView, printers and other programs."""
+    from forficula.analysis.run_files import read_run
+    from forficula.design.section import TIME
+    from forficula.show.export import default_path, export_run, format_of
+
+    with error_prefix("--"):
+        chosen = format_of(out, to)
+    time = None if at is None else read_quantity("--at", at, TIME)
+    record = read_run(run)
+    path = out or default_path(run, chosen)
+    with error_prefix("--" if at is not None else ""):
+        export_run(record, path, chosen, at=time)
+    print(f"written to {path}")
