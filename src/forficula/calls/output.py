@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Literal
 
 from forficula.design import Design
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.files import AnyPath, as_path
 from forficula.names import one_of
 from forficula.results import check_own_kind
@@ -99,11 +99,17 @@ def export(run: AnyRun, path: AnyPath, *, to: str | None = None, at: float | Non
     >>> ff.export(result, "folded.fold", at=0.01)
     """
     from forficula.dynamics import as_record
-    from forficula.show.export import export_run, format_of
+    from forficula.show.export import check_format, export_times, format_of, write_export
 
+    if to is not None:
+        with error_prefix("to: "):
+            check_format(to)
     file = as_path(path, "the path of a file")
     chosen = format_of(file, to)
-    export_run(as_record(run), file, chosen, at=at)
+    record = as_record(run)
+    with error_prefix("" if at is None else "at: "):
+        times = export_times(record, chosen, at)
+    write_export(record, file, chosen, times)
 
 
 def page(of: object, path: AnyPath, *, engine: bool = True) -> None:

@@ -270,13 +270,20 @@ def export(
     """Write the motion of a run, or one moment of it, for Blender, ParaView, printers and other programs."""
     from forficula.analysis.run_files import read_run
     from forficula.design.section import TIME
-    from forficula.show.export import default_path, export_run, format_of
+    from forficula.show.export import check_format, default_path, export_times, format_of, write_export
 
-    with error_prefix("--"):
-        chosen = format_of(out, to)
+    if to is not None:
+        read_option("--to", lambda: check_format(to))
+    if out is not None:
+        chosen = read_option("--out", lambda: format_of(out, to))
+    elif to is not None:
+        chosen = to
+    else:
+        raise InputError('--to: need a format such as "gltf" where --out is missing')
     time = None if at is None else read_quantity("--at", at, TIME)
     record = read_run(run)
     path = out or default_path(run, chosen)
-    with error_prefix("--" if at is not None else ""):
-        export_run(record, path, chosen, at=time)
+    with error_prefix("" if at is None else "--at: "):
+        times = export_times(record, chosen, time)
+    write_export(record, path, chosen, times)
     print(f"written to {path}")

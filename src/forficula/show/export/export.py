@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,7 @@ from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_bytes, write_text
-from forficula.names import listed, near_name, one_of
+from forficula.names import listed, one_of
 from forficula.pattern import write_fold
 from forficula.quantities import show_duration
 from forficula.show.export.fold import fold_frames
@@ -86,23 +87,30 @@ FORMATS = {
 }
 
 
-def format_of(path: Path | None, to: str | None) -> str:
-    """Return the name of the format of a file, by its name or by the ending of the path.
+def check_format(to: str) -> None:
+    """Refuse a name that no format has.
 
     Raises:
-        InputError: unknown format or ending, or an ending that is not that of the format.
+        InputError: unknown format; the message names the nearest one, and the caller adds the key.
+    """
+    if to not in FORMATS:
+        raise InputError(f"need {one_of(FORMATS, to)}")
+
+
+def format_of(path: Path, to: str | None) -> str:
+    """Return the name of the format of a file: the chosen one, or that of the ending of its path.
+
+    Raises:
+        InputError: an unknown ending, or one that is not that of the chosen format.
     """
     endings = {kind.ending: name for name, kind in FORMATS.items()}
-    if to is not None and to not in FORMATS:
-        raise InputError(f"to: need {one_of(FORMATS, to)}")
-    if path is None:
-        if to is None:
-            raise InputError(f"to: need {listed([*FORMATS], 'or')}")
-        return to
     if to is None and path.suffix not in endings:
-        raise InputError(f"{path}: need a name that ends with {listed(endings, 'or')}{near_name(path.suffix, endings)}")
+        by_name = endings | {f".{name}": name for name in FORMATS}
+        near = get_close_matches(path.suffix.lower(), by_name, n=1)
+        hint = f"; did you mean {FORMATS[by_name[near[0]]].ending}?" if near else ""
+        raise InputError(f"need a file that ends with {listed(endings, 'or')}, got {path}{hint}")
     if to is not None and path.suffix != FORMATS[to].ending:
-        raise InputError(f"{path}: need a name that ends with {FORMATS[to].ending} for {to}")
+        raise InputError(f"need a file that ends with {FORMATS[to].ending} for {to}, got {path}")
     return to or endings[path.suffix]
 
 
@@ -111,50 +119,50 @@ def default_path(folder: Path, to: str) -> Path:
     return folder / f"{'motion' if FORMATS[to].moving else 'moment'}{FORMATS[to].ending}"
 
 
-def export_run(record: Record, path: Path, to: str, *, at: float | None = None) -> None:
-    """Write a run to a file of another program.
+def export_times(record: Record, to: str, at: float | None) -> Array:
+    """Return the times of the frames of an export, s, (frame,).
 
     Args:
         record: the run.
-        path: path of the file; the ending is that of the format.
         to: name of a format of `FORMATS`.
-        at: time of the only moment to write, s; None for the whole motion, or for the last moment where the format
-            holds one moment.
+        at: time of the only moment, s; None for the whole motion, or for the last moment where the format holds one.
 
     Raises:
-        InputError: a time outside of the run, a motion without motion, a structure that the format cannot hold, a
-            library that is not installed, or files that cannot be written; existing files are then unchanged.
+        InputError: a time outside of the run or after its divergence, or a structure that never moved.
     """
-    kind = FORMATS[to]
     if at is not None:
-        _check_time(record, at, to)
+        first, last = record.time[0], record.time[-1]
+        if to == "csv":
+            raise InputError(f"need none for csv, which holds all samples, got {at:g} s")
+        if not first <= at <= last:
+            bounds = f"{show_duration(first)} to {show_duration(last)}"
+            raise InputError(f"need a time within the run, {bounds}, got {at:g} s")
         times = np.array([float(at)])
-    elif kind.moving and to != "csv":
-        times = frame_times(record)
-        _check_motion(record, times, to)
-    else:
-        times = record.time[-1:]
-    kind.write(record, times, path)
-
-
-def _check_time(record: Record, at: float, to: str) -> None:
-    first, last = record.time[0], record.time[-1]
-    if to == "csv":
-        raise InputError("at: a table holds all samples; leave it out for csv")
-    if not first <= at <= last:
-        raise InputError(
-            f"at: need a time within the run, {show_duration(first)} to {show_duration(last)}, got {at:g} s"
-        )
-    if not np.isfinite(sampled_points(record, np.array([float(at)]))).all():
-        raise InputError(f"at: the run has diverged at {at:g} s; need an earlier time")
-
-
-def _check_motion(record: Record, times: Array, to: str) -> None:
-    if len(times) < 2:
-        raise InputError(f"{record.design.name}: the run has one moment and no motion; export it with at, or to obj")
-    moved = float(np.ptp(sampled_points(record, times), axis=0).max(initial=0.0))
-    if moved <= STILL * record.structure.span:
+        if not np.isfinite(sampled_points(record, times)).all():
+            raise InputError(f"need a time before the run diverged, got {at:g} s")
+        return times
+    if to == "csv" or not FORMATS[to].moving:
+        return record.time[-1:]
+    times = frame_times(record)
+    if len(times) < 2 or np.ptp(sampled_points(record, times), axis=0).max() <= STILL * record.structure.span:
         raise InputError(
             f"{record.design.name}: the structure never moved, so there is no motion for {to}; export one moment with"
-            " at, or to obj or stl"
+            " the option at, or to obj or stl"
         )
+    return times
+
+
+def write_export(record: Record, path: Path, to: str, times: Array) -> None:
+    """Write frames of a run to a file of another program.
+
+    Args:
+        record: the run.
+        path: path of the file, with the ending of the format.
+        to: name of a format of `FORMATS`.
+        times: times of the frames, from `export_times`, s.
+
+    Raises:
+        InputError: a structure that the format cannot hold, a library that is not installed, or files that cannot be
+            written; existing files are then unchanged.
+    """
+    FORMATS[to].write(record, times, path)

@@ -15,7 +15,8 @@ from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.show.export.scene import sampled, sampled_points
-from forficula.structure import Bar, MembraneLaw, Spring, Structure, Tendon, facet_triangles
+from forficula.show.structure.shape import drawn_pieces
+from forficula.structure import Bar, MembraneLaw, Spring, Structure, Tendon, built_points, facet_triangles
 
 _SERIES = ("tendon_energy", "tendon_pull", "spring_force", "spring_energy")
 
@@ -92,8 +93,11 @@ def _triangles(structure: Structure, membrane: Indices) -> tuple[Indices, Array]
         blocks.append(facets)
         owners += [PARTS["facet"]] * len(facets)
     for plate in structure.plates:
-        corner, *rest = plate.points
-        pieces = [(corner, one, other) for one, other in pairwise(rest)]
+        pieces = [
+            (plate.points[piece[0]], plate.points[one], plate.points[other])
+            for piece in drawn_pieces(built_points(structure)[list(plate.points)])
+            for one, other in pairwise(piece[1:])
+        ]
         blocks.append(np.array(pieces, dtype=np.int64).reshape(-1, 3))
         owners += [PARTS["plate"]] * len(pieces)
     return np.concatenate(blocks).reshape(-1, 3), np.array(owners, dtype=np.float64)
