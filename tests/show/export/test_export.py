@@ -201,7 +201,7 @@ def test_trimesh_reads_the_first_frame_of_an_animation(run_of, tmp_path, name):
     record = run_of(name)
     ff.export(record, tmp_path / "run.glb")
     ff.export(record, tmp_path / "start.obj", at=float(frame_times(record)[0]))
-    moved, still = (trimesh.load_scene(tmp_path / each) for each in ("run.glb", "start.obj"))
+    moved, still = (trimesh.load_scene(tmp_path / name) for name in ("run.glb", "start.obj"))
     np.testing.assert_allclose(moved.bounds, still.bounds, rtol=0, atol=2e-6 * record.structure.span)
 
 
@@ -261,7 +261,7 @@ def test_a_solid_is_in_millimetres_and_has_the_volume_of_its_panels(letter_run, 
 def vtk_frames(path):
     meshio = pytest.importorskip("meshio")
     sets = ElementTree.parse(path).getroot().findall("Collection/DataSet")
-    return [(float(each.get("timestep")), meshio.read(path.parent / each.get("file"))) for each in sets]
+    return [(float(entry.get("timestep")), meshio.read(path.parent / entry.get("file"))) for entry in sets]
 
 
 def test_a_series_for_paraview_has_points_energies_and_strains_of_the_record(reference_run, tmp_path):
@@ -445,7 +445,7 @@ def test_a_file_that_cannot_be_written_leaves_nothing_behind(letter_run, tmp_pat
     (tmp_path / "file").write_text("")
     with pytest.raises(ff.InputError, match="cannot be written"):
         ff.export(letter_run, tmp_path / "file" / f"a.{ending}")
-    assert [each.name for each in tmp_path.iterdir()] == ["file"]
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
 
 
 def test_a_structure_without_a_sheet_has_no_fold_file(tmp_path):

@@ -169,15 +169,15 @@ class _Writer:
         places[moving] = local
         primitives = []
         for region in scene.regions:
-            own = region.triangles[(scene.bodies[region.triangles] == body).all(axis=1)]
-            if len(own):
-                used, corners = np.unique(own, return_inverse=True)
+            chosen = region.triangles[(scene.bodies[region.triangles] == body).all(axis=1)]
+            if len(chosen):
+                used, corners = np.unique(chosen, return_inverse=True)
                 primitives.append(self._faces(places[used], corners.reshape(-1, 3), region.colour))
         lines = [rod for rod in scene.rods if self._body_of(rod, [body]) is not None]
         for colour in dict.fromkeys(rod.colour for rod in lines):
-            own = [rod for rod in lines if rod.colour == colour]
-            ends = places[np.array([rod.ends for rod in own])]
-            primitives.append(self._tubes(ends, np.array([rod.radius for rod in own]), colour))
+            chosen = [rod for rod in lines if rod.colour == colour]
+            ends = places[np.array([rod.ends for rod in chosen])]
+            primitives.append(self._tubes(ends, np.array([rod.radius for rod in chosen]), colour))
         mesh = self.document.add("meshes", {"name": f"body {body}", "primitives": primitives})
         paths = {"translation": (centres, "VEC3"), "rotation": (rotations, "VEC4")}
         self._node({"name": f"body {body}", "mesh": mesh}, paths)
@@ -209,10 +209,10 @@ class _Writer:
         primitives = []
         for region, triangles in zip(scene.regions, chosen, strict=True):
             if len(triangles):
-                here, corners = np.unique(np.searchsorted(used, triangles), return_inverse=True)
-                primitive = self._faces(places[here], corners.reshape(-1, 3), region.colour)
+                numbers, corners = np.unique(np.searchsorted(used, triangles), return_inverse=True)
+                primitive = self._faces(places[numbers], corners.reshape(-1, 3), region.colour)
                 shifts = [
-                    {"POSITION": self.document.array(target[here], "VEC3", target=_VERTICES, bounds=True)}
+                    {"POSITION": self.document.array(target[numbers], "VEC3", target=_VERTICES, bounds=True)}
                     for target in targets
                 ]
                 primitives.append({**primitive, "targets": shifts} if shifts else primitive)

@@ -137,7 +137,9 @@ def scene_of(record: Record, times: Array) -> Scene:
         Region(
             name=name,
             colour=tint(number),
-            triangles=np.array([each for each, region in corners if region == number], dtype=np.int64).reshape(-1, 3),
+            triangles=np.array([corner for corner, region in corners if region == number], dtype=np.int64).reshape(
+                -1, 3
+            ),
             solid=shape.solid[number],
         )
         for number, name in enumerate(shape.regions)
@@ -233,7 +235,7 @@ def _shortest_turn(one: Array, other: Array) -> Array:
 
 def _product(one: Array, other: Array) -> Array:
     """Return the product of quaternions x, y, z, w, (..., 4)."""
-    (u, a), (v, b) = ((each[..., :3], each[..., 3:]) for each in (one, other))
+    (u, a), (v, b) = ((quaternion[..., :3], quaternion[..., 3:]) for quaternion in (one, other))
     vector = a * v + b * u + np.cross(u, v)
     return np.concatenate([vector, a * b - np.sum(u * v, axis=-1, keepdims=True)], axis=-1)
 
@@ -245,9 +247,9 @@ def cylinder(sides: int) -> tuple[Array, Array, Indices]:
     up = np.array([0.0, 1.0, 0.0])
     places = np.concatenate([rim, rim + up, rim, rim + up])
     normals = np.concatenate([rim, rim, np.tile(-up, (sides, 1)), np.tile(up, (sides, 1))])
-    here = np.arange(sides)
-    after = (here + 1) % sides
-    sheath = [np.stack([here, after, sides + after], axis=1), np.stack([here, sides + after, sides + here], axis=1)]
+    start = np.arange(sides)
+    after = (start + 1) % sides
+    sheath = [np.stack([start, after, sides + after], axis=1), np.stack([start, sides + after, sides + start], axis=1)]
     fan = np.arange(1, sides - 1)
     bottom = np.stack([np.zeros_like(fan), fan + 1, fan], axis=1) + 2 * sides
     top = np.stack([np.zeros_like(fan), fan, fan + 1], axis=1) + 3 * sides

@@ -62,7 +62,7 @@ def write_vtk(record: Record, times: Array, folder: Path, stem: str) -> None:
             **{key: (_padded(value, len(triangles)), np.full(len(lines), np.nan)) for key, value in values.items()},
             **{
                 key: (np.full(len(triangles), np.nan), value)
-                for key, value in _line_values(structure, {each: rows[each][number] for each in rows}).items()
+                for key, value in _line_values(structure, {series: rows[series][number] for series in rows}).items()
             },
         }
         used = [place for place, block in enumerate((triangles, lines)) if len(block)]
@@ -166,7 +166,9 @@ def green_strains(built: Array, now: Array) -> Array:
         built: corners without strain, m, (triangle, corner, 3).
         now: corners, m, (triangle, corner, 3).
     """
-    before, after = (np.swapaxes(each[:, 1:] - each[:, :1], 1, 2) for each in (built, now))  # columns are sides
+    before, after = (
+        np.swapaxes(corners[:, 1:] - corners[:, :1], 1, 2) for corners in (built, now)
+    )  # columns are sides
     rest = np.linalg.qr(before).R
     gradient = after @ np.linalg.inv(rest)
     return np.asarray((np.swapaxes(gradient, 1, 2) @ gradient - np.eye(2)) / 2)
