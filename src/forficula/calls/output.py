@@ -142,7 +142,8 @@ def compare(runs: Iterable[AnyRun], path: AnyPath) -> None:
     """Show runs side by side on one clock, as `forficula compare` does: a page.
 
     Args:
-        runs: two to twelve runs, or their folders.
+        runs: two to twelve runs, or their folders. Paths of FOLD files with frames of the same pattern may be among
+            them; a plot shows the distance of every run from the frames.
         path: path of the page; must end with .html.
 
     Raises:
@@ -164,19 +165,21 @@ def compare(runs: Iterable[AnyRun], path: AnyPath) -> None:
     from forficula.analysis import measure
     from forficula.dynamics import as_record
     from forficula.files import write_text
-    from forficula.show.page.compare_page import ComparedRun, compare_page
+    from forficula.show.page.compare_page import ComparedRun, compare_page, is_fold
+    from forficula.show.page.data.fold_distance import read_motion
     from forficula.show.page.page import page_path
 
     if not _FEWEST_COMPARED <= len(listed) <= _MOST_COMPARED:
         raise InputError(f"compare: need {_FEWEST_COMPARED} to {_MOST_COMPARED} runs, got {len(listed)}")
-    records = [as_record(run) for run in listed]
+    motions = [read_motion(as_path(run, "a FOLD file")) for run in listed if is_fold(run)]
+    records = [as_record(run) for run in listed if not is_fold(run)]
     names = [record.design.name for record in records]
     labels = [name if names.count(name) == 1 else f"{number}: {name}" for number, name in enumerate(names, start=1)]
     compared = [
         ComparedRun(label=label, record=record, outcome=measure(record))
         for label, record in zip(labels, records, strict=True)
     ]
-    write_text(page_path(file), compare_page(compared))
+    write_text(page_path(file), compare_page(compared, motions))
 
 
 def save(result: object, folder: AnyPath) -> None:

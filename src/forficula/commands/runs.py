@@ -179,7 +179,9 @@ def _cycle(design: Design, cycles: int | None, folder: Path) -> list[Verdict]:
 
 
 def compare(
-    *runs: Annotated[Path, Parameter(help="Two or more folders of forficula run.")],
+    *runs: Annotated[
+        Path, Parameter(help="Two or more folders of forficula run, or FOLD files with frames of the same pattern.")
+    ],
     out: Annotated[Out, Parameter(help="Page to write (.html).")],
 ) -> None:
     """Show runs side by side on one clock, in a page for any browser."""

@@ -6,7 +6,6 @@ from collections import defaultdict
 from itertools import pairwise
 
 import numpy as np
-import scipy
 
 from forficula.arrays import Array
 from forficula.dynamics import Record
@@ -14,10 +13,9 @@ from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 from forficula.pattern.files.fold_writer import Frame
 from forficula.show.export.scene import sampled, sampled_points
+from forficula.show.structure.pattern_points import pattern_points
 from forficula.show.structure.shape import shape_of, vertex_places
-from forficula.structure import Structure, built_points
-
-_SAME = 1e-6  # share of the span
+from forficula.structure import Structure
 
 
 def fold_frames(record: Record, times: Array) -> tuple[CreasePattern, list[Frame]]:
@@ -31,7 +29,7 @@ def fold_frames(record: Record, times: Array) -> tuple[CreasePattern, list[Frame
     """
     structure = record.structure
     points = sampled_points(record, times)
-    carriers = _pattern_points(structure)
+    carriers = pattern_points(structure)
     if carriers is None:
         pattern, places, hinges = _drawn_pattern(structure, points)
     else:
@@ -46,17 +44,6 @@ def fold_frames(record: Record, times: Array) -> tuple[CreasePattern, list[Frame
         angles[:, edge] = turned[:, hinge]
     titles = [f"{float(time):.9g} s" for time in times]
     return pattern, list(zip(titles, places, angles, strict=True))
-
-
-def _pattern_points(structure: Structure) -> list[int] | None:
-    """Return the point or membrane node at every vertex of the pattern; None if one has none."""
-    pattern = structure.appearance.pattern
-    if pattern is None:
-        return None
-    places = np.concatenate([built_points(structure), *(membrane.built for membrane in structure.membranes)])
-    away, nearest = scipy.spatial.KDTree(places).query(pattern.vertices_coords)
-    carriers: list[int] = nearest.tolist()
-    return carriers if (away <= _SAME * structure.span).all() and len(set(carriers)) == len(carriers) else None
 
 
 def _drawn_pattern(structure: Structure, points: Array) -> tuple[CreasePattern, Array, dict[int, int]]:

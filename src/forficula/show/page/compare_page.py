@@ -19,6 +19,7 @@ from forficula.errors import InputError, error_prefix
 from forficula.files import write_text
 from forficula.names import listed
 from forficula.quantities import reading_unit
+from forficula.show.page.data.fold_distance import FoldMotion, fold_distances, read_motion
 from forficula.show.page.data.time_spans import shared_spans, span_data
 from forficula.show.page.page import page_html, page_path
 from forficula.show.page.parts.design_rows import DIGITS, differing_rows
@@ -63,30 +64,50 @@ def compare_runs(folders: Sequence[Path], path: Path) -> None:
     """Write a page that plays runs side by side.
 
     Args:
-        folders: two to twelve folders written by `forficula run`.
+        folders: two to twelve folders written by `forficula run`; FOLD files with frames of the same pattern may be
+            among them.
         path: path of the page; must end with .html.
 
     Raises:
-        InputError: too few or too many folders, a folder without a run, a path with another ending, or the file cannot
-            be written.
+        InputError: too few or too many folders, a folder without a run, a FOLD file without frames or of another
+            pattern, a path with another ending, or the file cannot be written.
     """
     with error_prefix("--out: "):
         path = page_path(path)
     if not _FEWEST <= len(folders) <= _MOST:
         raise InputError(f"compare: need {_FEWEST} to {_MOST} folders of runs, got {len(folders)}")
+    motions = [read_motion(file) for file in folders if is_fold(file)]
+    folders = [folder for folder in folders if not is_fold(folder)]
+    if not folders:
+        raise InputError("compare: need the folder of a run beside FOLD files")
     runs = []
     for folder, label in zip(folders, _labels(folders), strict=True):
         record = read_run(folder)
         runs.append(ComparedRun(label=label, record=record, outcome=measure(record)))
-    write_text(path, compare_page(runs))
+    write_text(path, compare_page(runs, motions))
 
 
-def compare_page(runs: Sequence[ComparedRun]) -> str:
-    """Return runs as one page: structures side by side, common plots, and a table with one column for each run."""
+def is_fold(path: object) -> bool:
+    """Return whether a path is that of a FOLD file."""
+    return isinstance(path, str | os.PathLike) and Path(path).suffix == ".fold"
+
+
+def compare_page(runs: Sequence[ComparedRun], motions: Sequence[FoldMotion] = ()) -> str:
+    """Return runs as one page: structures side by side, common plots, and a table with one column for each run.
+
+    Args:
+        runs: one or more runs.
+        motions: motions of another program; a plot shows the distance of every run from each of them.
+
+    Raises:
+        InputError: a motion of another pattern than that of a run.
+    """
     clips = [make_clip(run.record, run.outcome, name=run.label, budget=BUDGET // len(runs)) for run in runs]
     labels = [run.label for run in runs]
+    distances = [_distances(runs, clips, motion) for motion in motions]
     sentences = "".join(f"<li>{escaped(outcome_sentence(run.label, run.outcome))}</li>" for run in runs)
-    title = listed(labels)
+    sentences += "".join(f"<li>{escaped(plot.text)}</li>" for plot in distances)
+    title = listed([*labels, *(motion.name for motion in motions)])
     body = "".join(
         (
             f"<header><h1>{escaped(title)}</h1><ol class=outcome>{sentences}</ol></header>\n",
@@ -96,7 +117,7 @@ def compare_page(runs: Sequence[ComparedRun]) -> str:
             "</main>",
         )
     )
-    return page_html(f"{title}, compared", body, _data(clips))
+    return page_html(f"{title}, compared", body, _data(clips, distances))
 
 
 def _labels(folders: Sequence[Path]) -> list[str]:
@@ -117,7 +138,7 @@ def _printable(name: str) -> str:
     return os.fsencode(name).decode("utf-8", "replace")
 
 
-def _data(clips: Sequence[Clip]) -> dict[str, Any]:
+def _data(clips: Sequence[Clip], distances: Sequence[Plot]) -> dict[str, Any]:
     names, whole = " and ".join(clip.name for clip in clips), whole_of(clips)
     progress = _progress(clips)
     return {
@@ -125,11 +146,32 @@ def _data(clips: Sequence[Clip]) -> dict[str, Any]:
         "whole": whole,
         "clips": [clip_data(clip) for clip in clips],
         "spans": [span_data(span) for span in shared_spans(clips)],
-        "plots": plot_data([*([] if progress is None else [progress]), _energies(clips)]),
+        "plots": plot_data([*distances, *([] if progress is None else [progress]), _energies(clips)]),
         "energy": energy_scale(clips),
         "legend": legend_data(clips),
         "text": f"The {whole}s of {names} side by side, with a common clock and camera.",
     }
+
+
+def _distances(runs: Sequence[ComparedRun], clips: Sequence[Clip], motion: FoldMotion) -> Plot:
+    """Return a plot of the distances of all runs from the nearest frame of a motion."""
+    lines, worst = [], []
+    for run, clip in zip(runs, clips, strict=True):
+        lines.append(fold_distances(run.record, np.searchsorted(run.record.time, clip.time), motion))
+        place = int(np.argmax(lines[-1]))
+        share = readable(100 * float(lines[-1][place]) / clip.structure.span, "%")
+        worst.append(f"{clip.name} at most {readable(float(lines[-1][place]), 'm')} ({share} of its span)")
+    unit, factor = reading_unit("m", max(float(values.max()) for values in lines))
+    return Plot(
+        title=f"distance to {motion.name}",
+        unit=unit,
+        lines=tuple(
+            Line(name=clip.name, clip=number, values=factor * values)
+            for number, (clip, values) in enumerate(zip(clips, lines, strict=True))
+        ),
+        text=f"Distance of the vertices from the nearest of {len(motion.frames)} frames of {motion.name},"
+        f" root mean square after the best rotation: {listed(worst)}.",
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
