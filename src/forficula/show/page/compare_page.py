@@ -169,8 +169,8 @@ def _distances(runs: Sequence[ComparedRun], clips: Sequence[Clip], motion: FoldM
             Line(name=clip.name, clip=number, values=factor * values)
             for number, (clip, values) in enumerate(zip(clips, lines, strict=True))
         ),
-        text=f"Distance of the vertices from the nearest of {len(motion.frames)} frames of {motion.name},"
-        f" root mean square after the best rotation: {listed(worst)}.",
+        text=f"Distance of the vertices from the motion of the {len(motion.frames)} frames of {motion.name}, root mean"
+        f" square after the best rotation: {listed(worst)}.",
     )
 
 

@@ -14,6 +14,7 @@ from forficula.pattern import CreasePattern, read_fold, read_folded_frames
 from forficula.show.structure.pattern_points import pattern_points
 
 _LENGTHS = 0.01  # largest deviation of an edge's length, as a share of the mean length of the edges
+_TRIED = 8  # number of frames between which and their neighbours positions are interpolated
 _BLOCK = 200_000  # pairs of a moment and a frame that are aligned at once
 
 
@@ -57,7 +58,8 @@ def fold_distances(record: Record, rows: Indices, motion: FoldMotion) -> Array:
     """Compute the distance of a run from the nearest frame of a motion, at some moments.
 
     The distance is the root mean square over the vertices of the pattern after the best translation and rotation
-    (Kabsch 1976), so that the times, the unit and the position of the frames do not matter.
+    (Kabsch 1976), so that the times, the unit and the position of the frames do not matter. Positions between
+    frames are interpolated.
 
     Args:
         record: the run.
@@ -90,8 +92,8 @@ def _scale(pattern: CreasePattern, motion: FoldMotion) -> float:
         raise InputError(f"need the pattern of the run with {expected} vertices, got one with {count}")
     ends = pattern.edges_vertices
     lengths, other = (
-        np.linalg.norm(each[ends[:, 1]] - each[ends[:, 0]], axis=1)
-        for each in (pattern.vertices_coords, motion.pattern.vertices_coords)
+        np.linalg.norm(places[ends[:, 1]] - places[ends[:, 0]], axis=1)
+        for places in (pattern.vertices_coords, motion.pattern.vertices_coords)
     )
     scale = float(lengths.sum() / other.sum()) if other.sum() > 0 else 1.0
     if np.abs(scale * other - lengths).max() > _LENGTHS * lengths.mean():
@@ -100,11 +102,31 @@ def _scale(pattern: CreasePattern, motion: FoldMotion) -> float:
 
 
 def _nearest(moments: Array, frames: Array) -> Array:
-    """Return the distances of shapes from the nearest of some frames, m, (moment,)."""
+    """Return the distances of shapes from the nearest of some frames and of the lines between them, m, (moment,)."""
     one, other = (shapes - shapes.mean(axis=1, keepdims=True) for shapes in (moments, frames))
     overlap = np.einsum("mvi,fvj->mfij", one, other)
     sizes = np.linalg.svd(overlap, compute_uv=False)
     # a reflection is no rotation: the smallest singular value then counts as negative
     best = sizes[..., 0] + sizes[..., 1] + np.sign(np.linalg.det(overlap)) * sizes[..., 2]
     squares = np.sum(one**2, axis=(1, 2))[:, np.newaxis] + np.sum(other**2, axis=(1, 2)) - 2 * best
-    return np.asarray(np.sqrt(np.maximum(squares.min(axis=1), 0.0) / moments.shape[1]))
+    # a motion may pass a shape several times, with frames at other distances from it
+    order = np.argsort(squares, axis=1)[:, :_TRIED]
+    rows = np.arange(len(moments))[:, np.newaxis]
+    least = np.full(len(moments), np.inf)
+    for nearest in order.T:
+        beside = np.clip(nearest[:, np.newaxis] + [-1, 0, 1], 0, len(frames) - 1)
+        left, _, right = np.linalg.svd(overlap[rows, beside])
+        left[..., 2] *= np.sign(np.linalg.det(left) * np.linalg.det(right))[..., np.newaxis]
+        turned = np.einsum("mkij,mkvj->mkvi", left @ right, other[beside])
+        for end in (0, 2):
+            least = np.minimum(least, _distance_to_line(one, turned[:, 1], turned[:, end]))
+    return np.asarray(least / np.sqrt(moments.shape[1]))
+
+
+def _distance_to_line(places: Array, start: Array, end: Array) -> Array:
+    """Return the distances of shapes from straight lines between two others, m, (moment,)."""
+    way, apart = end - start, places - start
+    length = np.sum(way**2, axis=(1, 2))
+    along = np.divide(np.sum(apart * way, axis=(1, 2)), length, out=np.zeros(len(places)), where=length > 0)
+    rest = apart - np.clip(along, 0, 1)[:, np.newaxis, np.newaxis] * way
+    return np.asarray(np.sqrt(np.sum(rest**2, axis=(1, 2))))
