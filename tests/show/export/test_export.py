@@ -448,6 +448,21 @@ def test_a_file_that_cannot_be_written_leaves_nothing_behind(letter_run, tmp_pat
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
 
 
+def test_a_diverged_run_is_exported_up_to_its_divergence(letter_run, tmp_path):
+    series = {name: values.copy() for name, values in letter_run.series.items()}
+    half = len(letter_run.time) // 2
+    for name in ("hinge_angle", "point_position"):
+        series[name][half:] = np.nan
+    diverged = replace(letter_run, series=series, diverged_at=float(letter_run.time[half]))
+    ff.export(diverged, tmp_path / "run.glb")
+    assert Animation(tmp_path / "run.glb").time[-1] == pytest.approx(letter_run.time[half - 1], rel=1e-6)
+    ff.export(diverged, tmp_path / "end.obj")
+    ff.export(diverged, tmp_path / "end.stl")
+    assert np.isfinite(trimesh.load_scene(tmp_path / "end.obj").bounds).all()
+    with pytest.raises(ff.InputError, match="^at: need a time before the run diverged"):
+        ff.export(diverged, tmp_path / "late.obj", at=float(letter_run.time[-1]))
+
+
 def test_a_structure_without_a_sheet_has_no_fold_file(tmp_path):
     record = ff.run("binder2025-joint", confirm=False)
     with pytest.raises(ff.InputError, match="need a crease pattern or a sheet for a FOLD file"):

@@ -141,9 +141,11 @@ def export_times(record: Record, to: str, at: float | None) -> Array:
         if not np.isfinite(sampled_points(record, times)).all():
             raise InputError(f"need a time before the run diverged, got {at:g} s")
         return times
-    if to == "csv" or not FORMATS[to].moving:
-        return record.time[-1:]
+    if to == "csv":
+        return record.time
     times = frame_times(record)
+    if not FORMATS[to].moving:
+        return times[-1:]
     if len(times) < 2 or np.ptp(sampled_points(record, times), axis=0).max() <= STILL * record.structure.span:
         raise InputError(
             f"{record.design.name}: the structure never moved, so there is no motion for {to}; export one moment with"
