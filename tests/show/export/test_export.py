@@ -37,6 +37,11 @@ def kresling_run():
     return ff.run("kresling-cell", confirm=False).record
 
 
+@pytest.fixture(scope="module")
+def snap_run():
+    return ff.run("four-plate-snap", confirm=False).record
+
+
 @pytest.fixture
 def run_of(request):
     """A record by its name in RUNS."""
@@ -244,6 +249,12 @@ def test_a_solid_is_closed_at_any_moment(run_of, tmp_path, name, share):
     read = trimesh.load(tmp_path / "solid.stl")
     assert read.is_watertight
     assert read.volume > 0
+
+
+@pytest.mark.parametrize("share", [0.0, 0.25, 0.5, 0.75, 1.0])
+def test_a_solid_is_closed_where_panels_touch(snap_run, tmp_path, share):
+    ff.export(snap_run, tmp_path / "solid.stl", at=float(share * snap_run.time[-1]))
+    assert trimesh.load(tmp_path / "solid.stl").is_watertight
 
 
 def test_a_solid_is_in_millimetres_and_has_the_volume_of_its_panels(letter_run, tmp_path):
@@ -459,7 +470,7 @@ def test_a_diverged_run_is_exported_up_to_its_divergence(letter_run, tmp_path):
     ff.export(diverged, tmp_path / "end.obj")
     ff.export(diverged, tmp_path / "end.stl")
     assert np.isfinite(trimesh.load_scene(tmp_path / "end.obj").bounds).all()
-    with pytest.raises(ff.InputError, match="^at: need a time before the run diverged"):
+    with pytest.raises(ff.InputError, match=r"^at: need a time before the run diverged"):
         ff.export(diverged, tmp_path / "late.obj", at=float(letter_run.time[-1]))
 
 
