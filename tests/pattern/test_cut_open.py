@@ -17,7 +17,7 @@ def with_letter(pattern, edge, letter):
     return dataclasses.replace(pattern, edges_assignment=tuple(letters), edges_fold_angle=angles)
 
 
-def test_a_sheet_without_cuts_stays_as_it_is():
+def test_a_sheet_without_cuts_is_unchanged():
     sheet = miura_pattern(2, 2, 0.02, 0.02, 1.0)
     opened = cut_open(sheet)
     assert opened.pattern is sheet

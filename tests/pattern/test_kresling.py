@@ -43,7 +43,7 @@ def lengths_of(pattern, role):
 
 @settings(max_examples=40)
 @given(towers())
-def test_creases_are_as_long_as_the_closed_form_says(values):
+def test_crease_lengths_match_the_closed_form(values):
     pattern = kresling_pattern(**values)
     sides, radius = values["sides"], values["radius"]
     expected = kresling_lengths(sides, radius, values["height"], abs(values["twist"]))
@@ -82,7 +82,7 @@ def test_every_edge_joins_two_facets_but_the_rims_and_a_closed_tower_has_the_vol
         assert np.linalg.det(corners).sum() > 0  # six times the volume: all face outwards
 
 
-def test_a_twist_the_other_way_is_the_mirror_image():
+def test_a_twist_in_the_opposite_sense_gives_the_mirror_image():
     one, other = (kresling_pattern(5, 2, 0.03, 0.02, twist) for twist in (0.6, -0.6))
     mirrored = {tuple(np.round(point * [1, -1, 1], 12)) for point in one.vertices_coords}
     assert mirrored == {tuple(np.round(point, 12)) for point in other.vertices_coords}
@@ -137,7 +137,7 @@ def test_a_tower_in_both_states_has_congruent_facets_and_folds_from_one_to_the_o
     assert box[0] == pytest.approx(box[1], rel=1e-12)
 
 
-def test_lengths_come_in_the_shape_of_heights_and_twists():
+def test_lengths_have_the_shape_of_heights_and_twists():
     lengths = kresling_lengths(6, 0.03, np.zeros((3, 1)), np.linspace(0, 1, 4))
     assert lengths.mountain.shape == lengths.valley.shape == (3, 4)
     assert lengths.mountain[:, 0].tolist() == [0, 0, 0]
@@ -165,7 +165,7 @@ def test_a_tower_that_cannot_be_drawn_is_refused(changes, message):
     assert str(caught.value).startswith(message)
 
 
-def test_a_low_tower_has_no_second_state_and_is_told_from_which_height_on():
+def test_a_low_tower_has_no_second_state_and_the_error_names_the_least_height():
     with pytest.raises(InputError) as caught:
         kresling_other_state(6, 0.03, 0.01, math.radians(30))
     assert str(caught.value).startswith("pattern.height: need at least 3.94822 cm for a second state, got 1 cm")

@@ -38,7 +38,7 @@ def sheet(**changes):
 
 @settings(max_examples=40)
 @given(st.fixed_dictionaries(SHEETS), FOLDS)
-def test_every_facet_is_the_parallelogram_asked_for_however_far_the_sheet_is_folded(values, fold):
+def test_every_facet_has_the_requested_shape_at_any_fold(values, fold):
     a, b, angle = values["long_side"], values["short_side"], values["acute_angle"]
     short, long = (math.sqrt(a * a + b * b - sign * 2 * a * b * math.cos(angle)) for sign in (1, -1))
     for distances in corner_distances(miura_pattern(**values, fold=fold)):

@@ -56,7 +56,7 @@ def test_moduli_are_those_of_a_planted_cubic(a, b, c, noise):
             assert entry.points == pytest.approx(6 * samples * WIDTH, abs=12)
 
 
-def test_loading_and_unloading_and_every_cycle_are_told_apart():
+def test_loading_unloading_and_cycles_are_distinguished():
     test = cyclic_test(lambda e, n: n * MODULUS * e, lambda e, n: n * MODULUS * e**2, cycles=3)
     entries = moduli_by_strain([find_cycles(test)])
     assert [each.cycle for each in entries] == [2] * 20 + [3] * 20
