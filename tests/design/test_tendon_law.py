@@ -209,8 +209,8 @@ def test_a_material_may_be_written_by_hand():
         (AREA | {"tendon.law": "none.toml"}, "tendon.law: none.toml: no such file"),
         (
             AREA | {"tendon.law": "petg"},
-            "tendon.law: petg: no tendon can be made of it: it is a material for stiff printed bars, and its sources give"
-            " no law for stretching",
+            "tendon.law: petg: no tendon can be made of it: it is a material for stiff printed bars, and its sources"
+            " give no law for stretching",
         ),
         (
             {"tendon.law": 3},
