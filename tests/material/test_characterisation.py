@@ -197,7 +197,7 @@ def test_what_a_cycle_does_not_have_is_null_in_the_summary():
 
 
 def test_the_zero_of_the_force_is_what_the_load_cell_shows_of_a_slack_specimen():
-    """0.01 N on 5 mm2, which the scatter of specimens would hide if it were fitted with the law."""
+    """An offset of 0.01 N on 5 mm2, less than the scatter of specimens would show if it were fitted with the law."""
     tests = [replace(each, force=each.force + 0.01) for each in (tpu(1), tpu(2), tpu(3))]
     found = characterise(tests, forms=family_forms("polynomial"))
     for residual in found.fit.residuals:

@@ -29,7 +29,7 @@ def test_triangles_around_a_place_are_split_and_no_others(place, triangles, edge
     assert len(added.pattern.edges_vertices) == len(split.pattern.edges_vertices) + edges
     assert (areas(added.pattern) > 0).all()
     assert areas(added.pattern).sum() == pytest.approx(0.04)
-    # of each facet as much as before
+    # the area of every facet is unchanged
     assert np.bincount(added.facets, areas(added.pattern)) == pytest.approx([0.02, 0.02])
 
 

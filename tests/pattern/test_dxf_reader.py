@@ -91,7 +91,7 @@ def test_a_unit_is_needed_where_the_header_has_none(tmp_path):
 
 
 def test_a_polyline_seen_from_below_is_mirrored(tmp_path):
-    """Its corners are in a system of its own, with x the other way where its normal is -z (AutoCAD)."""
+    """Its corners are in a separate coordinate system, with x reversed where its normal is -z (AutoCAD)."""
     below = [(0, "LWPOLYLINE"), (8, "M"), (90, 2), (70, 0), (10, -130), (20, 100), (10, -130), (20, 160)]
     below += [(210, 0), (220, 0), (230, -1)]
     pattern, _ = read_drawing(dxf(tmp_path / "sheet.dxf", RIM, below))

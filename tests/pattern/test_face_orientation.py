@@ -1,4 +1,4 @@
-"""Faces of sheets in space that others wrote in any sense."""
+"""Faces of sheets in space with any orientation in the file."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Fold angles measured where the vertices lie."""
+"""Fold angles computed from the positions of the vertices."""
 
 import math
 from dataclasses import replace

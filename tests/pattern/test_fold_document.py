@@ -10,7 +10,7 @@ FOLDED = {"frame_classes": ["foldedForm"], "vertices_coords": [[0, 0], [10, 0], 
 
 
 def states(path, *frames, changes=None):
-    """The folded states in a file of the square, each coordinate and angle as numbers."""
+    """The folded states in a file of the square, as numbers."""
     read = read_folded_frames(written(path / "square.fold", {"file_frames": list(frames)} | (changes or {})))
     return [(title, coords.tolist(), folds.tolist()) for title, coords, folds in read]
 
@@ -106,7 +106,7 @@ def test_a_missing_frame_is_refused(tmp_path, frame, message):
 
 
 def test_a_film_of_origami_simulator_begins_with_its_first_state(tmp_path):
-    """Its frames hold the vertices and name no parent, the key frame the rest."""
+    """Its frames contain the vertices and no parent; the key frame contains the rest."""
     state = {"frame_classes": ["foldedForm"], "frame_inherit": True, "frame_title": "film", "frame_unit": "unit"}
     flat = state | {"vertices_coords": [[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 1]]}
     bent = state | {"vertices_coords": [[0, 0, 0], [1, 0.5, 0], [1, 0, 1], [0, 0.5, 1]]}
@@ -116,7 +116,7 @@ def test_a_film_of_origami_simulator_begins_with_its_first_state(tmp_path):
     assert remarks[0] == 'file_frames[0]: used, "film", because the key frame has no vertices'
     assert pattern.vertices_coords[2].tolist() == [0.01, -0.01, 0]
     ((_, coords, _),) = read_folded_frames(path, unit=0.01)
-    assert coords[1].tolist() == [0.01, 0, 0.005]  # turned as the sheet is: up was y
+    assert coords[1].tolist() == [0.01, 0, 0.005]  # rotated like the sheet: up was y
 
 
 @pytest.mark.parametrize(

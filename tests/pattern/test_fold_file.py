@@ -175,7 +175,7 @@ def test_border_between_two_faces_is_a_cut(tmp_path):
 
 
 def test_flat_lines_that_end_in_a_face_and_lone_vertices_are_left_out(tmp_path):
-    """As Oriedita writes them: lines that only help to draw."""
+    """Auxiliary lines as Oriedita writes them."""
     loose = {
         "vertices_coords": [[50, 50], *SQUARE["vertices_coords"], [4, 2], [6, 3]],
         "edges_vertices": [[5, 6], [1, 2], [2, 3], [3, 4], [4, 1], [1, 3], [3, 5]],

@@ -15,7 +15,7 @@ def test_the_rates_of_a_test_are_those_of_its_ramps_without_holds():
     knots = loading_program(STEPS)
     time = sampled(knots)
     strain, _ = viscoelastic_stress(knots, time, (1e6,))
-    # four per cent of a way go in turning
+    # the turns take four per cent of a ramp
     assert rate_range(history(time, strain)) == pytest.approx((0.003, 1.0), rel=0.05)
 
 
