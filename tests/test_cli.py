@@ -240,14 +240,14 @@ def test_the_named_designs_are_listed_with_their_sources(call):
 def test_a_pattern_is_described_where_no_file_is_to_be_written(call):
     fan = call("pattern", "binder2025").out.splitlines()
     assert fan[0] == "earwig fan, 1 unit, 3 veins: 9 vertices, 4 facets, 22.35 cm by 15.06 cm"
-    assert "Every vertex folds flat by itself; whether layers get into each other's way is not checked." in fan
+    assert "Every vertex folds flat by itself; whether layers collide is not checked." in fan
     freedoms = [line.split()[-2:] for line in fan if line.startswith("rigid facets")]
     assert freedoms == [["2", "1"], ["1", "0"]]
     call("pattern", "binder2025", "--out", "fan.fold")
     # residuals of a file's digits may differ from those of the design's
     assert call("pattern", "fan.fold").out.splitlines()[:3] == fan[:3]
     strip = call("pattern", "letter-fold").out
-    assert "No interior vertex: every crease folds on its own.\n" in strip
+    assert "No interior vertex: every crease folds independently.\n" in strip
 
 
 def test_a_file_without_a_unit_has_the_unit_of_the_option_or_a_chosen_size(in_an_empty_folder, call, refusal):

@@ -24,7 +24,7 @@ def another(path, seconds):
     return child
 
 
-def test_a_lock_that_another_process_holds_is_not_given(tmp_path):
+def test_a_lock_of_another_process_cannot_be_acquired(tmp_path):
     with another(tmp_path / "lock", 60) as child:
         with held(tmp_path / "lock", wait=False) as taken:
             assert taken is False
@@ -40,7 +40,7 @@ def test_a_lock_dies_with_its_owner(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_who_waits_gets_the_lock_when_it_is_free_and_says_so_where_that_takes_long(tmp_path, capsys, monkeypatch):
+def test_waiting_acquires_the_lock_and_reports_a_long_wait(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr("forficula.lock._SILENT_SECONDS", 0.2)
     with another(tmp_path / "lock", 0.5):
         start = time.monotonic()
@@ -66,15 +66,15 @@ def test_only_one_holds_a_lock_at_a_time(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["number"]
 
 
-@pytest.mark.skipif(not hasattr(os, "O_NOFOLLOW"), reason="links cannot be told apart when they are opened")
-def test_a_planted_link_is_no_lock(tmp_path):
+@pytest.mark.skipif(not hasattr(os, "O_NOFOLLOW"), reason="links cannot be detected when they are opened")
+def test_a_symbolic_link_is_not_accepted_as_a_lock_file(tmp_path):
     (tmp_path / "lock").symlink_to(tmp_path / "elsewhere")
     with pytest.raises(OSError, match="symbolic"), held(tmp_path / "lock"):
         pass
     assert not (tmp_path / "elsewhere").exists()
 
 
-def test_a_disk_that_knows_no_locks_says_so_and_nobody_waits(tmp_path, monkeypatch):
+def test_a_file_system_without_locks_is_reported_without_waiting(tmp_path, monkeypatch):
     fcntl = pytest.importorskip("fcntl")
 
     def fail(*_):

@@ -1,4 +1,4 @@
-"""Tensile tests whose law is known, and the files that testing machines would have written of them."""
+"""Simulated tensile tests with a known law, and their files in the formats of testing machines."""
 
 from itertools import pairwise
 
@@ -55,7 +55,7 @@ def bluehill_text(test, *, decimal=".", german=False, force_unit="N", properties
 
 
 def plain_text(test, *, delimiter=",", decimal=".", pattern="{name} [{unit}]"):
-    """A table with units in its names, and nothing else."""
+    """A table with units in its column names."""
     columns = [("time", "s", test.time), ("extension", "mm", test.extension * TO_MM), ("force", "N", test.force)]
     named = [(pattern.format(name=name, unit=unit), None, values) for name, unit, values in columns]
     return table(named, [], delimiter, decimal)

@@ -27,7 +27,7 @@ def three_elastic():
     return characterise(tests, name="linear", source="made up", forms=family_forms("linear"))
 
 
-def test_a_planted_modulus_comes_out_within_its_interval_with_its_source(three_elastic):
+def test_a_known_modulus_is_recovered_within_its_interval(three_elastic):
     law = three_elastic.law
     (bounds,) = [each for each in law.intervals if each.key == "modulus.linear"]
     assert bounds.low < MODULUS < bounds.high
@@ -37,7 +37,7 @@ def test_a_planted_modulus_comes_out_within_its_interval_with_its_source(three_e
 
 
 def test_the_band_is_that_of_10_to_60_newtons_a_centimetre_at_the_specimens_size(three_elastic):
-    # k = E A / L (docs/model/theory.md, section "Tendon material")
+    # docs/model/theory.md, "Tendon material": k = E A / L
     low, high = three_elastic.simulated_moduli
     assert [low * AREA / LENGTH, high * AREA / LENGTH] == pytest.approx([1000, 6000])
 
@@ -45,7 +45,7 @@ def test_the_band_is_that_of_10_to_60_newtons_a_centimetre_at_the_specimens_size
 def test_a_law_keeps_the_length_of_its_specimens_through_its_file(three_elastic, tmp_path):
     save_law(three_elastic.law, tmp_path / "law.toml")
     assert known_length(load_law(tmp_path / "law.toml")) == pytest.approx(LENGTH)
-    assert known_length(load_law("tpu-82a")) == 0.06  # docs/model/theory.md, section "Values from the paper"
+    assert known_length(load_law("tpu-82a")) == 0.06  # docs/model/theory.md, "Values from the paper"
     assert known_length(load_law("resilin")) is None
 
 
@@ -57,7 +57,7 @@ def test_specimens_that_differ_in_size_leave_no_length_behind():
     assert any("differ in size" in remark for remark in found.remarks)
 
 
-def test_the_first_cycle_is_left_out_unless_it_is_kept():
+def test_the_first_cycle_is_left_out_by_default():
     dropped, kept = (characterise([tpu(1)], drop_first=drop, forms=family_forms("linear")) for drop in (True, False))
     assert [each.number for each in dropped.cycles] == [2, 3, 4]
     assert [each.number for each in kept.cycles] == [1, 2, 3, 4]
@@ -92,7 +92,7 @@ def test_drift_is_that_which_was_planted():
     assert found.drifts["residual_strain"].change(5)[0] > 0
 
 
-def test_without_a_law_the_rest_is_there_and_a_remark_says_why(monkeypatch):
+def test_without_a_law_other_results_exist_and_a_remark_gives_the_reason(monkeypatch):
     def refuse(*_, **__):
         raise InputError("no law can be determined: too few rows")
 
@@ -104,12 +104,12 @@ def test_without_a_law_the_rest_is_there_and_a_remark_says_why(monkeypatch):
     assert len(found.cycles) == 3
 
 
-def test_a_law_that_was_asked_for_and_cannot_be_told_is_an_error():
+def test_a_requested_law_that_cannot_be_fitted_is_an_error():
     with pytest.raises(InputError, match="no law can be determined"):
         characterise([elastic()], forms=family_forms("prony"))
 
 
-def test_one_specimen_is_told_to_be_few():
+def test_one_specimen_gives_a_remark():
     found = characterise([elastic()], forms=family_forms("linear"))
     assert any(remark.startswith("one specimen: ") for remark in found.remarks)
 
@@ -122,12 +122,12 @@ def test_one_specimen_is_told_to_be_few():
         ([few_rows()], "5 samples in half a class"),
     ],
 )
-def test_tests_that_tell_nothing_are_refused(tests, message):
+def test_tests_without_information_are_refused(tests, message):
     with pytest.raises(InputError, match=message):
         characterise(tests, forms=family_forms("linear"))
 
 
-def test_families_part_all_forms_but_those_without_a_name():
+def test_families_contain_all_forms_except_those_with_damper_and_branches():
     named = [form for name in FAMILIES for form in family_forms(name)]
     assert len(named) == len(set(named))
     assert {form for form in all_forms() if form not in named} == {
@@ -137,7 +137,7 @@ def test_families_part_all_forms_but_those_without_a_name():
         family_forms("kelvin")
 
 
-def test_the_summary_is_json_with_units_and_says_what_the_issue_asks(three_elastic):
+def test_the_summary_is_json_with_units_and_all_results(three_elastic):
     content = json.loads(json.dumps(plain(three_elastic), allow_nan=False))
     assert [entry["cycle"] for entry in content["cycles"]] == [2, 3, 4]
     for entry in content["cycles"]:
@@ -160,7 +160,7 @@ def test_the_summary_is_json_with_units_and_says_what_the_issue_asks(three_elast
     assert 0 < content["fit"]["amplitude_standard_deviation"] < 1e-3
 
 
-def test_specimens_that_scatter_are_told_in_the_law_and_its_file(tmp_path):
+def test_scatter_between_specimens_is_reported_in_the_law_and_its_file(tmp_path):
     modulus = {"a": 4.6e6, "b": 4.8e6, "c": 5.0e6}
     tests = [
         cyclic_test(lambda strain, _, own=own: own * strain, cycles=4, samples=100, noise=1e4, name=name)
@@ -197,7 +197,7 @@ def test_what_a_cycle_does_not_have_is_null_in_the_summary():
 
 
 def test_the_zero_of_the_force_is_what_the_load_cell_shows_of_a_slack_specimen():
-    """0.01 N on 5 mm2, which the scatter of specimens would hide if it were fitted with the law."""
+    """An offset of 0.01 N on 5 mm2, less than the scatter of specimens would show if it were fitted with the law."""
     tests = [replace(each, force=each.force + 0.01) for each in (tpu(1), tpu(2), tpu(3))]
     found = characterise(tests, forms=family_forms("polynomial"))
     for residual in found.fit.residuals:

@@ -1,4 +1,4 @@
-"""What facets of a pattern measure, straight from their corners."""
+"""Sizes of facets of a pattern, computed directly from their corners."""
 
 import numpy as np
 

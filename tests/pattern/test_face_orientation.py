@@ -1,4 +1,4 @@
-"""Faces of sheets in space that others wrote in any sense."""
+"""Faces of sheets in space with any orientation in the file."""
 
 import json
 
@@ -32,7 +32,7 @@ def test_pieces_are_turned_by_themselves():
 
 def test_a_sheet_of_one_side_is_refused():
     strip = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 5], [4, 5, 1], [1, 5, 0]]
-    with pytest.raises(InputError, match="of one side only"):
+    with pytest.raises(InputError, match="with only one side"):
         turned_alike(strip)
 
 

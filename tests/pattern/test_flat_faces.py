@@ -24,7 +24,7 @@ RIM = SQUARE["edges_vertices"][:4]
         ),
         (
             {"vertices_coords": CENTRE, "edges_vertices": [*RIM, [0, 2], [1, 4]]},
-            r"edges_vertices\[5\]: need edges that go on to the next, got one that ends freely at vertex 4; lead it on",
+            r"edges_vertices\[5\]: need edges without a free end, got one with a free end at vertex 4; extend it",
         ),
         (
             {"vertices_coords": CENTRE, "edges_vertices": [*RIM, [0, 2], [1, 4], [4, 3]]},
@@ -57,7 +57,7 @@ RIM = SQUARE["edges_vertices"][:4]
                 "edges_vertices": [*RIM, [0, 2], [4, 5], [5, 6], [6, 4]],
                 "faces_vertices": [[0, 1, 2], [0, 2, 3], [4, 5, 6]],
             },
-            r"faces_vertices\[0\]: need faces side by side, got vertex 4, of a part that does not hang together",
+            r"faces_vertices\[0\]: need faces side by side, got vertex 4, of a part that is not connected",
         ),
         (
             {

@@ -1,4 +1,4 @@
-"""Fold angles measured where the vertices lie."""
+"""Fold angles computed from the positions of the vertices."""
 
 import math
 from dataclasses import replace
@@ -25,7 +25,7 @@ FAN = EarwigFan(proximal_length=0.12, distal_length=0.1, hub_radius=0.015, secto
 
 @settings(max_examples=50)
 @given(st.lists(st.floats(-math.pi, math.pi), min_size=3, max_size=3))
-def test_a_folded_strip_is_folded_by_the_angles_given(angles):
+def test_fold_angles_of_a_folded_strip_are_recovered(angles):
     strip = pleat_pattern([0.1, 0.2, 0.1, 0.3], 0.05, "".join("V" if angle >= 0 else "M" for angle in angles))
     given_angles = np.array([*angles, *[math.nan] * (len(strip.edges_vertices) - 3)])
     folded = replace(strip, vertices_coords=folded_coordinates(strip, given_angles))
@@ -81,7 +81,7 @@ def test_a_cut_has_no_fold_angle():
 
 
 @pytest.mark.parametrize(("angle", "letter"), [(0.5, "V"), (-0.5, "M"), (0.0, "F")])
-def test_an_unassigned_crease_gets_the_letter_of_how_it_is_built(angle, letter):
+def test_an_unassigned_crease_gets_the_letter_of_its_fold_angle_as_built(angle, letter):
     strip = pleat_pattern([0.1, 0.1], 0.1, "V")
     angles = np.array([angle, *[math.nan] * 6])
     folded = replace(

@@ -1,4 +1,4 @@
-"""How tendons lie across hinges, against vectors in space that are turned."""
+"""Position of tendons across hinges, compared with rotated vectors in space."""
 
 import math
 

@@ -39,7 +39,7 @@ def test_a_triangle_on_one_body_has_the_moments_of_a_plate(corners):
 
 @given(three, three, three, st.sampled_from([(0, 0, 1), (0, 1, 0), (1, 0, 0), (0, 1, 2)]))
 def test_a_triangle_between_bodies_has_its_momentum_and_no_less_than_its_energy(corners, speeds, turns, carriers):
-    """Bodies move as they like: velocities of the corners differ by body."""
+    """Bodies move independently: velocities of the corners differ by body."""
 
     def velocity(body, place):
         return speeds[body] + np.cross(turns[body], place)
@@ -60,7 +60,7 @@ def test_a_triangle_between_bodies_has_its_momentum_and_no_less_than_its_energy(
 
 
 @pytest.mark.parametrize("units", [1, 2])
-def test_the_membrane_weighs_what_its_panels_do(units):
+def test_the_mass_of_the_membrane_is_that_of_its_panels(units):
     values = SHEET | {"pattern.units": units, "pattern.sector_angle": 0.3}
     structure = structure_of(with_values(REFERENCE, values))
     quads = 0.0
@@ -81,7 +81,7 @@ def test_the_membrane_weighs_what_its_panels_do(units):
     assert np.abs(heights).max() < 1e-12
 
 
-def test_tendons_and_hinges_weigh_what_is_said_on_either_side():
+def test_tendon_and_hinge_masses_are_divided_between_both_sides():
     structure = structure_of(with_values(REFERENCE, TENDON | {"vein.added_mass": 2e-3}))
     by_role = {role: [each for each in structure.masses if each.role == role] for role in ("tendon", "hinge")}
     length = REFERENCE.tendon.rest_length
@@ -105,7 +105,7 @@ def test_the_engine_has_the_masses_of_the_structure():
 
 
 def test_what_turns_about_a_distal_hinge_carries_its_masses():
-    """The closed forms of a hinge's snap have them, too."""
+    """The closed forms of the snap of a hinge contain the masses, too."""
     light, heavy = (
         structure_of(with_values(REFERENCE, values)).tendons[0].crossing.inertia for values in ({}, SHEET | TENDON)
     )
@@ -115,7 +115,7 @@ def test_what_turns_about_a_distal_hinge_carries_its_masses():
     assert heavy - light == pytest.approx(sum(m.mass * np.sum(np.cross(axis, m.place) ** 2) for m in carried))
 
 
-def test_without_masses_a_design_is_what_it_was():
+def test_a_design_without_masses_is_unchanged():
     zeros = dict.fromkeys(("membrane.density", "tendon.density", "vein.added_mass"), 0.0)
     assert with_values(REFERENCE, zeros).hash == REFERENCE.hash
     assert structure_of(REFERENCE).masses == ()

@@ -93,7 +93,7 @@ def test_resilin_is_a_range():
         require(law, "branches")
 
 
-def test_petg_is_no_tendon():
+def test_petg_is_refused_as_a_tendon():
     with pytest.raises(InputError, match="petg: no tendon can be made of it"):
         scaled(load_law("petg"), length=0.06, area=5e-6)
 
@@ -163,6 +163,6 @@ def test_a_wrong_file_names_file_key_value_and_rule(tmp_path, text, message):
         ("absent.toml", "absent.toml: no such file"),
     ],
 )
-def test_a_material_that_is_none_names_the_nearest(name, message):
+def test_an_unknown_material_is_refused_with_the_nearest_name(name, message):
     with pytest.raises(InputError, match=message):
         load_law(name)

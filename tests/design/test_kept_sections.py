@@ -1,4 +1,4 @@
-"""A design with other values keeps the parts that these leave alone, and is the one that is read from its file."""
+"""A changed design reuses its unchanged sections, and equals the design that is read from its file."""
 
 import copy
 import pickle
@@ -23,7 +23,7 @@ CHANGES = [
 
 
 @pytest.mark.parametrize(("name", "values"), CHANGES)
-def test_a_changed_design_is_the_one_that_is_read_from_its_file(name, values):
+def test_a_changed_design_equals_the_one_read_from_its_file(name, values):
     changed = with_values(load_design(name), values)
     again = design_from_text(str(changed))
     assert (again.hash, again.source) == (changed.hash, changed.source)
@@ -31,7 +31,7 @@ def test_a_changed_design_is_the_one_that_is_read_from_its_file(name, values):
     assert differing_keys(again.settled(), changed.settled()) == []
 
 
-def test_parts_that_stay_as_they_are_are_kept():
+def test_unchanged_sections_are_reused():
     letter = load_design("letter-fold")
     changed = letter.with_values({"tendon.left.stiffness": 60.0})
     assert all(getattr(changed, name) is getattr(letter, name) for name in ("pattern", "facet", "crease", "protocol"))
@@ -39,20 +39,20 @@ def test_parts_that_stay_as_they_are_are_kept():
     assert changed.tendon[0] is not letter.tendon[0]
 
 
-def test_a_value_that_only_looks_like_what_is_there_is_read_and_refused():
+def test_a_value_of_another_type_that_compares_equal_is_read_and_refused():
     wing = load_design("binder2025")
     assert wing.membrane.density == 0.0
     with pytest.raises(InputError, match=r"membrane\.density: need text with a unit"):
         wing.with_values({"membrane.density": False})
 
 
-def test_parts_that_stay_are_checked_against_those_that_change():
+def test_reused_sections_are_checked_against_changed_ones():
     with pytest.raises(InputError, match=r"membrane\.margin: the margin is wider than the panel"):
         load_design("binder2025").with_values({"pattern.proximal_length": "3 cm"})
 
 
 @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda each: pickle.loads(pickle.dumps(each))])
-def test_what_was_worked_out_of_a_design_is_no_part_of_it(copied):
+def test_cached_results_are_not_part_of_a_design(copied):
     known, fresh = (Design.model_copy(load_design("binder2025")) for _ in range(2))
     assert len(known.hash) == 16
     assert known == fresh

@@ -1,4 +1,4 @@
-"""The keys of one design as it stands."""
+"""The keys of one particular design."""
 
 import re
 
@@ -11,12 +11,12 @@ from forficula.options import read_settings
 
 
 @pytest.mark.parametrize("name", named_designs())
-def test_every_key_of_a_kind_of_design_is_there_with_what_it_means_and_may_be(name):
+def test_every_key_of_a_kind_of_design_has_a_meaning_and_allowed_values(name):
     design = load_design(name)
     held = held_keys(design)
     assert all(key.fact.meaning and key.fact.allowed for key in held)
     of_one = {re.sub(r"\.\d+\.", ".0.", key.fact.key) for key in held}
-    # a list that is empty is one key, and so is a law that a tendon may have by its name
+    # an empty list is one key, and so is a law that is given by its name
     wholes = tuple(f"{key}.0." for key in of_one)
     missing = [fact.key for fact in key_facts("", type(design)) if fact.key not in of_one]
     assert [key for key in missing if not key.startswith((*wholes, "drive.0.")) and ".law." not in key] == []
@@ -39,7 +39,7 @@ def test_values_are_read_as_the_ones_that_they_are(name):
         assert next(each.value for each in held_keys(read) if each.fact.key == key) == text
 
 
-def test_chosen_values_are_told_with_the_rule(reference):
+def test_chosen_values_are_listed_with_the_rule(reference):
     assert not any(key.chosen for key in held_keys(reference))
     chosen = {key.fact.key: key for key in held_keys(load_design("letter-fold")) if key.chosen}
     for choice in load_design("letter-fold").chosen:
@@ -48,7 +48,7 @@ def test_chosen_values_are_told_with_the_rule(reference):
         assert key.value
 
 
-def test_words_are_offered_and_only_they_where_nothing_else_may_stand(reference):
+def test_allowed_words_are_listed_and_marked_as_the_only_values(reference):
     held = {key.fact.key: key for key in held_keys(reference)}
     assert (held["pattern.tangent"].words, held["pattern.tangent"].only_words) == (("left", "right"), True)
     assert (held["protocol.contact"].words, held["protocol.contact"].only_words) == (("true", "false"), True)
