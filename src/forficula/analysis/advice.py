@@ -104,7 +104,7 @@ def _more_time(record: Record, ending: Ending, transition: Transition) -> Advice
     if end.goal_time is not None:  # the run missed the rest of a later stage
         return NOTHING
     stage, key = end.stage, _stage_key(record.design, transition.stage, "time_limit")
-    if not (end.at_goal or ending.why or _approaches(record, transition)):
+    if not (end.at_goal or ending.why or _approaches_goal(record, transition)):
         last = show_value(min(record.design.protocol.window, end.end - end.start), "s")
         return Advice(
             text=f'In the last {last} of the stage "{stage.name}" it approached its goal no faster than a structure'
@@ -117,7 +117,7 @@ def _more_time(record: Record, ending: Ending, transition: Transition) -> Advice
     return Advice(kind="more time", text=text, values={key: limit})
 
 
-def _approaches(record: Record, transition: Transition) -> bool:
+def _approaches_goal(record: Record, transition: Transition) -> bool:
     """Return whether the coordinate furthest from a transition's goal approached it at the end of the driven stage.
 
     Its mean speed over the last window must exceed the speed that counts as rest, because more time does not help a

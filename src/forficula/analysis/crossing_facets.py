@@ -131,7 +131,7 @@ def _first_crossings(pieces: _Pieces, places: Array) -> list[tuple[int, int, int
     found: dict[tuple[int, int], int] = {}
     for first in range(0, len(places) if len(pieces.corners) > 1 else 0, _TOGETHER):
         corners = np.moveaxis(places[first : first + _TOGETHER, pieces.corners], 1, 0)
-        pair, row = _near(pieces, corners)
+        pair, row = _overlapping_boxes(pieces, corners)
         normals = polygon_normal(corners)
         normals /= np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-300)
         crosses = _cross(corners[pair, row], normals[pair, row], pieces.half[pair])
@@ -142,7 +142,7 @@ def _first_crossings(pieces: _Pieces, places: Array) -> list[tuple[int, int, int
     return sorted(((one, other, row) for (one, other), row in found.items()), key=lambda entry: entry[2])
 
 
-def _near(pieces: _Pieces, corners: Array) -> tuple[Indices, Indices]:
+def _overlapping_boxes(pieces: _Pieces, corners: Array) -> tuple[Indices, Indices]:
     """Return pairs of pieces, (2, case), and rows, (case,), whose boxes overlap; corners, (piece, row, corner, 3)."""
     low, high = corners.min(axis=2), corners.max(axis=2)
     # first compare the boxes over all rows

@@ -89,7 +89,7 @@ def panel_crossing(record: Record, rows: Sequence[int] | None = None) -> PanelCr
         return None
     if rows is not None:
         return _deepest(record, meshes, rows)
-    rows = _telling_rows(record)
+    rows = _evenly_spaced_rows(record)
     found = _deepest(record, meshes, rows)
     # search once more between the rows next to the deepest one
     near = int(np.searchsorted(record.time[rows], found.time))
@@ -111,15 +111,15 @@ def _deepest(record: Record, meshes: Sequence[PanelMesh], rows: Sequence[int]) -
     return found
 
 
-def _telling_rows(record: Record) -> list[int]:
+def _evenly_spaced_rows(record: Record) -> list[int]:
     """Return rows of every stage between which the panels move by equal distances, with the ends of the stage."""
     steps = np.linalg.norm(np.diff(record.series["membrane_position"], axis=0), axis=2).max(axis=1)
-    way = np.concatenate([[0.0], np.cumsum(steps)])
+    path = np.concatenate([[0.0], np.cumsum(steps)])
     bounds = np.searchsorted(record.time, [[end.start, end.end] for end in record.stages])
     rows = []
-    for (first, last), end in zip(bounds.clip(max=len(way) - 1).tolist(), record.stages, strict=True):
-        wanted = np.linspace(way[first], way[last], _DRIVEN if stage_drives(end.stage) else _OTHERS)
-        rows += [first, last, *(first + np.searchsorted(way[first : last + 1], wanted)).clip(max=last).tolist()]
+    for (first, last), end in zip(bounds.clip(max=len(path) - 1).tolist(), record.stages, strict=True):
+        wanted = np.linspace(path[first], path[last], _DRIVEN if stage_drives(end.stage) else _OTHERS)
+        rows += [first, last, *(first + np.searchsorted(path[first : last + 1], wanted)).clip(max=last).tolist()]
     return sorted(set(rows))
 
 

@@ -309,8 +309,8 @@ def _widths(structure: Structure) -> list[float]:
     for membrane in structure.membranes:
         joined = sorted(bodies & set(membrane.bodies.tolist()))
         if len(joined) > 1:
-            ways = (origins[one] - origins[other] for one, other in combinations(joined, 2))
-            widths.append(min(float(np.linalg.norm(way)) for way in ways))
+            offsets = (origins[one] - origins[other] for one, other in combinations(joined, 2))
+            widths.append(min(float(np.linalg.norm(offset)) for offset in offsets))
             continue
         corners = membrane.built[membrane.triangles]
         widths.append(math.sqrt(float(triangle_areas(corners).sum())))

@@ -71,8 +71,8 @@ def _share_short(record: Record, transition: Transition, state: State, goal: Sta
         record.series["hinge_angle"][row : row + 1],
         None if distances is None else distances[row : row + 1],
     )[0]
-    way, left = short_of(start, goal), short_of(state.coordinates, goal)
-    share = left / way if way > 0 else 1.0
+    distance, left = short_of(start, goal), short_of(state.coordinates, goal)
+    share = left / distance if distance > 0 else 1.0
     return float(np.clip(share, _LEAST_SHORT, 1.0))
 
 

@@ -99,13 +99,13 @@ def packages(record: Record) -> dict[str, tuple[float, Package]]:
     """
     structure, found = record.structure, dict[str, tuple[float, Package]]()
     named = [(end.end, name) for end, name in zip(record.stages, structure.stage_states, strict=False) if name]
-    if record.diverged_at is not None or not named or not _spread_out(_places(record, 0)):
+    if record.diverged_at is not None or not named or not _not_collinear(_places(record, 0)):
         return found
     begin = open_package(record).area
     for time, name in named:
         row = min(int(np.searchsorted(record.time, time - _ROUNDING)), len(record.time) - 1)
         places = _places(record, row)
-        if _spread_out(places) and _holds(record, name, row):
+        if _not_collinear(places) and _holds(record, name, row):
             package = package_of(places, _radius(structure))
             found[name] = (float(record.time[row]), replace(package, area_ratio=package.area / begin))
     return found
@@ -138,7 +138,7 @@ def smallest_package(record: Record) -> tuple[str, float, Package] | None:
     return (name, *found[name])
 
 
-def _spread_out(places: Array) -> bool:
+def _not_collinear(places: Array) -> bool:
     """Return whether positions do not all lie on a line."""
     sizes = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
     return len(sizes) > 1 and bool(sizes[1] > _FLAT * sizes[0])

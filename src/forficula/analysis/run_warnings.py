@@ -31,11 +31,11 @@ def run_warnings(record: Record) -> list[str]:
     return [
         *filter(None, early),
         *_missed(record),
-        *_broken(record),
+        *_overstressed_parts(record),
         *_stretched_membranes(record),
         *_crossing_facets(record),
         *_crossing_panels(record),
-        *_giving_contacts(record),
+        *_energy_adding_contacts(record),
         *_fast_tendons(record),
     ]
 
@@ -47,7 +47,7 @@ def _missed(record: Record) -> list[str]:
     return [missed_text(missed, int(bounded.sum()))] if missed else []
 
 
-def _broken(record: Record) -> list[str]:
+def _overstressed_parts(record: Record) -> list[str]:
     """Warn of parts whose stress exceeds the strength of their material."""
     if record.structure.strength is None:
         return []
@@ -104,7 +104,7 @@ def _crossing_panels(record: Record) -> list[str]:
     return [f"{crossing}, more than contact should allow: a shorter timestep reduces the depth"]
 
 
-def _giving_contacts(record: Record) -> list[str]:
+def _energy_adding_contacts(record: Record) -> list[str]:
     """Warn of contacts that supplied more energy than may be missing from the balance."""
     if "contact_work" not in record.series or record.diverged_at is not None:
         return []

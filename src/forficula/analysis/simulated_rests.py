@@ -36,10 +36,10 @@ def rest_distances(landscape: EnergyLandscape, record: Record) -> Mapping[str, f
     for end in record.stages:
         if end.stage.state in known:
             row = int(np.searchsorted(record.time, end.end, side="right")) - 1
-            found[end.stage.state] = float(np.abs(_apart(places[row]) - _apart(known[end.stage.state])).max())
+            found[end.stage.state] = float(np.abs(_distances(places[row]) - _distances(known[end.stage.state])).max())
     return found
 
 
-def _apart(places: Array) -> Array:
+def _distances(places: Array) -> Array:
     """Return distances between all points, m, (point, point)."""
     return np.asarray(np.linalg.norm(places[:, None] - places[None], axis=2))

@@ -306,12 +306,12 @@ def _energies(structure: Structure, state: State) -> Iterator[_StateNumbers]:
         for group, hinges in groups.items():
             if group != "hinges":
                 yield _StateNumbers(
-                    name=f"{group.replace(' ', '_')}_energy", unit="J", numbers=partial(_summed, hinges)
+                    name=f"{group.replace(' ', '_')}_energy", unit="J", numbers=partial(_hinge_energy, hinges)
                 )
     yield _StateNumbers(name="tendon_length", unit="m", numbers=itemgetter("tendon.length"))
     yield _StateNumbers(name="tendon_energy", unit="J", numbers=itemgetter("tendon.energy"))
     yield _StateNumbers(name="membrane_energy", unit="J", numbers=lambda values: values["membrane.energy"][0])
 
 
-def _summed(hinges: Sequence[int], values: StateValues) -> float:
+def _hinge_energy(hinges: Sequence[int], values: StateValues) -> float:
     return float(values["hinge.energy"][list(hinges)].sum())

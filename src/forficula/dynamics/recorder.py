@@ -163,7 +163,7 @@ class Recorder:
             series=series,
             stages=stages,
             diverged_at=diverged_at,
-            doubt=self._doubt(account),
+            doubt=self._closure_doubt(account),
             kinetic_peak=self._kinetic_peak(),
             strain_rates=self._strain_rates(),
         )
@@ -182,7 +182,7 @@ class Recorder:
             return None
         return float(number * self._timestep), float(self.model.units.energy * energy)
 
-    def _doubt(self, account: Mapping[str, float]) -> str:
+    def _closure_doubt(self, account: Mapping[str, float]) -> str:
         """Return why the run is unreliable if closures opened by more than a thousandth of the structure's size."""
         gap, span = account.get("closure_gap", 0.0), self.model.structure.span
         if gap <= LARGEST_GAP * span:

@@ -63,10 +63,10 @@ def slow_drives(structure: Structure) -> dict[str, SlowDrive]:
             else SlowDrive(least=None)
             for transition in structure.transitions
         }
-    return _of_joints(structure)
+    return _joint_drives(structure)
 
 
-def _of_joints(structure: Structure) -> dict[str, SlowDrive]:
+def _joint_drives(structure: Structure) -> dict[str, SlowDrive]:
     """Compute least drives of bodies on joints in a tree, to 1 %."""
     structures, found = ensemble([structure]), dict[str, SlowDrive]()
     before, held = start_state(structures), True

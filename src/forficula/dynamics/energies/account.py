@@ -97,7 +97,7 @@ class Account:
                 done = sum((work[name] for name in (*outside, "drag_work") if name in work), np.zeros(travel.shape[:2]))
                 self._add_stops(work, done, rows, steps, taken)
             else:
-                self._add_taken(work, rows, steps, travel, of_creases)
+                self._add_losses(work, rows, steps, travel, of_creases)
             for place, row in enumerate(rows.tolist()):
                 self._add_branches(work, place, self._models[row], steps, travel)
             seconds = [float(self._models[row].design.protocol.timestep) for row in rows]
@@ -112,7 +112,7 @@ class Account:
                     self._powers[rows, motor] = power[np.arange(len(rows)), np.maximum(taken, 1) - 1]
                 before[motor_setting_name(motor)] = before_step[:, :, motor]
                 if self._displaces[:, motor].any():
-                    before[motor_force_name(motor)] = self._force(rows, motor, steps, taken)
+                    before[motor_force_name(motor)] = self._motor_force(rows, motor, steps, taken)
             if len(self._gaps):
                 before["closure_gap"] = self._widened(rows, steps, taken)
             if self._waits:
@@ -137,7 +137,9 @@ class Account:
         """Return powers of the motors' torques (motor,) on a structure in a state, W; their settings; forces, N."""
         model, settings = self._models[row], self._set[row]
         if model.creases is None:
-            along = [self._along(np.array([row]), end.velocity[None, None], motor)[0, 0] for motor in self._motors]
+            along = [
+                self._motor_travel(np.array([row]), end.velocity[None, None], motor)[0, 0] for motor in self._motors
+            ]
         else:
             along = list(motor_travel(model, end.position, end.velocity))
         return {
@@ -175,7 +177,7 @@ class Account:
         """Return the work of motors, and of the damping of creases if there are any, (row, step)."""
         if steps.angles is None:
             work = {
-                motor_work_name(number): torques[:, :, number] * self._along(rows, travel, motor)
+                motor_work_name(number): torques[:, :, number] * self._motor_travel(rows, travel, motor)
                 for number, motor in enumerate(self._motors)
             }
             for number in np.flatnonzero(self._by_engine.any(axis=0)).tolist():
@@ -198,7 +200,9 @@ class Account:
             of_creases = np.array([damped for _, damped in each])
         return work, of_creases
 
-    def _add_taken(self, work: dict[str, Array], rows: Indices, steps: Steps, travel: Array, of_creases: Array) -> None:
+    def _add_losses(
+        self, work: dict[str, Array], rows: Indices, steps: Steps, travel: Array, of_creases: Array
+    ) -> None:
         """Add the work of dampers, stops and contacts in steps that the engine takes implicitly."""
         velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
         damping = self._damping[rows, None]
@@ -221,12 +225,12 @@ class Account:
         if self._models[0].structure.contact is not None:
             self._add_contacts(work, rows, steps, travel)
 
-    def _along(self, rows: Indices, travel: Array, motor: Motor) -> Array:
+    def _motor_travel(self, rows: Indices, travel: Array, motor: Motor) -> Array:
         """Return the summed travel of the hinges of a motor in their own senses, (row, step)."""
         hinges = list(motor.hinges)
         return np.asarray(np.sum(self._senses[rows][:, None, hinges] * travel[:, :, hinges], axis=2))
 
-    def _force(self, rows: Indices, motor: int, steps: Steps, taken: Indices) -> Array:
+    def _motor_force(self, rows: Indices, motor: int, steps: Steps, taken: Indices) -> Array:
         """Return the force of a motor on the points that it displaces, N, (row, step); nan if it displaces none."""
         forces = np.full(steps.position.shape[:2], np.nan)
         for place, row in enumerate(rows.tolist()):
@@ -320,7 +324,7 @@ def motor_power_name(motor: int) -> str:
 
 def motor_force_name(motor: int) -> str:
     """Return the name of the force of a motor that displaces points in an account."""
-    return f"motor{motor}_force"
+    return f"motor{motor}_motor_force"
 
 
 def explicit_works(steps: Steps, travel: Array, damping: Array, timestep: Array) -> dict[str, Array]:

@@ -102,7 +102,7 @@ def node_timestep(structure: Structure) -> float:
         _largest(
             sum(
                 (csr_array(matrix[0].T @ diags_array(matrix[kind]) @ matrix[0]) for matrix in matrices),
-                start=_none(masses),
+                start=_zero_matrix(masses),
             )
         )
         for kind in (1, 2)
@@ -173,7 +173,7 @@ def _built_position(structure: Structure, placement: Placement) -> Array:
     return position
 
 
-def _none(masses: Array) -> csr_array:
+def _zero_matrix(masses: Array) -> csr_array:
     return csr_array((len(masses), len(masses)))
 
 
@@ -207,19 +207,19 @@ def _lines(structure: Structure) -> _Elements:
         stiffness.append(float(np.max(both)) + sum(branch.stiffness for branch in law.branches))
         damping.append((law.damping or (0.0,))[0])
     every = np.concatenate([np.arange(len(points)), *[np.flatnonzero(short)] * 2])
-    ways = np.concatenate([along, *(np.tile(np.eye(3)[axis], (int(short.sum()), 1)) for axis in (1, 2))])
+    directions = np.concatenate([along, *(np.tile(np.eye(3)[axis], (int(short.sum()), 1)) for axis in (1, 2))])
     return _Elements(
-        points[every], np.stack([-ways, ways], axis=1), np.array(stiffness)[every], np.array(damping)[every]
+        points[every], np.stack([-directions, directions], axis=1), np.array(stiffness)[every], np.array(damping)[every]
     )
 
 
 def _servos(structure: Structure) -> _Elements:
     """Return the elements of servos that displace points."""
     served = [motor for motor in structure.motors if motor.kind == "displacement"]
-    ways = [motor.direction for motor in served for _ in motor.points]
+    directions = [motor.direction for motor in served for _ in motor.points]
     return _Elements(
         np.array([point for motor in served for point in motor.points], dtype=np.int64).reshape(-1, 1),
-        np.array(ways, dtype=np.float64).reshape(-1, 1, 3),
+        np.array(directions, dtype=np.float64).reshape(-1, 1, 3),
         np.array([motor.stiffness for motor in served for _ in motor.points]),
         np.array([damping for motor in served for damping in motor.damping]),
     )

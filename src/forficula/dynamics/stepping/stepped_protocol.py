@@ -100,7 +100,7 @@ def stepped_protocol(model: Model) -> SteppedProtocol:
             SteppedDrive(
                 drive=drive,
                 unit=drive_unit(structure, drive),
-                torques=np.array(drive.shares) * _unit(model, drive),
+                torques=np.array(drive.shares) * _strength_unit(model, drive),
                 rise=drive.rise / timestep,
             )
             for drive in structure.drives
@@ -126,7 +126,7 @@ def stepped_protocol(model: Model) -> SteppedProtocol:
     )
 
 
-def _unit(model: Model, drive: Drive) -> float:
+def _strength_unit(model: Model, drive: Drive) -> float:
     """Return the SI unit of a drive's strength in the model's units."""
     units = {"N m": model.units.energy, "N": model.units.energy / model.units.length, "m": model.units.length}
     return 1 / units.get(drive_unit(model.structure, drive), 1.0)

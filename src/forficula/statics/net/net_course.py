@@ -167,10 +167,10 @@ def gone(structure: Structure, net: Net, drive: Drive, shape: NetShape) -> float
         if not share or motor.kind != kind:
             continue
         if motor.direction is not None:
-            ways = (net.points @ (shape.positions - net.nodes))[list(motor.points)] @ motor.direction
+            travels = (net.points @ (shape.positions - net.nodes))[list(motor.points)] @ motor.direction
         else:
-            ways = np.sign(motor.gains or [1.0]) * own_angles(structure, shape)[list(motor.hinges)]
-        far, weight = far + share * float(ways.sum()), weight + abs(share) * len(ways)
+            travels = np.sign(motor.gains or [1.0]) * own_angles(structure, shape)[list(motor.hinges)]
+        far, weight = far + share * float(travels.sum()), weight + abs(share) * len(travels)
     return float(np.sign(drive.strength or 1.0)) * far / weight
 
 

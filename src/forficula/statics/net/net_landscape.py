@@ -50,7 +50,7 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
     progress("resting shape and effects of the drives")
     built = start_shape(structure, net)
     first, left = _settled(net, built)
-    courses, refused = _courses(structure, net, first)
+    courses, refused = _all_courses(structure, net, first)
     rests = _rests(structure, net, first, courses)
     progress("stable states")
     search = find_stable_states(net, [rest.shape for _, rest, _ in rests], tries=_TRIES)
@@ -99,7 +99,7 @@ def _settled(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
     )
 
 
-def _courses(structure: Structure, net: Net, first: NetRest) -> tuple[tuple[Course, ...], tuple[str, ...]]:
+def _all_courses(structure: Structure, net: Net, first: NetRest) -> tuple[tuple[Course, ...], tuple[str, ...]]:
     """Return the courses of transitions, one after another, then of all other drives, and why some are missing."""
     courses, refused = _transition_courses(structure, net, first)
     driven = {drive_of(structure, transition.drive).name for transition in structure.transitions}
@@ -206,14 +206,14 @@ def _passes(net: Net, states: Sequence[NetState]) -> tuple[Pass, ...]:
     """
     if len(states) < 2:
         return ()
-    apart = np.array([[_apart(one.rest.shape, other.rest.shape) for other in states] for one in states])
+    apart = np.array([[_shape_difference(one.rest.shape, other.rest.shape) for other in states] for one in states])
     tree = minimum_spanning_tree(np.triu(apart, 1)).tocoo()
     found = dict[tuple[int, int], Pass]()
     for start, end in sorted(zip(tree.row.tolist(), tree.col.tolist(), strict=True)):
         saddle = find_saddle(net, states[start].rest, states[end].rest, increments=_INCREMENTS, tries=_PATHS)
         if saddle is None:
             continue
-        one, other = (_number(net, states, rest) for rest in saddle.ends)
+        one, other = (_state_number(net, states, rest) for rest in saddle.ends)
         if one is not None and other is not None and one != other:
             barriers = saddle.barriers if one < other else saddle.barriers[::-1]
             ends = min(one, other), max(one, other)
@@ -221,19 +221,19 @@ def _passes(net: Net, states: Sequence[NetState]) -> tuple[Pass, ...]:
     return tuple(found[ends] for ends in sorted(found))
 
 
-def _number(net: Net, states: Sequence[NetState], rest: NetRest) -> int | None:
+def _state_number(net: Net, states: Sequence[NetState], rest: NetRest) -> int | None:
     """Return the number of the state that an equilibrium belongs to; None if it is not listed."""
     same = (number for number, state in enumerate(states) if same_shape(net, state.rest.shape, rest.shape))
     return next(same, None)
 
 
-def _apart(one: NetShape, other: NetShape) -> float:
+def _shape_difference(one: NetShape, other: NetShape) -> float:
     """Return the difference of two shapes by all distances of nodes, which rigid-body motions do not change."""
     first, second = (np.linalg.norm(state.positions[:, None] - state.positions[None], axis=2) for state in (one, other))
     return float(np.linalg.norm(first - second)) + 1e-9 * float(np.linalg.norm(one.angles - other.angles))
 
 
-def _alone(count: int, passes: Sequence[Pass]) -> list[int]:
+def _unconnected_states(count: int, passes: Sequence[Pass]) -> list[int]:
     """Return the states that no chain of passes joins to the first."""
     if not count:
         return []
@@ -273,7 +273,7 @@ def _remarks(
         remarks.append("a part can move without any force: a crease has no spring, or a support is missing")
     remarks += [
         f'no saddles were found that connect "{states[number].name}" to the first state'
-        for number in _alone(len(states), passes)
+        for number in _unconnected_states(len(states), passes)
     ]
     for course in courses:
         if any(snap.kind != "limit" for snap in course.slow.snaps):

@@ -130,7 +130,7 @@ def net_state(structure: Structure, net: Net, rest: NetRest, name: str, found: i
         strain=float(np.abs(strained.strains).max(initial=0.0)),
         stress=float(max(np.abs(by_area).max(initial=0.0), np.abs(strained.stresses).max(initial=0.0))),
         extension=float(strained.extensions.max(initial=0.0)),
-        withstands=tuple(_withstands(structure, net, rest)) if loads else (),
+        withstands=tuple(_tried_loads(structure, net, rest)) if loads else (),
         passing=panels_pass(net, rest.shape, panels(structure)),
         found=found,
     )
@@ -186,17 +186,17 @@ def _unstretched(net: Net) -> Net:
     return replace(net, springs=springs, membranes=None)
 
 
-def _withstands(structure: Structure, net: Net, rest: NetRest) -> list[Withstood]:
+def _tried_loads(structure: Structure, net: Net, rest: NetRest) -> list[Withstood]:
     """Return every load that is tried, without those that would move the net as a rigid body."""
     found = []
     for words, unit, load in _loads(structure, net, rest.shape):
-        lost = _lost(net, rest, load)
+        lost = _loss_under(net, rest, load)
         if lost is not None:
             found.append(Withstood(load=words, unit=unit, value=float(lost.factor), kind=lost.kind))
     return found
 
 
-def _lost(net: Net, rest: NetRest, load: Load) -> Collapse | None:
+def _loss_under(net: Net, rest: NetRest, load: Load) -> Collapse | None:
     """Find the loss of a state under a load; None for a rigid-body motion, and if no path is found."""
 
     def strained(point: PathPoint) -> bool:

@@ -44,16 +44,16 @@ def _pierced(corners: Array, triangles: Indices) -> Flags:
     near &= ~(triangles[:, None, :, None] == triangles[None, :, None, :]).any(axis=(2, 3))
     one, other = np.nonzero(near)
     begin = corners[one]
-    way = np.roll(begin, -1, axis=1) - begin
+    edge = np.roll(begin, -1, axis=1) - begin
     first, second, third = (corners[other, corner][:, None] for corner in range(3))
     along, beside = second - first, third - first
-    across = np.cross(way, beside)
+    across = np.cross(edge, beside)
     size = np.sum(along * across, axis=2)
     with np.errstate(divide="ignore", invalid="ignore"):
         away = begin - first
         u = np.sum(away * across, axis=2) / size
         turned = np.cross(away, along)
-        v = np.sum(way * turned, axis=2) / size
+        v = np.sum(edge * turned, axis=2) / size
         share = np.sum(beside * turned, axis=2) / size
         inside = (u > _WITHIN) & (v > _WITHIN) & (u + v < 1 - _WITHIN)
         return np.asarray(inside & (share > _WITHIN) & (share < 1 - _WITHIN))

@@ -75,7 +75,7 @@ def find_saddle(
     random, other = np.random.default_rng(seed), None
     for number in range(tries):
         start, end = (first, second) if number % 2 == 0 else (second, first)
-        towards = _towards(net, start, end) if load is None else load
+        towards = _load_towards(net, start, end) if load is None else load
         if load is not None and number % 2:
             towards = Load(forces=-load.forces, torques=-load.torques, displacements=-load.displacements)
         if number > 1:
@@ -91,7 +91,7 @@ def find_saddle(
     return other
 
 
-def _towards(net: Net, start: NetRest, end: NetRest) -> Load:
+def _load_towards(net: Net, start: NetRest, end: NetRest) -> Load:
     turned = np.asarray(net.creases.law.stiffness) * (end.shape.angles - start.shape.angles)
     if np.any(turned):
         return replace(no_load(net), torques=turned)

@@ -182,7 +182,7 @@ def hinge_landscape(
     path = _Path(hinge=hinge, spring=spring)
     found = _places(path)
     stable = [place for place in found if place.stable]
-    top = _top_of(found)
+    top = _first_maximum(found)
     climbed = top is not None and top is not found[0]
     slack = slack_angle(hinge)
     return HingeLandscape(
@@ -247,7 +247,7 @@ def _places(path: _Path) -> tuple[PathState, ...]:
     return states_along(path, folds, force=_ROUNDING * largest, wide=0.0)
 
 
-def _top_of(found: tuple[PathState, ...]) -> PathState | None:
+def _first_maximum(found: tuple[PathState, ...]) -> PathState | None:
     """Return the first maximum that a hinge climbs to; else the one at its start, if its overbend is 0."""
     tops = [place for place in found if not place.stable]
     return next((top for top in tops if top is not found[0]), next(iter(tops), None))
@@ -351,7 +351,7 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: 
         overbend: name of the overbend in sentences.
     """
     if not hinge.pulls:
-        return (_why_no_pull(hinge, "nothing moves the hinge, and there is no barrier"),)
+        return (_slack_remark(hinge, "nothing moves the hinge, and there is no barrier"),)
     remarks = []
     # sentences show angles in the hinge's own sense
     sense, offset, limit = hinge.sense, hinge.offset_angle, hinge.fold_limit
@@ -399,7 +399,7 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: 
 
 def _spring_remarks(hinge: TendonHinge, stable: list[PathState], slack: float | None) -> tuple[str, ...]:
     if not hinge.pulls:
-        return (_why_no_pull(hinge, "only the spring of the hinge moves it, and there is no barrier"),)
+        return (_slack_remark(hinge, "only the spring of the hinge moves it, and there is no barrier"),)
     remarks = []
     if len(stable) == 1:
         remarks.append(
@@ -415,7 +415,7 @@ def _spring_remarks(hinge: TendonHinge, stable: list[PathState], slack: float | 
     return tuple(remarks)
 
 
-def _why_no_pull(hinge: TendonHinge, then: str) -> str:
+def _slack_remark(hinge: TendonHinge, then: str) -> str:
     """Return a sentence on why a tendon is slack at every angle, and its consequence."""
     law, longest = hinge.law, float(hinge.length_from_top(hinge.nearest))
     if law.rest_length < longest:

@@ -23,7 +23,7 @@ from forficula.structure import Structure, hinges_between
 _EVERY_COMBINATION = 5
 # angle past straight at which a hinge starts, so that its tendon pulls it on as far as neighbours and limits allow
 _START = math.radians(30)
-_WAYS = 45  # positions on the path of one hinge, including straight
+_POSITIONS = 45  # positions on the path of one hinge, including straight
 _FINE = 721  # number of angles in the search for the maximum of one hinge
 _ROUNDING = 1e-6  # of the stiffness of the stiffest part
 
@@ -102,18 +102,18 @@ def single_hinge_barriers(structures: Ensemble, flat: Array) -> Array:
     count = len(folding)
     if not count:
         return np.zeros(0)
-    many = structures.repeated(count * _WAYS)
-    start = np.tile(flat, (count * _WAYS, 1))
+    many = structures.repeated(count * _POSITIONS)
+    start = np.tile(flat, (count * _POSITIONS, 1))
     held = np.zeros(start.shape, dtype=bool)
     places = _places(structures, folding, flat[0])
     for number, hinge in enumerate(folding):
-        rows = slice(number * _WAYS, (number + 1) * _WAYS)
-        way = np.linspace(flat[0, hinge], places.folded[number], _WAYS - 1)
-        start[rows, hinge] = np.append(way, places.top[number])
+        rows = slice(number * _POSITIONS, (number + 1) * _POSITIONS)
+        steps = np.linspace(flat[0, hinge], places.folded[number], _POSITIONS - 1)
+        start[rows, hinge] = np.append(steps, places.top[number])
         held[rows, hinge] = True
-    energy = rest(many, start, held=held).energy.reshape(count, _WAYS)
+    energy = rest(many, start, held=held).energy.reshape(count, _POSITIONS)
     level = potential(structures.repeated(1), flat)[0][0]
-    rises = places.shared & (energy[:, :-1].argmax(axis=1) == _WAYS - 2)
+    rises = places.shared & (energy[:, :-1].argmax(axis=1) == _POSITIONS - 2)
     folds = ~rises & (~places.shared | (places.senses * (flat[0, list(folding)] - places.top) >= 0))
     return np.where(folds, np.maximum(0.0, energy.max(axis=1) - level), np.nan)
 

@@ -164,7 +164,7 @@ def slow_transition(structures: Ensemble, start: Array, transition: Transition, 
         left = np.flatnonzero(np.isnan(least))
         if not len(left):
             break
-        position[left] = _pushed(structures, left, position[left], drive, np.full(len(left), torque))
+        position[left] = _pushed_rest(structures, left, position[left], drive, np.full(len(left), torque))
         least[left[at_goal(structures, position[left], goal)]] = max(torque, steps[0])
     return SlowTransition(torque=least, position=position)
 
@@ -214,7 +214,7 @@ def least_slow_torque(
         if not len(left):
             return SlowTransition(torque=least, position=position, paths=() if record is None else record.paths())
         tried = np.minimum(torque[left] + step[left], most[left])
-        found = _pushed(structures, left, position[left], drive, tried, within=_NEAR)
+        found = _pushed_rest(structures, left, position[left], drive, tried, within=_NEAR)
         leaves = np.abs(found - position[left]).max(axis=1) > 0.99 * _NEAR
         fine = step[left] <= np.maximum(_ACCURACY * tried, _FIRST_STEP * most[left])
         snaps = leaves & fine
@@ -287,7 +287,7 @@ def _snapped(
     ]
 
 
-def _pushed(
+def _pushed_rest(
     structures: Ensemble,
     cases: Indices,
     start: Array,
