@@ -128,7 +128,7 @@ def test_the_least_torques_of_simulated_joints_are_those_of_statics(agree, key, 
 
 
 def test_simulated_as_its_parts_are_made_it_has_two_stable_states_with_the_numbers_of_the_readme():
-    made = as_made(ff.make_parts(JOINT, "joint"))
+    made = as_made(ff.make.parts(JOINT, "joint"))
     outcome = ff.measure(ff.run(made, confirm=False))
     assert outcome.status == "folded and opened"
     flat = {f"tendon.{end}_offset": "0 mm" for end in ("proximal", "distal")}
