@@ -8,6 +8,7 @@ import signal
 import tempfile
 import threading
 import traceback
+import warnings
 from collections.abc import Callable
 from contextlib import suppress
 from multiprocessing.connection import Connection
@@ -106,6 +107,8 @@ def _work(pipe: Connection, opened: Opened, temporary: Path) -> None:
     # ctrl-C ends the server, which then ends this process
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     tempfile.tempdir = str(temporary)
+    # the page shows warnings about a design; the terminal has shown those of the opened one
+    warnings.simplefilter("ignore", UserWarning)
     threading.Thread(target=_leave_with_parent, daemon=True).start()
     # import before the first task arrives
     import forficula.workbench.told  # noqa: F401
