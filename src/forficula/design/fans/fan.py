@@ -64,11 +64,14 @@ class FanProtocol(Protocol):
     )
     initial_overbend: float = quantity(ANGLE, "initial angle of every distal hinge, past straight")
     folded_angle: float = quantity(
-        ANGLE, "angle beyond which every distal hinge must be for the wing to count as folded", above=0, at_most=math.pi
+        ANGLE,
+        "fold angle that every distal hinge must exceed for the wing to count as folded",
+        above=0,
+        at_most=math.pi,
     )
     opened_angle: float = quantity(
         ANGLE,
-        "angle at or past which every distal hinge must be, on the overbend side, for the wing to count as opened",
+        "least angle of every distal hinge, positive towards the overbend, with which the wing counts as opened",
     )
 
     @model_validator(mode="after")

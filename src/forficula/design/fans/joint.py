@@ -41,7 +41,7 @@ class JointProtocol(Protocol):
         ANGLE, "angle beyond which the hinge must be for the joint to count as folded", above=0, at_most=math.pi
     )
     opened_angle: float = quantity(
-        ANGLE, "angle at or past which the hinge must be, on the overbend side, for the joint to count as opened"
+        ANGLE, "least angle of the hinge, positive towards the overbend, with which the joint counts as opened"
     )
 
     @model_validator(mode="after")
