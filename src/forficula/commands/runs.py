@@ -49,8 +49,8 @@ def run(
         int | None,
         WHOLE_NUMBER,
         Parameter(
-            help="Also run the design with its tendons as they are after several numbers of load cycles, up to this"
-            " number, such as 100."
+            help="Also run the design with its tendons as changed by 1, 2, 3 and more load cycles, up to this number,"
+            " such as 100."
         ),
     ] = None,
     no_confirm: Annotated[

@@ -56,8 +56,8 @@ class FanProtocol(Protocol):
     ] = None
     no_load_speed: float | None = quantity(
         ANGULAR_SPEED,
-        "speed of a driven hinge at which its torque has fallen to 0, as in a servo whose stall torques are these"
-        " torques; if not given, torques are constant",
+        "speed of a driven hinge at which its torque has fallen to 0, as in a servo; fold_torque and unfold_torque are"
+        " the stall torques; if not given, torques are constant",
         default=None,
         above=0,
         examples=["300 deg/s"],

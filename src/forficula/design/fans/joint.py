@@ -30,8 +30,8 @@ class JointProtocol(Protocol):
     unfold_torque: float = quantity(TORQUE, "torque on the hinge while unfolding", at_least=0)
     no_load_speed: float | None = quantity(
         ANGULAR_SPEED,
-        "speed of the hinge at which its torque has fallen to 0, as in a servo whose stall torques are these torques;"
-        " if not given, torques are constant",
+        "speed of the hinge at which its torque has fallen to 0, as in a servo; fold_torque and unfold_torque are the"
+        " stall torques; if not given, torques are constant",
         default=None,
         above=0,
         examples=["300 deg/s"],

@@ -45,7 +45,7 @@ class FactTable(Section):
         'a state, a number of a run, a sum of such numbers, or "least value"', left_out="needed"
     )
     statistic: Annotated[str | None, "count, all, none, any; or least, largest, mean, least at, largest at"] = entry(
-        "statistic over all conditions: the first four for a state, the others for a number",
+        "statistic over all conditions: count, all, none or any for a state, the others for a number",
         left_out='"all" or "least"',
     )
     over: Grid = entry("conditions; all combinations of their values are run", {})
