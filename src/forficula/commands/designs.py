@@ -99,7 +99,9 @@ def open_design(
     unit: DrawingUnit = None,
     out: Annotated[
         OutIfGiven,
-        Parameter(help="Write a page (.html) instead, in which the keys that apply to a moving structure can be set."),
+        Parameter(
+            help="Write a page (.html) instead of a workbench. Keys that need no new structure can be set there."
+        ),
     ] = None,
     port: Annotated[int | None, WHOLE_NUMBER, Parameter(help="Port of the server; default: any free port.")] = None,
     no_browser: Annotated[bool, Parameter(help="Print the address, and open no browser.", negative=())] = False,
@@ -137,7 +139,7 @@ def scale(
     unit: DrawingUnit = None,
     settings: Settings = None,
 ) -> None:
-    """Scale a design to another size of the same materials, and list the dimensionless groups that change."""
+    """Scale a design to another size with the same materials, and list the dimensionless groups that change."""
     from forficula.design import design_text, save_design, scale_design
     from forficula.files import check_new
 

@@ -39,7 +39,10 @@ if TYPE_CHECKING:
     from forficula.study.running.run_study import Evaluate
 
 
-_Shard = Annotated[str, Parameter(help="Share the runs with other processes, such as 2/8; each writes the result.")]
+_Shard = Annotated[
+    str,
+    Parameter(help="Share the runs with other processes: 2/8 is process 2 of 8. Each process writes the whole result."),
+]
 _ALL = "1/1"  # the shard of all runs
 _ROWS_KEPT = "; the rows are kept"
 

@@ -32,7 +32,7 @@ def material(
     ] = None,
     area: Annotated[
         str | None,
-        Parameter(help='Cross-section of every specimen, such as "5 mm^2", likewise.'),
+        Parameter(help='Cross-section of every specimen, such as "5 mm^2", where the files do not state it.'),
     ] = None,
     law: Annotated[
         str | None,
@@ -44,11 +44,11 @@ def material(
     keep_first: Annotated[
         bool, Parameter(help="Include the first cycle of every specimen in the fit.", negative=())
     ] = False,
-    band: Annotated[str, Parameter(help="Ignore reversals smaller than this share of the largest travel.")] = "5 %",
+    band: Annotated[str, Parameter(help="Ignore reversals of the extension below this share of its range.")] = "5 %",
     out: Annotated[Out, Parameter(help="Output folder; its name is the name of the material.")] = Path("out/material"),
     open_report: OpenReport = False,
 ) -> None:
-    """Fit a material law to tensile tests: cycles, moduli, drift, and a law for tendons."""
+    """Fit a material law for tendons to tensile tests, and report cycles, moduli and their drift."""
     from forficula.material.characterisation import AREA, BAND_SHARE, LENGTH, characterise
     from forficula.material.law.law_family import family_forms
     from forficula.material.machine.specimen_files import read_specimens

@@ -48,7 +48,9 @@ def study(
     *,
     out: Annotated[OutIfGiven, Parameter(help="Output folder; default: out/<name of the study>.")] = None,
     dry_run: Annotated[bool, Parameter(help="Only estimate the number of runs and their time.")] = False,
-    shard: Annotated[str, Parameter(help="Run a part of the points, such as 2/8; then --collect.")] = _ALL,
+    shard: Annotated[
+        str, Parameter(help="Run one part of the points, such as 2/8 for part 2 of 8; then use --collect.")
+    ] = _ALL,
     collect: Annotated[bool, Parameter(help="Build the table from the rows of all shards.")] = False,
     slurm: Annotated[
         int | None, WHOLE_NUMBER, Parameter(help="Write a SLURM job array of this number of shards, and run nothing.")

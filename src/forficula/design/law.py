@@ -38,7 +38,10 @@ class LawSoftening(Section):
     r: Annotated[float, Field(strict=True, ge=1, description="1/r is the largest share of the stress that is lost")]
     m: float = quantity(law_unit("softening.m"), "constant part of the energy scale of softening", at_least=0)
     beta: Annotated[
-        float, Field(strict=True, ge=0, description="share of the largest stored energy that adds to the energy scale")
+        float,
+        Field(
+            strict=True, ge=0, description="share of the largest stored energy that is added to m, for the energy scale"
+        ),
     ] = 0.0
 
     @model_validator(mode="after")
@@ -57,8 +60,13 @@ class LawDrift(Section):
 
     about: ClassVar[str] = "A change of a material over the cycles of a test; see `Drift`"
 
-    kind: Annotated[Literal["none", "logarithm", "plateau"], Field(description="shape of the change over the cycles")]
-    rate: Annotated[Number, Field(description="rate of the change")] = 0.0
+    kind: Annotated[
+        Literal["none", "logarithm", "plateau"], Field(description="how the value changes from cycle to cycle")
+    ]
+    rate: Annotated[
+        Number,
+        Field(description="rate a of the change in cycle N: a ln N, or a (1 - exp(-(N - 1) / cycles)) for a plateau"),
+    ] = 0.0
     interval: Annotated[tuple[Number, Number], Field(description="95 % confidence interval of the rate")] = (0.0, 0.0)
     cycles: Annotated[Number, Field(description="decay constant of the approach to a plateau, in cycles")] = 0.0
     seen: Annotated[tuple[Whole, Whole], Field(description="first and last cycle of the data")]

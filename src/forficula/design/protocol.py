@@ -91,7 +91,7 @@ class Protocol(Section):
     window: float = quantity(
         TIME,
         "averaging window of a state; a run is stuck once it has rested short of its goal for this long plus three"
-        " relaxation times of the slowest Maxwell branch that is no slower than the stages",
+        " relaxation times of the slowest Maxwell branch; branches slower than the stages are not counted",
         above=0,
     )
     least_hold: Annotated[

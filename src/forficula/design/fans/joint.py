@@ -30,8 +30,8 @@ class JointProtocol(Protocol):
     unfold_torque: float = quantity(TORQUE, "torque on the hinge while unfolding", at_least=0)
     no_load_speed: float | None = quantity(
         ANGULAR_SPEED,
-        "speed of the hinge at which its torque has fallen to 0, as in a servo whose stall torques are these torques;"
-        " if not given, torques are constant",
+        "speed of the hinge at which its torque has fallen to 0, as in a servo; fold_torque and unfold_torque are the"
+        " stall torques; if not given, torques are constant",
         default=None,
         above=0,
         examples=["300 deg/s"],
@@ -41,7 +41,7 @@ class JointProtocol(Protocol):
         ANGLE, "angle beyond which the hinge must be for the joint to count as folded", above=0, at_most=math.pi
     )
     opened_angle: float = quantity(
-        ANGLE, "angle at or past which the hinge must be, on the overbend side, for the joint to count as opened"
+        ANGLE, "least angle of the hinge, positive towards the overbend, with which the joint counts as opened"
     )
 
     @model_validator(mode="after")

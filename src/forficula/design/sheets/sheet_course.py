@@ -58,8 +58,8 @@ if TYPE_CHECKING:
 
 else:
     Joined = _between(
-        "end of the tendon: vertex 4, edge 12 at 0.5, facet 3 at centre, facet 3 at 0.5, 1, or, where facets bend,"
-        " ground"
+        'end of the tendon: "vertex 4", "edge 12 at 0.5" (share of its length), "facet 3 at centre", "facet 3 at 0.5,'
+        ' 1" (shares of its extent along x and y), or, if facets bend, "ground"'
     )
     _MaybeJoined = _between("end of a distance, for kind distance: a place such as vertex 4", default=None)
 
@@ -77,11 +77,11 @@ class SheetTendon(ElasticTendon, Joined):
 
 
 _KIND = Field(
-    description="torque on creases, force at places, displacement of places, or rest-angle: change of the rest angles"
-    " of creases"
+    description="torque on creases, force at points of the sheet, displacement of such points, or rest-angle: change of"
+    " the rest angles of creases"
 )
 _OF = Field(
-    description=f"where the drive acts: {_CREASES}; for a force or a displacement, places: vertex 4, edge 12 at 0.5"
+    description=f"where the drive acts: {_CREASES}; for a force or a displacement, points: vertex 4, edge 12 at 0.5"
 )
 _RISE = quantity(
     TIME, "time over which the drive rises linearly from 0; if not given, protocol.rise", default=None, at_least=0
@@ -278,7 +278,7 @@ class SheetProtocol(Protocol):
     window: float = quantity(
         TIME,
         "averaging window of a state; a run is stuck once it has rested short of its goal for this long plus three"
-        " relaxation times of its tendons' Maxwell branches",
+        " relaxation times of the slowest Maxwell branch; branches slower than the stages are not counted",
         default=0.1,
         above=0,
     )
@@ -290,7 +290,7 @@ class SheetProtocol(Protocol):
     ] = False
     arrival: float = quantity(
         ANGLE,
-        'largest distance of every crease from its target, for the goal "target"',
+        'the goal "target" is reached when every crease is at most this far from its target angle',
         default=math.radians(5.0),
         above=0,
     )

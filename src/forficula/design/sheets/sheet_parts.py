@@ -222,7 +222,11 @@ class Support(Section):
     about: ClassVar[str] = "A support: a facet or a vertex that is held"
 
     of: Annotated[
-        str, Field(description="what is held: facet 0 or, if facets bend, also vertex 3", examples=["facet 0"])
+        str,
+        Field(
+            description="part of the sheet that is held, such as facet 0 or, if facets bend, vertex 3",
+            examples=["facet 0"],
+        ),
     ]
     axes: Annotated[
         str | None,

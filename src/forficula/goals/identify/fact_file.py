@@ -45,18 +45,18 @@ class FactTable(Section):
         'a state, a number of a run, a sum of such numbers, or "least value"', left_out="needed"
     )
     statistic: Annotated[str | None, "count, all, none, any; or least, largest, mean, least at, largest at"] = entry(
-        "statistic over all conditions: the first four for a state, the others for a number",
+        "statistic over all conditions: count, all, none or any for a state, the others for a number",
         left_out='"all" or "least"',
     )
     over: Grid = entry("conditions; all combinations of their values are run", {})
     settings: Settings = entry("value of this key under all conditions", {})
     until: str | None = entry("transition after which runs end", left_out="the whole protocol")
-    where: str | None = entry("only runs that reach this state count")
+    where: str | None = entry("state that a run must reach to be included")
     absent: Annotated[Any, "as the quantity"] = entry(
         "value for a run in which the quantity does not exist", left_out="needed for numbers"
     )
-    rising: _Keys = entry("keys whose larger values also reach the state", [])
-    falling: _Keys = entry("keys whose smaller values also reach the state", [])
+    rising: _Keys = entry("if one value of such a key reaches the state, every larger value also does", [])
+    falling: _Keys = entry("if one value of such a key reaches the state, every smaller value also does", [])
     least: LeastTable | None = entry("search for a least value under every condition")
     equals: Annotated[Any, "number, text with a unit, or table"] = entry(
         "required value: a number, or another quantity"
