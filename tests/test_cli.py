@@ -249,7 +249,7 @@ def test_a_file_without_a_unit_is_read_by_the_one_given(in_an_empty_folder, call
     assert "0.297 mm by 0.21 mm" in call("pattern", "sheet.fold", "--unit", "1 mm").out
     assert "frame_unit: need a unit of length" in refusal("pattern", "sheet.fold")
     assert refusal("pattern", "sheet.fold", "--unit", "0 mm") == '--unit: need > 0, got "0 mm"'
-    said = '--unit: a design has units of its own, got "1 mm"'
+    said = '--unit: a design already has units, got "1 mm"'
     assert refusal("pattern", "letter-fold", "--unit", "1 mm") == said
 
 

@@ -205,7 +205,7 @@ def fields_of(annotation: Any = FanDesign, prefix: str = "") -> Iterator[tuple[s
 
 
 def holds_parts(field: FieldInfo) -> bool:
-    """Whether a field holds a section or a list of sections, which have keys of their own."""
+    """Whether a field holds a section or a list of sections, which have further keys."""
     return bool(section_fields(field.annotation) or section_fields(entry_of(field.annotation)))
 
 
