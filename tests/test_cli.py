@@ -261,7 +261,7 @@ def test_a_file_without_a_unit_has_the_unit_of_the_option_or_a_chosen_size(in_an
     assert "[chosen]" in without.err
     assert "--unit" in without.err
     assert refusal("pattern", "sheet.fold", "--unit", "0 mm") == '--unit: need > 0, got "0 mm"'
-    said = '--unit: a design has units of its own, got "1 mm"'
+    said = '--unit: a design already has units, got "1 mm"'
     assert refusal("pattern", "letter-fold", "--unit", "1 mm") == said
 
 

@@ -81,7 +81,7 @@ def _take(descriptor: int) -> bool | None:
 
 
 def _is_open(path: Path, descriptor: int) -> bool:
-    """Whether an open file is still the one at a path; Windows does not remove open files."""
+    """Return whether an open file is still the one at a path; Windows does not remove open files."""
     if sys.platform == "win32":
         return True
     try:

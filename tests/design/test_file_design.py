@@ -50,7 +50,7 @@ def test_settings_hold_for_a_file_too():
     ("name", "unit", "message"),
     [
         ("none.fold", 0.05, "no such file"),
-        ("miura-sheet", 0.05, "unit: a design has units of its own, got 0.05 m"),
+        ("miura-sheet", 0.05, "unit: a design already has units, got 0.05 m"),
     ],
 )
 def test_a_missing_file_or_unit_is_refused(name, unit, message):

@@ -120,7 +120,7 @@ def test_stages_may_name_the_states_at_their_ends_themselves():
         ({2: "fold"}, '2.state: need "flat", "folded" or "opened", got "fold"; did you mean "folded"?'),
         ({2: "sideways"}, '2.state: need "flat", "folded" or "opened", got "sideways"'),
         ({2: ""}, '2.state: need "flat", "folded" or "opened", got ""'),
-        ({1: "folded", 2: "folded"}, '2.state: need a name of its own, got "folded" again'),
+        ({1: "folded", 2: "folded"}, '2.state: need a name that is not used yet, got "folded" again'),
         ({0: "folded", 1: "flat"}, '0.state: need "flat" before the stage with drive = "fold", got "folded"'),
         ({1: "flat"}, f'1.state: need "folded" {BETWEEN}, got "flat"'),
         ({2: "opened"}, f'2.state: need "folded" {BETWEEN}, got "opened"'),

@@ -204,7 +204,7 @@ def test_every_key_that_a_file_has_is_known():
         ),
         (
             '[[measure]]\nname = "crease"\nkind = "fold-angle"\nof = "creases"',
-            'measure.0.name: need a name of its own, got "crease" again',
+            'measure.0.name: need a name that is not used yet, got "crease" again',
         ),
         (
             '[[measure]]\nname = "energy"\nkind = "fold-angle"\nof = "creases"',

@@ -35,7 +35,7 @@ RIM = SQUARE["edges_vertices"][:4]
                 "vertices_coords": [*SQUARE["vertices_coords"], [10, 0]],
                 "edges_vertices": [*RIM, [0, 2], [2, 4], [4, 0]],
             },
-            r"vertices_coords\[4\]: need every vertex of a flat sheet at a place of its own, got that of vertex 1",
+            r"vertices_coords\[4\]: need vertices of a flat sheet at different positions, got that of vertex 1",
         ),
         (
             {"edges_vertices": [[0, 1], [1, 3], [3, 2], [2, 0]], "faces_vertices": [[0, 1, 3, 2]]},

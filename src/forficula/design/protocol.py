@@ -203,7 +203,7 @@ def check_states(protocol: Protocol, states: Sequence[str]) -> None:
         if stage.state not in states:
             raise InputError(f"{key}: need {one_of(states, stage.state)}")
         if stage.state in previous:
-            raise InputError(f"{key}: need a name of its own, got {as_written(stage.state)} again")
+            raise InputError(f"{key}: need a name that is not used yet, got {as_written(stage.state)} again")
         previous.append(stage.state)
 
 

@@ -262,7 +262,7 @@ def _readers(section: type[Section]) -> dict[str, Quantity | None]:
 
 
 def is_list(field: FieldInfo) -> bool:
-    """Whether a field is a list."""
+    """Return whether a field is a list."""
     return get_origin(field.annotation) is tuple
 
 

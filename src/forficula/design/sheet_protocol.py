@@ -33,7 +33,7 @@ def sheet_protocol(design: SheetDesign) -> NamedProtocol:
 
 
 def _is_bound(stage: StageSection) -> bool:
-    """Whether a stage ends at a goal on measures, not at a time or at rest."""
+    """Return whether a stage ends at a goal on measures, not at a time or at rest."""
     return stage.until not in ("time", "rest")
 
 

@@ -78,7 +78,7 @@ def _load(name_or_path: str | Path, settings: Mapping[str, object] | None, unit:
     if path.suffix.lower() in PATTERN_FILES:
         files = [(str(name_or_path), file_tables(path, unit))]
     elif unit is not None:
-        raise InputError(f"unit: a design has units of its own, got {unit:g} m")
+        raise InputError(f"unit: a design already has units, got {unit:g} m")
     else:
         files = _read_files(str(name_or_path))
     tables: dict[str, Any] = {}
@@ -278,7 +278,7 @@ def _with_source(base: dict[str, Any], tables: dict[str, Any], values: Mapping[s
 def _over(
     tables: dict[str, Any], upper: dict[str, Any], lay: Callable[[object, object], Any], *, si: bool
 ) -> dict[str, Any]:
-    """Lay tables over others; tendons have rules of their own, and the pattern of a fan gives their number."""
+    """Lay tables over others; tendons have separate rules, and the pattern of a fan gives their number."""
     tables = _without_other_pattern(tables, kind_of(upper))
     both: dict[str, Any] = lay(tables, {key: value for key, value in upper.items() if key != "tendon"})
     if "tendon" not in upper:

@@ -33,7 +33,7 @@ def _kept(value: object, before: object, after: Any) -> Any:
 
 
 def _same(before: object, after: object) -> bool:
-    """Whether tables hold the same objects; equal values may differ in type, as 1.0 and true do."""
+    """Return whether tables hold the same objects; equal values may differ in type, as 1.0 and true do."""
     if before is after:
         return True
     if isinstance(before, dict) and isinstance(after, dict):

@@ -47,7 +47,7 @@ def by_vein(entries: list[Any]) -> dict[str, dict[str, Any]]:
 
 
 def is_by_vein(tendons: object) -> TypeGuard[dict[str, dict[str, Any]]]:
-    """Whether tables of tendons are by vein, as `by_vein` returns them, instead of one table for all veins."""
+    """Return whether tables of tendons are by vein, as `by_vein` returns them, instead of one table for all veins."""
     return isinstance(tendons, dict) and all(key.isdecimal() for key in tendons)
 
 

@@ -178,7 +178,9 @@ def _check_names(design: SheetDesign, sheet: CreasePattern) -> None:
                 continue
             taken = section in ("measure", "crease.group") and entry.name in groups
             if entry.name in names or taken:
-                raise InputError(f"{section}.{number}.name: need a name of its own, got {as_written(entry.name)} again")
+                raise InputError(
+                    f"{section}.{number}.name: need a name that is not used yet, got {as_written(entry.name)} again"
+                )
             if section == "measure" and entry.name in _COLUMNS:
                 raise InputError(
                     f"{section}.{number}.name: need a name that is not a column of tables, got {as_written(entry.name)}"

@@ -116,7 +116,7 @@ class _AnyDrive(Section):
     @model_validator(mode="before")
     @classmethod
     def _value_is_strength(cls, table: object) -> object:
-        """Accept the key `value` for the strength, for which every kind also has a key of its own."""
+        """Accept the key `value` for the strength, for which every kind also has another key."""
         if not isinstance(table, dict) or table.get("value") is None or cls.strength_key == "value":
             return table
         others = {key: value for key, value in table.items() if key != "value"}

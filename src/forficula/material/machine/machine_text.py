@@ -211,7 +211,7 @@ def _is_numeric(row: Sequence[str]) -> bool:
 
 
 def _is_units_row(row: Sequence[str]) -> bool:
-    """Whether no cell is a number, except for 1, the unit of a strain."""
+    """Return whether no cell is a number, except for 1, the unit of a strain."""
     cells = [_unbracketed(cell) for cell in row if cell.strip()]
     return any(not _EITHER_SIGN.fullmatch(cell) for cell in cells) and all(
         cell == "1" or not _EITHER_SIGN.fullmatch(cell) for cell in cells
