@@ -1077,7 +1077,7 @@ def test_what_is_wrong_with_the_pattern_of_a_file_names_the_file(in_an_empty_fol
     places = [[math.cos(turn), math.sin(turn), turn % 2] for turn in range(6)]
     strip = tent | {"vertices_coords": places, "faces_vertices": faces, "edges_vertices": edges}
     (in_an_empty_folder / "strip.fold").write_text(json.dumps(strip | {"edges_assignment": ["U"] * len(edges)}))
-    assert refusal("run", "strip.fold").startswith("strip.fold: faces_vertices[3]: need a sheet of two sides")
+    assert refusal("run", "strip.fold").startswith("strip.fold: faces_vertices[3]: need a sheet with two sides")
 
 
 def test_new_names_its_files_and_where_options_go(in_an_empty_folder, call, refusal):

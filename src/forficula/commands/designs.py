@@ -272,7 +272,7 @@ def _sheet(
     kind = PATTERN_FILES.get(Path(name).suffix.lower())
     if kind is None:
         if unit is not None:
-            raise InputError(f"--unit: a design has units of its own, got {as_written(unit)}")
+            raise InputError(f"--unit: a design already has units, got {as_written(unit)}")
         chosen = load_design(name, read_settings(settings))
         return design_pattern(chosen), [], lambda: design_frames(chosen), lambda: _attachments(chosen)
     if settings:
