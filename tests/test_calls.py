@@ -32,13 +32,13 @@ def test_every_example_is_true(tmp_path, monkeypatch, record):
     parts = ("designs", "goals", "patterns", "output", "progress", "runs", "studies")
     calls = [importlib.import_module(f"forficula.calls.{part}") for part in parts]
     modules = (*calls, forficula.results)
-    found = [each for module in modules for each in doctest.DocTestFinder().find(module, extraglobs=known)]
-    examples = [each for each in found if each.examples]
+    found = [item for module in modules for item in doctest.DocTestFinder().find(module, extraglobs=known)]
+    examples = [item for item in found if item.examples]
     runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
-    for each in examples:
-        runner.run(each)
+    for example in examples:
+        runner.run(example)
     assert runner.summarize(verbose=False).failed == 0
-    shown = {each.name.rpartition(".")[2] for each in examples}
+    shown = {example.name.rpartition(".")[2] for example in examples}
     functions = {name for name in forficula.calls.__all__ if name[0].islower()}
     assert functions <= shown
     # `collect` and `estimate` are methods of a study

@@ -367,9 +367,9 @@ def test_json_is_the_only_standard_output(in_an_empty_folder, call, refusal):
     # flags of the whole may stand before the command, too
     surveyed = call("--json", "landscape", "binder2025-joint", "--no-simulation", "--out", "energy").out
     assert json.loads(surveyed) == json.loads((in_an_empty_folder / "energy" / "landscape.json").read_text())
-    assert [each["name"] for each in json.loads(call("designs", "--json").out)] == list(ff.examples())
+    assert [load["name"] for load in json.loads(call("designs", "--json").out)] == list(ff.examples())
     assert {"key", "meaning", "allowed", "default"} == set(json.loads(call("keys", "guard", "--json").out)[0])
-    points = {each["name"]: each.get("points") for each in json.loads(call("studies", "--json").out)}
+    points = {load["name"]: load.get("points") for load in json.loads(call("studies", "--json").out)}
     assert points["binder2025-search"] == 60
     sizes = json.loads(call("size", "binder2025", "--material", "tpu-82a", "--stiffness", "10 N/cm", "--json").out)
     assert [row["length_m"] for row in sizes] == [0.06, 0.09]

@@ -259,7 +259,7 @@ def test_killed_anywhere_a_run_leaves_the_old_files_or_the_new_ones_and_nothing_
     *killed, finished = [json.loads(line) for line in done.stdout.splitlines()]
     assert finished == AFTER
     assert len(killed) > 40
-    which = [{"old": OLD, "new": AFTER}["new" if "d.txt" in each else "old"] == each for each in killed]
+    which = [{"old": OLD, "new": AFTER}["new" if "d.txt" in item else "old"] == item for item in killed]
     assert all(which)
     assert OLD in killed
     assert AFTER in killed

@@ -5,7 +5,7 @@ import time
 
 import pytest
 
-from forficula.lock import held
+from forficula.lock import hold_lock
 
 HOLD = """
 import sys, time
@@ -26,7 +26,7 @@ def another(path, seconds):
 
 def test_a_lock_of_another_process_cannot_be_acquired(tmp_path):
     with another(tmp_path / "lock", 60) as child:
-        with held(tmp_path / "lock", wait=False) as taken:
+        with hold_lock(tmp_path / "lock", wait=False) as taken:
             assert taken is False
         child.kill()
 
@@ -35,7 +35,7 @@ def test_a_lock_dies_with_its_owner(tmp_path):
     with another(tmp_path / "lock", 60) as child:
         child.kill()
     assert (tmp_path / "lock").exists()
-    with held(tmp_path / "lock", wait=False) as taken:
+    with hold_lock(tmp_path / "lock", wait=False) as taken:
         assert taken is True
     assert list(tmp_path.iterdir()) == []
 
@@ -44,7 +44,7 @@ def test_waiting_acquires_the_lock_and_reports_a_long_wait(tmp_path, capsys, mon
     monkeypatch.setattr("forficula.lock._SILENT_SECONDS", 0.2)
     with another(tmp_path / "lock", 0.5):
         start = time.monotonic()
-        with held(tmp_path / "lock") as taken:
+        with hold_lock(tmp_path / "lock") as taken:
             assert taken is True
             assert time.monotonic() - start > 0.2
     assert capsys.readouterr().err == f"waiting for another process that writes to {tmp_path}\n"
@@ -69,7 +69,7 @@ def test_only_one_holds_a_lock_at_a_time(tmp_path):
 @pytest.mark.skipif(not hasattr(os, "O_NOFOLLOW"), reason="links cannot be detected when they are opened")
 def test_a_symbolic_link_is_not_accepted_as_a_lock_file(tmp_path):
     (tmp_path / "lock").symlink_to(tmp_path / "elsewhere")
-    with pytest.raises(OSError, match="symbolic"), held(tmp_path / "lock"):
+    with pytest.raises(OSError, match="symbolic"), hold_lock(tmp_path / "lock"):
         pass
     assert not (tmp_path / "elsewhere").exists()
 
@@ -81,5 +81,5 @@ def test_a_file_system_without_locks_is_reported_without_waiting(tmp_path, monke
         raise OSError(38, "Function not implemented")
 
     monkeypatch.setattr(fcntl, "flock", fail)
-    with held(tmp_path / "lock") as first, held(tmp_path / "lock") as second:
+    with hold_lock(tmp_path / "lock") as first, hold_lock(tmp_path / "lock") as second:
         assert (first, second) == (None, None)

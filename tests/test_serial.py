@@ -160,7 +160,7 @@ def test_a_schema_describes_the_keys():
     schema = schema_of(Swing, "swing")
     assert schema["$id"] == "forficula-swing"
     assert schema["description"] == "One swing."
-    meanings = {key: each.get("description") for key, each in schema["properties"].items()}
+    meanings = {key: item.get("description") for key, item in schema["properties"].items()}
     assert meanings["lengths_m"] == "of the arms, one after another, m."
     assert meanings["half_deg"] == "Half the angle."
     assert meanings["part"] == "its name."

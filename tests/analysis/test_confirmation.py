@@ -82,7 +82,7 @@ def test_an_uncertainty_that_the_four_digits_of_an_energy_do_not_show_is_left_ou
 def test_a_joint_is_confirmed_at_half_the_timestep_and_from_another_start(confirmed):
     outcome = measure(confirmed)
     assert outcome.verdict is Verdict.REACHED
-    assert [each.name for each in outcome.confirmation.checks] == [HALF_STEP, OTHER_START]
+    assert [item.name for item in outcome.confirmation.checks] == [HALF_STEP, OTHER_START]
     assert outcome.confirmation.agree
     assert 0 < outcome.confirmation.of("fold.time") < 0.01 * outcome.transitions["fold"].time
     assert outcome.confirmation.unsettled == ()
@@ -102,7 +102,7 @@ def test_a_saved_run_keeps_its_confirmation(confirmed, tmp_path):
 def by_hand():
     """Return the outcomes of the joint: as designed, at half the timestep, and from the other initial state."""
     half = with_values(JOINT, {"protocol.timestep": "0.05 ms"})
-    return [measure(run(each)) for each in (JOINT, half, JOINT.with_other_start())]
+    return [measure(run(item)) for item in (JOINT, half, JOINT.with_other_start())]
 
 
 @pytest.mark.parametrize(
@@ -119,7 +119,7 @@ def test_uncertainties_of_a_length_and_an_energy_are_differences_between_separat
     """Uncertainty: the larger of twice the difference at half the timestep and that from the other initial state."""
     states = summary(confirmed, measure(confirmed), {})["states"]
     for name in ("folded", "opened"):
-        own, half, other = (np.array(getattr(each.states[name], attribute)) for each in by_hand)
+        own, half, other = (np.array(getattr(item.states[name], attribute)) for item in by_hand)
         expected = np.maximum(2 * np.abs(own - half), np.abs(own - other))
         assert states[name][f"{key}_uncertainty_{unit}"] == pytest.approx(expected, rel=1e-9, abs=0)
     assert any(np.any(state["tendon_length_uncertainty_m"]) for state in states.values())
@@ -129,9 +129,9 @@ def test_a_summary_with_uncertainties_follows_its_schema_and_one_without_second_
     told = [
         summary(record, measure(record), {"forficula": ""}) for record in (confirmed, replace(confirmed, checks=()))
     ]
-    for each in told:
-        jsonschema.Draft202012Validator(json_schema("summary")).validate(json.loads(json.dumps(each)))
-    with_runs, alone = (each["states"]["folded"] for each in told)
+    for item in told:
+        jsonschema.Draft202012Validator(json_schema("summary")).validate(json.loads(json.dumps(item)))
+    with_runs, alone = (item["states"]["folded"] for item in told)
     assert "uncertainty" not in str(alone)
     assert {key: value for key, value in with_runs.items() if "_uncertainty_" not in key} == alone
 
@@ -139,7 +139,7 @@ def test_a_summary_with_uncertainties_follows_its_schema_and_one_without_second_
 def planted(own, half, h=1e-3):
     """Return the confirmation of a folded state by a run at half the timestep."""
     ending = Ending(verdict=Verdict.REACHED, transition=None)
-    values, others = ({f"folded.{name}": each for name, each in run.items()} for run in (own, half))
+    values, others = ({f"folded.{name}": item for name, item in run.items()} for run in (own, half))
     return confirm(ending, values, h, [check(h / 2, **others)])
 
 

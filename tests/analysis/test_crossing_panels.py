@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 import forficula as ff
-from forficula.analysis.crossing_panels import PanelMesh, crossing_depths, panel_crossing, panel_places
+from forficula.analysis.crossing_panels import PanelMesh, crossing_depths, panel_crossing, panel_positions
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.summary import summary
 from forficula.quantities import show_value
@@ -23,7 +23,7 @@ def sheet(first, second, across=4, along=3):
     u, v = np.meshgrid(np.linspace(0, 1, along + 1), np.linspace(0, 1, across + 1), indexing="ij")
     nodes = u.ravel()[:, None] * np.asarray(first, float) + v.ravel()[:, None] * np.asarray(second, float)
     corners = np.arange(len(nodes)).reshape(u.shape)
-    a, b, c, d = (each.ravel() for each in (corners[:-1, :-1], corners[1:, :-1], corners[1:, 1:], corners[:-1, 1:]))
+    a, b, c, d = (item.ravel() for item in (corners[:-1, :-1], corners[1:, :-1], corners[1:, 1:], corners[:-1, 1:]))
     triangles = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
     return PanelMesh(name="sheet", triangles=triangles), nodes
 
@@ -92,7 +92,7 @@ def test_a_finer_mesh_gives_the_same_depth():
 def test_nodes_of_panels_move_with_their_bodies(reference_run):
     """Nodes at the edges of margins and on the axis of the next vein belong to the membrane, too."""
     row = int(np.argmin(reference_run.angles("ring")[:, 1]))
-    proximal = panel_places(reference_run, [row])[0][0]
+    proximal = panel_positions(reference_run, [row])[0][0]
     recorded = reference_run.series["membrane_position"][row]
     np.testing.assert_allclose(proximal[[2, 3, 14, 15]], recorded[:4], atol=1e-12)
     sides = np.linalg.norm(np.diff(proximal[0::4], axis=0), axis=1)
@@ -104,7 +104,7 @@ def test_the_reference_wing_passes_through_itself_and_gives_a_warning(reference_
     # the paper's simulation has no contact either; its authors report self-penetration
     assert 0.01 < found.depth < 0.03
     assert summary(reference_run, reference_outcome, {})["crossing"]["depth_m"] == found.depth
-    told = [each for each in run_warnings(reference_run) if "pass through each other" in each]
+    told = [warning for warning in run_warnings(reference_run) if "pass through each other" in warning]
     assert told == [
         f"{' and '.join(found.names)} pass through each other by {show_value(found.depth, 'm')} at {found.time:.3g} s:"
         " contact is switched off; protocol.contact = true keeps panels apart"
@@ -114,7 +114,9 @@ def test_the_reference_wing_passes_through_itself_and_gives_a_warning(reference_
 def test_thick_panels_that_contact_lets_through_give_a_warning(reference_run):
     """Their midplanes cross, so the depth grows with their thickness."""
     thick = replace(reference_run.structure, contact=Contact(thickness=0.03, stops=Stops(time_constant=4e-4)))
-    (told,) = (each for each in run_warnings(replace(reference_run, structure=thick)) if "pass through" in each)
+    (told,) = (
+        warning for warning in run_warnings(replace(reference_run, structure=thick)) if "pass through" in warning
+    )
     assert "more than contact should allow" in told
 
 

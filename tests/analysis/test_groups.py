@@ -200,7 +200,7 @@ def test_scaling_changes_only_groups_of_natural_constants(factor, name):
     before, after = values(given_one), values(scale_design(given_one, factor))
     weight = before.pop("gravity_left_out"), after.pop("gravity_left_out")
     if "reynolds_left_out" in before:
-        speeds = [each.pop("reynolds_left_out") for each in (before, after)]
+        speeds = [item.pop("reynolds_left_out") for item in (before, after)]
         assert speeds[1] == pytest.approx(factor * speeds[0], rel=1e-9)
     assert after == pytest.approx(before, rel=1e-9)
     # m g l / (k a b) scales as s^3 s / s^3

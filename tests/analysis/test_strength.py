@@ -44,7 +44,7 @@ def planted(kind):
 def test_a_bar_along_the_pull_has_its_strain_and_the_stress_of_its_stiffness():
     record = planted("bars")
     (peak,) = strain_peaks(record)
-    spring = next(each for each in record.structure.springs if each.name == peak.part)
+    spring = next(spring for spring in record.structure.springs if spring.name == peak.part)
     start, end = (record.structure.bodies[point].position for point in spring.points)
     along = (end - start) / np.linalg.norm(end - start)
     expected = np.hypot(STRETCH * along[0], along[1]) - 1

@@ -136,7 +136,7 @@ def test_every_verdict_has_its_sentence_its_word_and_its_advice(record, verdict,
     assert (outcome.status, ending_word(ending)) == (text, word)
     assert outcome.advice.startswith(advice)
     assert bool(outcome.advice) == bool(advice)
-    assert outcome.verdict.tells == (outcome.holds["folded"] is not None) == (outcome.holds["opened"] is not None)
+    assert outcome.verdict.conclusive == (outcome.holds["folded"] is not None) == (outcome.holds["opened"] is not None)
     plain = json.loads(json.dumps(summary(record, outcome, {}), allow_nan=False))
     assert (plain["verdict"], plain["status"]) == (verdict, text)
     assert (plain["folded"], plain["opened"]) == (outcome.holds["folded"], outcome.holds["opened"])
@@ -154,7 +154,7 @@ def test_the_limit_of_the_residual_is_a_setting():
         design = with_values(REFERENCE, {"protocol.residual_limit": limit})
         outcome = measure(missing(replace(WORKED, design=design), share * 2))
         assert outcome.ending.residual == pytest.approx(share, rel=1e-9)
-        assert outcome.verdict.tells is trusted
+        assert outcome.verdict.conclusive is trusted
 
 
 def test_a_run_with_a_residual_of_nan_is_unreliable():

@@ -51,7 +51,7 @@ def test_reused_sections_are_checked_against_changed_ones():
         load_design("binder2025").with_values({"pattern.proximal_length": "3 cm"})
 
 
-@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda each: pickle.loads(pickle.dumps(each))])
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda item: pickle.loads(pickle.dumps(item))])
 def test_cached_results_are_not_part_of_a_design(copied):
     known, fresh = (Design.model_copy(load_design("binder2025")) for _ in range(2))
     assert len(known.hash) == 16

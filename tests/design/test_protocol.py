@@ -78,7 +78,7 @@ def test_an_unknown_or_repeated_drive_is_refused(drive, message):
 def test_a_stage_may_have_a_list_of_drives(drive, drives):
     design = stage(1, drive=drive)
     assert stage_drives(design.protocol.stages[1]) == drives
-    assert [each.stage for each in structure_of(design).transitions] == [1, 3]
+    assert [transition.stage for transition in structure_of(design).transitions] == [1, 3]
 
 
 @pytest.mark.parametrize(

@@ -5,17 +5,17 @@ import re
 import pytest
 
 from forficula.design import load_design
-from forficula.design.files.held_keys import held_keys
+from forficula.design.files.design_keys import design_keys
 from forficula.errors import InputError
 
 ALLOWED = re.compile("need |write it such as |neither .* nor ")
 DESIGNS = {name: load_design(name) for name in ("binder2025", "letter-fold", "miura-sheet", "binder2025-joint")}
 # with values, except sections whose kind determines their keys
 KEYS = [
-    (name, each.fact.key)
+    (name, key.fact.key)
     for name, design in DESIGNS.items()
-    for each in held_keys(design)
-    if each.value and not each.fact.key.startswith(("drive.", "measure.", "support.", "tendon.law."))
+    for key in design_keys(design)
+    if key.value and not key.fact.key.startswith(("drive.", "measure.", "support.", "tendon.law."))
 ]
 
 

@@ -129,7 +129,7 @@ def test_the_hash_tells_tendons_apart_and_not_how_they_are_written(wing):
     design = wing(BASED + TWO)
     assert design.hash != REFERENCE.hash
     assert (
-        design.hash == wing(BASED + "".join(f"[[tendon]]{each}" for each in reversed(TWO.split("[[tendon]]")[1:]))).hash
+        design.hash == wing(BASED + "".join(f"[[tendon]]{item}" for item in reversed(TWO.split("[[tendon]]")[1:]))).hash
     )
     assert with_values(design, {"tendon.2.rest_length": math.nextafter(0.09, 1)}).hash != design.hash
     assert wing(f"{BASED}tendon = []").hash not in (design.hash, REFERENCE.hash)

@@ -30,7 +30,7 @@ def rubbing(wing):
     spec = wing.spec.copy()
     spec.option.cone = mujoco.mjtCone.mjCONE_PYRAMIDAL
     spec.delete(spec.flex("panels"))
-    for capsule in (each for each in spec.geoms if each.contype):
+    for capsule in (geom for geom in spec.geoms if geom.contype):
         proximal = capsule.parent.name.startswith("proximal")
         capsule.contype, capsule.conaffinity = (1, 2) if proximal else (2, 3)
         capsule.condim, capsule.friction = 3, [1, 0, 0]

@@ -7,7 +7,7 @@ from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate, stable_timestep
 from forficula.errors import InputError
 from forficula.statics.net.minimum import minimum
-from forficula.statics.net.net_course import drive_course, gone, reaction
+from forficula.statics.net.net_course import drive_course, drive_displacement, reaction
 from forficula.statics.net.net_of import net_of, start_shape
 from forficula.structure import structure_of
 
@@ -107,7 +107,7 @@ def test_the_work_of_a_displacement_is_force_times_travel_and_equals_that_of_sta
     # the stored energy changes by the force times the displacement
     points = course.slow.points
     forces = [reaction(structure, net, course.drive, point.shape) for point in points]
-    ways = [gone(structure, net, course.drive, point.shape) for point in points]
+    ways = [drive_displacement(structure, net, course.drive, point.shape) for point in points]
     stored = np.trapezoid(forces, ways)
     assert stored == pytest.approx(points[-1].energy - points[0].energy, rel=1e-3)
 

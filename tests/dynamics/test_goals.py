@@ -34,7 +34,7 @@ def assert_same_bits(record, other):
     assert record.time.tobytes() == other.time.tobytes()
     for name, values in record.series.items():
         assert values.tobytes() == other.series[name].tobytes(), name
-    ends, others = ([replace(end, stage=None) for end in each.stages] for each in (record, other))
+    ends, others = ([replace(end, stage=None) for end in item.stages] for item in (record, other))
     assert ends == others
 
 

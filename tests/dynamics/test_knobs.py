@@ -38,7 +38,7 @@ def test_no_knob_changes_what_another_one_changes(model):
 
 def test_a_range_ends_where_the_design_needs_a_shorter_timestep():
     design = load_design("binder2025", {"protocol.timestep": "0.5 ms"})
-    (knob,) = (each for each in knobs_of(compile_model(design)) if each.key == "membrane.youngs_modulus")
+    (knob,) = (knob for knob in knobs_of(compile_model(design)) if knob.key == "membrane.youngs_modulus")
     assert knob.value <= knob.highest < 5 * knob.value
     assert stable_timestep(with_values(design, {knob.key: knob.highest})) >= 5e-4
     assert stable_timestep(with_values(design, {knob.key: 5 * knob.value})) < 5e-4

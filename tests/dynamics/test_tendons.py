@@ -64,10 +64,10 @@ def test_the_engine_has_the_law_scaled_by_length_and_area():
     for tendon in WING.tendons:
         spring = [engine.tendon_stiffness[tendon], *engine.tendon_stiffnesspoly[tendon]]
         damper = [engine.tendon_damping[tendon], *engine.tendon_dampingpoly[tendon]]
-        for power, (each, modulus, share) in enumerate(zip(spring, (4.8e6, -1e6, 1e6), by_length, strict=True), 1):
-            assert each * force / length**power == pytest.approx(modulus * share, rel=1e-12)
-        for power, (each, viscosity, share) in enumerate(zip(damper, (480.0, 2.0, 0.1), by_length, strict=True), 1):
-            assert each * force / (length / time) ** power == pytest.approx(viscosity * share, rel=1e-12)
+        for power, (item, modulus, share) in enumerate(zip(spring, (4.8e6, -1e6, 1e6), by_length, strict=True), 1):
+            assert item * force / length**power == pytest.approx(modulus * share, rel=1e-12)
+        for power, (item, viscosity, share) in enumerate(zip(damper, (480.0, 2.0, 0.1), by_length, strict=True), 1):
+            assert item * force / (length / time) ** power == pytest.approx(viscosity * share, rel=1e-12)
         assert engine.tendon_lengthspring[tendon] * length == pytest.approx([0, 0.09], rel=1e-12)
         assert engine.tendon_springyield[tendon] * length == pytest.approx(0.15 * 0.09, rel=1e-12)
 

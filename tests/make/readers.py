@@ -36,7 +36,10 @@ def pieces_of(model):
         mesh = model.GetMeshObjectByID(item.GetObjectResource().GetResourceID())
         fields = np.array([list(row) for row in item.GetObjectTransform().Fields])
         points = np.array([list(point.Coordinates) for point in mesh.GetVertices()]) @ fields[:3] + fields[3]
-        yield mesh.GetName(), points[np.array([list(each.Indices) for each in mesh.GetTriangleIndices()])]
+        yield (
+            mesh.GetName(),
+            points[np.array([list(gettriangleindice.Indices) for gettriangleindice in mesh.GetTriangleIndices()])],
+        )
 
 
 def faults_of_three_mf(content):

@@ -35,8 +35,8 @@ def test_volumes_of_union_difference_and_intersection_add_up():
     one = box((0, 0, 0), (0.02, 0.02, 0.02), np.zeros(3), np.eye(3))
     other = box((0.01, 0.01, 0.01), (0.03, 0.03, 0.03), np.zeros(3), np.eye(3))
     together, less, both = (
-        solid_of(each).volume()
-        for each in (Joined(solids=(one, other)), Cut(solid=one, taken=(other,)), Shared(solids=(one, other)))
+        solid_of(item).volume()
+        for item in (Joined(solids=(one, other)), Cut(solid=one, taken=(other,)), Shared(solids=(one, other)))
     )
     assert (together, less, both) == pytest.approx((15000, 7000, 1000))
 

@@ -127,7 +127,7 @@ def viscoelastic_stress(knots, time, moduli, *, viscosity=0.0, branches=()):
         slope = (following - rate) / (end - begin)
         rates = rate + slope * since
         strains = reached + rate * since + slope * since**2 / 2
-        total = viscosity * rates + sum(each * strains ** (power + 1) for power, each in enumerate(moduli))
+        total = viscosity * rates + sum(item * strains ** (power + 1) for power, item in enumerate(moduli))
         for index, (modulus, relaxation) in enumerate(branches):
             steady = modulus * relaxation * (rates - slope * relaxation)
             first = modulus * relaxation * (rate - slope * relaxation)

@@ -29,7 +29,7 @@ def three_elastic():
 
 def test_a_known_modulus_is_recovered_within_its_interval(three_elastic):
     law = three_elastic.law
-    (bounds,) = [each for each in law.intervals if each.key == "modulus.linear"]
+    (bounds,) = [interval for interval in law.intervals if interval.key == "modulus.linear"]
     assert bounds.low < MODULUS < bounds.high
     # noise of 10 kPa in hundreds of points: about 0.1 %
     assert bounds.high - bounds.low < 0.01 * MODULUS
@@ -59,9 +59,9 @@ def test_specimens_that_differ_in_size_leave_no_length_behind():
 
 def test_the_first_cycle_is_left_out_by_default():
     dropped, kept = (characterise([tpu(1)], drop_first=drop, forms=family_forms("linear")) for drop in (True, False))
-    assert [each.number for each in dropped.cycles] == [2, 3, 4]
-    assert [each.number for each in kept.cycles] == [1, 2, 3, 4]
-    assert [each.number for each in dropped.specimens[0].left_out] == [1]
+    assert [cycle.number for cycle in dropped.cycles] == [2, 3, 4]
+    assert [cycle.number for cycle in kept.cycles] == [1, 2, 3, 4]
+    assert [item.number for item in dropped.specimens[0].left_out] == [1]
     assert kept.specimens[0].left_out == ()
 
 
@@ -173,7 +173,7 @@ def test_scatter_between_specimens_is_reported_in_the_law_and_its_file(tmp_path)
     scatter = np.log(list(modulus.values())).std(ddof=1)
     (fact,) = [fact for fact in law.facts if "amplitudes" in fact.what]
     assert float(fact.value.removesuffix(" %")) == pytest.approx(100 * scatter, rel=0.02)
-    (bounds,) = [each for each in law.intervals if each.key == "modulus.linear"]
+    (bounds,) = [interval for interval in law.intervals if interval.key == "modulus.linear"]
     # Student's t of 2, by the square root of 3
     assert math.log(bounds.high / bounds.low) == pytest.approx(2 * 4.303 * scatter / math.sqrt(3), rel=0.05)
 
@@ -198,7 +198,7 @@ def test_what_a_cycle_does_not_have_is_null_in_the_summary():
 
 def test_the_zero_of_the_force_is_what_the_load_cell_shows_of_a_slack_specimen():
     """An offset of 0.01 N on 5 mm2, less than the scatter of specimens would show if it were fitted with the law."""
-    tests = [replace(each, force=each.force + 0.01) for each in (tpu(1), tpu(2), tpu(3))]
+    tests = [replace(item, force=item.force + 0.01) for item in (tpu(1), tpu(2), tpu(3))]
     found = characterise(tests, forms=family_forms("polynomial"))
     for residual in found.fit.residuals:
         # 15 samples with a noise of 4 kPa

@@ -34,7 +34,7 @@ def test_a_cut_from_border_to_border_parts_the_sheet():
     assert not set(opened.pattern.faces_vertices[0]) & set(opened.pattern.faces_vertices[1])
     # and so is its edge; the other numbers are unchanged
     assert opened.pattern.edges_assignment == (*sheet.edges_assignment, "C")
-    assert [each.edge for each in shared_edges(opened.pattern)] == [1]
+    assert [edge.edge for edge in shared_edges(opened.pattern)] == [1]
 
 
 def test_a_cut_that_ends_inside_opens_at_the_border_only():
@@ -54,7 +54,7 @@ def test_a_cut_that_ends_inside_opens_at_the_border_only():
     assert opened.vertices.tolist() == [*range(9), 1]
     assert opened.pattern.faces_vertices == ((0, 1, 4, 3), (9, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7))
     assert opened.pattern.edges_vertices[-1].tolist() == [9, 4]
-    assert sorted(each.edge for each in shared_edges(opened.pattern)) == [1, 2, 3]
+    assert sorted(edge.edge for edge in shared_edges(opened.pattern)) == [1, 2, 3]
 
 
 def test_a_cut_that_reaches_no_border_stays_closed():

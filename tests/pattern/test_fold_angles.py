@@ -15,9 +15,9 @@ from forficula.pattern import (
     earwig_pattern,
     fan_fold_angles,
     folded_coordinates,
-    kept_as_built,
     pleat_pattern,
     triangulated,
+    with_built_fold_angles,
 )
 
 FAN = EarwigFan(proximal_length=0.12, distal_length=0.1, hub_radius=0.015, sector_angle=0.3, units=2)
@@ -87,6 +87,6 @@ def test_an_unassigned_crease_gets_the_letter_of_its_fold_angle_as_built(angle, 
     folded = replace(
         strip, vertices_coords=folded_coordinates(strip, angles), edges_assignment=("U", *strip.edges_assignment[1:])
     )
-    kept = kept_as_built(folded)
+    kept = with_built_fold_angles(folded)
     assert kept.edges_assignment == (letter, *"B" * 6)
     assert kept.edges_fold_angle == pytest.approx(angles, abs=1e-15, nan_ok=True)

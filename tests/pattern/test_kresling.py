@@ -37,7 +37,7 @@ def towers(draw):
 
 
 def lengths_of(pattern, role):
-    ends = pattern.vertices_coords[pattern.edges_vertices[[each == role for each in pattern.edges_role]]]
+    ends = pattern.vertices_coords[pattern.edges_vertices[[edge == role for edge in pattern.edges_role]]]
     return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
 
 

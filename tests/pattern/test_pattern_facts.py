@@ -28,7 +28,7 @@ def test_a_sheet_is_counted():
     assert facts.flat
     assert "closes a loop" in facts.loop
     assert facts.freedoms.begins
-    assert all(each.folds and each.developable for each in facts.inside)
+    assert all(item.folds and item.developable for item in facts.inside)
 
 
 def test_a_strip_is_a_tree_of_facets():
@@ -69,7 +69,7 @@ def test_a_sheet_that_cannot_begin_to_fold_is_not_looked_for_folded():
     facts = pattern_facts(star([0, 60, 180, 240], "MMMV"))
     assert facts.freedoms.begins is False
     assert facts.freedoms.folded is None
-    assert [each.folds for each in facts.inside] == [False]
+    assert [item.folds for item in facts.inside] == [False]
 
 
 def test_faces_of_both_orientations_are_not_counted_and_the_reason_is_given():

@@ -103,7 +103,7 @@ def test_tendons_dots_and_the_scale_bar_are_not_read_as_creases(tmp_path):
     (bar,), (label,) = root.iter(f"{SVG}rect"), root.iter(f"{SVG}text")
     assert f"{float(bar.get('width')):g} mm" == label.text == "50 mm"
     assert max(float(line.get(f"y{end}")) for line in lines for end in "12") < float(bar.get("y"))
-    assert {each.get("stroke") for each in (*dots, bar, label)} == {"none"}
+    assert {dot.get("stroke") for dot in (*dots, bar, label)} == {"none"}
     again, _ = read_drawing(tmp_path / "fan.svg")
     write_svg(pattern, tmp_path / "bare.svg")
     bare, _ = read_drawing(tmp_path / "bare.svg")

@@ -42,7 +42,7 @@ def crease(path, text):
 def test_colours_are_read_as_origami_programs_mean_them(tmp_path, stroke, letter):
     beside = line(35, 20, 35, 80, "orange", 'data-assignment="U"') + line(65, 20, 65, 80, "#f0f")
     pattern, _ = read(tmp_path, beside, f'<line {CREASE} stroke="{stroke}"/>')
-    assert next(each for each in reversed(pattern.edges_assignment) if each != "B") == letter
+    assert next(edge for edge in reversed(pattern.edges_assignment) if edge != "B") == letter
 
 
 @pytest.mark.parametrize(

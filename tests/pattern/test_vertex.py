@@ -98,7 +98,7 @@ def test_four_plates_with_a_deficit_of_10_deg_match_the_law_of_cosines():
 
 
 def test_a_sector_almost_as_large_as_all_others_takes_more_than_half_a_turn():
-    sectors = [math.radians(each) for each in (60, 25, 20, 20)]
+    sectors = [math.radians(item) for item in (60, 25, 20, 20)]
     cone = vertex_pattern(sectors, 0.1)
     assert sectors_of(cone) == pytest.approx(sectors, abs=1e-12)
     azimuth = np.unwrap(np.arctan2(cone.vertices_coords[1:, 1], cone.vertices_coords[1:, 0]))
@@ -137,7 +137,7 @@ def test_a_flat_foldable_vertex_folds_by_its_half_tangents(alpha, beta, degrees,
     st.lists(st.floats(30, 150), min_size=4, max_size=4), st.floats(0, 179), st.sampled_from(["MV", "VM", "VV", "MM"])
 )
 def test_four_facets_of_any_sectors_fold_by_the_law_of_cosines(degrees, fold, letters):
-    sectors, fold = [math.radians(each) for each in degrees], math.radians(fold)
+    sectors, fold = [math.radians(degree) for degree in degrees], math.radians(fold)
     assume(2 * max(sectors) < sum(sectors) and abs(sum(sectors) - 2 * math.pi) > 1e-3)
     try:
         pattern = vertex_pattern(sectors, 0.1, f"{letters[0]}F{letters[1]}F", fold)
@@ -156,7 +156,7 @@ def test_four_facets_of_any_sectors_fold_by_the_law_of_cosines(degrees, fold, le
 
 
 def test_a_fold_that_no_facets_allow_is_answered_with_those_that_they_do():
-    sectors = [math.radians(each) for each in (80, 120, 60, 60)]
+    sectors = [math.radians(item) for item in (80, 120, 60, 60)]
     # creases 1 and 3 are at least 60 deg apart: cos 60 = cos 80 cos 60 - sin 80 sin 60 cos(fold)
     most = math.degrees(math.acos((math.cos(sectors[0]) - 1) / 2 / math.sin(sectors[0]) / math.sin(sectors[3])))
     with pytest.raises(InputError, match=f"pattern.fold: need 0 deg to {most:.6g} deg for the facets to meet, got 175"):

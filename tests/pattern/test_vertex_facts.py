@@ -9,7 +9,7 @@ from forficula.pattern import (
     EarwigFan,
     creases_inside,
     earwig_pattern,
-    fault_words,
+    fault_labels,
     miura_pattern,
     sectors_between,
     vertex_creases,
@@ -59,7 +59,7 @@ def test_a_vertex_of_plates_that_lack_an_angle_is_not_developable():
     assert math.degrees(facts.total) == pytest.approx(350)
     assert not facts.developable
     assert (facts.creases, facts.freedoms, facts.check, facts.folds) == (4, 1, None, None)
-    assert fault_words(facts) == ()
+    assert fault_labels(facts) == ()
 
 
 @pytest.mark.parametrize(
@@ -76,7 +76,7 @@ def test_a_vertex_of_plates_that_lack_an_angle_is_not_developable():
 )
 def test_the_failed_conditions_of_a_vertex_have_short_labels(directions, letters, words):
     (facts,) = vertex_facts(star(directions, letters))
-    assert fault_words(facts) == words
+    assert fault_labels(facts) == words
 
 
 def test_moving_the_missing_angle_from_one_sector_to_another_mends_the_vertex():

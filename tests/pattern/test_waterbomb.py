@@ -56,7 +56,7 @@ def test_the_base_has_the_same_senses_with_apex_up_and_down():
     """
     up, down = (waterbomb_base(0.1, 1e-4, apex) for apex in ("up", "down"))
     assert up.vertices_coords[1:, 2].max() < 0 < down.vertices_coords[1:, 2].min()
-    ratios = [built_fold_angles(each)[0] / 1e-4 for each in (up, down)]
+    ratios = [built_fold_angles(item)[0] / 1e-4 for item in (up, down)]
     assert ratios == pytest.approx([math.sqrt(2) - 1, math.sqrt(2) + 1], rel=1e-6)
 
 

@@ -85,13 +85,13 @@ def test_unreliable_runs_count_neither_as_folding_nor_as_sticking(table, outcome
         table[name][place] = outcome
     tendon = "k = 40 N/cm, l0 = 5 cm"
     rows = [row(table, words) for words in ("fold with at most 50 N cm$", "open again", "fold with 500", "but stick")]
-    assert [each.ours for each in rows] == [
+    assert [item.ours for item in rows] == [
         f"31 of 60; unknown for {tendon}",
         f"13 of 60; unknown for {tendon}",
         "59 of 59 tried",
         "none",
     ]
-    assert [each.agrees for each in rows] == [None] * 4
+    assert [item.agrees for item in rows] == [None] * 4
 
 
 def row(table, words):

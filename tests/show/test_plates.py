@@ -176,7 +176,7 @@ def test_a_wide_table_of_states_continues_below(plates_runs):
     missed = replace(outcome, holds=outcome.holds | {"closed": False})
     later = replace(
         record.structure,
-        states=tuple(replace(each, unknown='after stage "close it slowly"') for each in record.structure.states),
+        states=tuple(replace(state, unknown='after stage "close it slowly"') for state in record.structure.states),
     )
     console = Console(width=110)
     with console.capture() as capture:

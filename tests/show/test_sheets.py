@@ -79,7 +79,7 @@ def test_a_facet_is_seen_from_its_back_where_it_is_turned():
     shape, view = shape_of(record.structure), structure_view(record.structure)
     surface = surface_at(record, shape, 0.0)
     turned = type(view)(right=view.right, up=-view.up, towards=-view.towards)
-    above, below = (_seen(paint_shape(surface, each, "red")) for each in (view, turned))
+    above, below = (_seen(paint_shape(surface, item, "red")) for item in (view, turned))
     # paper has more red than blue, its back more blue than red; lines have neither
     assert (above[:, 0] >= above[:, 2]).mean() > 0.9
     assert (below[:, 2] > below[:, 0]).mean() > 0.8

@@ -34,8 +34,8 @@ def called(surveyed):
             structure,
             appearance=replace(structure.appearance, whole="flower", bar="petal"),
             transitions=tuple(
-                replace(each, wording=replace(each.wording, doing=word))
-                for each, word in zip(structure.transitions, words, strict=True)
+                replace(transition, wording=replace(transition.wording, doing=word))
+                for transition, word in zip(structure.transitions, words, strict=True)
             ),
         ),
     )

@@ -63,7 +63,7 @@ def test_the_folding_sense_of_a_hinge_is_that_of_its_larger_range(landscape):
         assert tendon.hinge.sense == -1
         assert tendon.barrier > 0
     # nothing couples them
-    alone = [each.barrier for each in landscape.tendons]
+    alone = [tendon.barrier for tendon in landscape.tendons]
     assert landscape.hinge_barriers == pytest.approx(alone, rel=1e-5)
 
 

@@ -32,7 +32,7 @@ def landscape(told):
 @pytest.fixture(scope="module")
 def slanting():
     """Return the stiffness of the bars to the apex, N/m."""
-    (stiffness,) = {round(each.stiffness, 9) for each in structure_of(pyramid()).springs if 0 in each.points}
+    (stiffness,) = {round(spring.stiffness, 9) for spring in structure_of(pyramid()).springs if 0 in spring.points}
     return stiffness
 
 
@@ -98,7 +98,7 @@ def test_drives_snap_at_the_largest_force_of_the_bars(landscape, slanting):
 
 
 def test_states_withstand_the_loads_of_the_closed_form(landscape, slanting):
-    up, down = ({each.load: each for each in state.withstands} for state in landscape.states)
+    up, down = ({withstand.load: withstand for withstand in state.withstands} for state in landscape.states)
     largest = force(slanting, np.linspace(0, RISE, 20001)).max()
     assert up["force push"].value == pytest.approx(largest, rel=5e-3)
     assert up["force push"].kind == "limit"
@@ -174,7 +174,7 @@ def pressed(direction):
 def test_a_displaced_apex_takes_the_force_of_the_closed_form_through_the_snap(slanting):
     landscape = pressed([0, 0, -1])
     course = landscape.courses[0]
-    (told,) = [each for each in landscape_summary(landscape)["net"]["courses"] if each["name"] == "push"]
+    (told,) = [item for item in landscape_summary(landscape)["net"]["courses"] if item["name"] == "push"]
     path = told["slow"]
     expected = force(slanting, RISE - np.array(path["gone_m"]))
     largest = np.abs(expected).max()

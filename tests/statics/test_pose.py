@@ -60,7 +60,7 @@ def turned_one_by_one(structure, angles):
 def test_points_of_any_tree_are_where_one_rotation_after_another_takes_them(seed, bodies):
     structure = tree(seed, bodies)
     angles = np.random.default_rng(seed).uniform(-math.pi, math.pi, (3, len(structure.hinges)))
-    expected = [turned_one_by_one(structure, each) for each in angles]
+    expected = [turned_one_by_one(structure, angle) for angle in angles]
     # rounding
     assert placed(structure, angles) == pytest.approx(np.array(expected), abs=1e-14)
 

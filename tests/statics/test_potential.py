@@ -161,7 +161,7 @@ def test_tendons_across_several_hinges_are_those_of_each_case():
     assert any(tendon.crossing is None for tendon in springs[0].tendons)
     angles = np.random.default_rng(3).uniform(-1, 1, (2, len(springs[0].hinges)))
     energy = potential(ensemble(springs), angles)[0]
-    alone = [potential(ensemble([each]), angles[case : case + 1])[0][0] for case, each in enumerate(springs)]
+    alone = [potential(ensemble([spring]), angles[case : case + 1])[0][0] for case, spring in enumerate(springs)]
     assert energy == pytest.approx(alone)
     assert energy[0] != pytest.approx(energy[1])
 

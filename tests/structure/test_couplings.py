@@ -14,8 +14,8 @@ TIED = load_design("binder2025-coupled")
 def test_neighbouring_turns_are_tied_with_their_signs():
     built = structure_of(TIED)
     turns = hinges_of(built, "turn")
-    assert [each.hinges for each in built.couplings] == [(turns[0], turns[1]), (turns[1], turns[2])]
-    assert all(each.rigid for each in built.couplings)
+    assert [coupling.hinges for coupling in built.couplings] == [(turns[0], turns[1]), (turns[1], turns[2])]
+    assert all(coupling.rigid for coupling in built.couplings)
     folding = np.zeros(len(built.hinges))
     folding[list(turns)] = 0.3
     assert np.array_equal(coupling_rows(built) @ folding, [0, 0])

@@ -102,7 +102,7 @@ def test_the_crossings_of_a_fan_are_those_of_its_points():
     for tangent in ("left", "right"):
         built = structure_of(
             with_values(
-                REFERENCE, {"pattern.tangent": tangent, **{f"tendon.{key}": each for key, each in values.items()}}
+                REFERENCE, {"pattern.tangent": tangent, **{f"tendon.{key}": value for key, value in values.items()}}
             )
         )
         for tendon in built.tendons:

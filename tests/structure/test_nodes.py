@@ -118,7 +118,7 @@ def test_supports_hold_facets_vertices_and_single_axes():
     slides = [body.slides for body in structure.bodies]
     assert [slides[node] for node in (0, 24)] == [(1,), ()]
     assert all(slides[node] == () for node in MIURA.sheet.faces_vertices[5])
-    assert sum(each == (0, 1, 2) for each in slides) == 25 - 4 - 2
+    assert sum(slide == (0, 1, 2) for slide in slides) == 25 - 4 - 2
 
 
 def test_a_sheet_opens_along_a_cut(tmp_path):

@@ -59,7 +59,7 @@ def test_splitting_changes_neither_mass_nor_area_nor_crease_stiffness(along, sec
             for structure in (split, whole)
         ]
         assert sums[0] == pytest.approx(sums[1])
-    starts = [{hinge.edge: hinge.start for hinge in each.hinges if hinge.edge >= 0} for each in (split, whole)]
+    starts = [{hinge.edge: hinge.start for hinge in item.hinges if hinge.edge >= 0} for item in (split, whole)]
     assert starts[0] == pytest.approx(starts[1], abs=1e-6)
 
 

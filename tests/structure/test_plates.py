@@ -35,7 +35,7 @@ def zigzag(**values):
 
 
 def point(structure, name):
-    return built_points(structure)[[each.name for each in structure.points].index(name)]
+    return built_points(structure)[[item.name for item in structure.points].index(name)]
 
 
 def test_every_corner_lies_where_the_pattern_has_it():
@@ -80,7 +80,7 @@ def turned_points(structure, angles):
                 frame = frame @ (np.eye(3) + math.sin(turn) * cross + (1 - math.cos(turn)) * cross @ cross)
         origins.append(origin)
         frames.append(frame)
-    return np.array([origins[each.body] + frames[each.body] @ each.place for each in structure.points])
+    return np.array([origins[item.body] + frames[item.body] @ item.place for item in structure.points])
 
 
 @pytest.mark.parametrize("held", range(5))
@@ -94,8 +94,8 @@ def test_folding_in_its_own_sense_is_folding_as_assigned(held):
     signed[:4] = [size if letter == "V" else -size for size, letter in zip(sizes, letters, strict=True)]
     folded = folded_coordinates(pattern, signed, fixed_face=held)
     own = [sizes[int(hinge.name.removeprefix("crease"))] for hinge in structure.hinges]
-    for each, place in zip(structure.points, turned_points(structure, own), strict=True):
-        vertex = int(each.name.partition("vertex")[2])
+    for item, place in zip(structure.points, turned_points(structure, own), strict=True):
+        vertex = int(item.name.partition("vertex")[2])
         assert place == pytest.approx(folded[vertex], abs=1e-14)
 
 

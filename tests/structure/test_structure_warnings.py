@@ -36,7 +36,9 @@ def test_the_warning_reads_well_for_a_small_wing():
 
 def test_a_medium_heavier_than_the_moving_bodies_gives_a_warning():
     def warned(density):
-        return [each for each in warnings(with_values(REFERENCE, {"medium.density": density})) if "medium" in each]
+        return [
+            warning for warning in warnings(with_values(REFERENCE, {"medium.density": density})) if "medium" in warning
+        ]
 
     assert not warned(1.2)
     (warning,) = warned(1000.0)
@@ -63,7 +65,7 @@ def test_a_softening_law_gives_a_warning_that_the_run_is_the_first_cycle():
     def warned(**values):
         law = {"linear_modulus": 4e6, "softening": {"r": 2.0, "m": 1e5}}
         values = {"tendon.law": law, "tendon.rest_length": 0.09, "tendon.area": 12.5e-6} | values
-        return [each for each in warnings(with_values(load_design("binder2025"), values)) if "soften" in each]
+        return [warning for warning in warnings(with_values(load_design("binder2025"), values)) if "soften" in warning]
 
     (warning,) = warned()
     assert "the first pull" in warning
@@ -77,7 +79,7 @@ def test_branches_that_relax_while_the_wing_is_folded_are_warned_of():
     def warned(*times, **values):
         law = {"linear_modulus": 4e6, "branches": [{"modulus": 1e6, "time": time} for time in times]}
         values = {"tendon.law": law, "tendon.rest_length": 0.09, "tendon.area": 12.5e-6} | values
-        return [each for each in warnings(with_values(load_design("binder2025"), values)) if "relax" in each]
+        return [warning for warning in warnings(with_values(load_design("binder2025"), values)) if "relax" in warning]
 
     (warning,) = warned(0.02, 77.0, 0.5)
     assert warning.startswith("Maxwell branches of 20 ms, 0.5 s relax while the wing is folded")
@@ -92,7 +94,7 @@ def test_branches_that_relax_while_the_wing_is_folded_are_warned_of():
 def test_what_is_true_of_some_tendons_only_names_them():
     short = {f"tendon.{vein}.rest_length": "5 cm" for vein in (0, 2)}
     found = warnings(load_design("binder2025", TPU | {"tendon.rest_length": "6 cm"} | short))
-    (warning,) = [each for each in found if "measured" in each]
+    (warning,) = [item for item in found if "measured" in item]
     assert warning.startswith("tendon0, tendon2: the flat wing stretches its tendons by 118 %")
 
 

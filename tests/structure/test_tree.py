@@ -31,7 +31,7 @@ def numbers(structure, role):
 
 
 def body(name):
-    return [each.name for each in STRUCTURE.bodies].index(name)
+    return [item.name for item in STRUCTURE.bodies].index(name)
 
 
 def named(hinges):

@@ -69,7 +69,7 @@ def test_a_tendon_off_its_bars_has_the_length_of_the_closed_form(tall, beside, t
     values = {f"tendon__{name}": f"{value} mm" for name, value in zip(names, (*tall, *beside), strict=True)}
     narrow = {"vein__diameter": "1 mm", "membrane__margin": "2 mm", "guard__stretch": 2.0}
     structure = built(pattern__tangent=tangent, pattern__sector_angle=sector, **narrow, **values)
-    tall, beside = (tuple(1e-3 * each for each in pair) for pair in (tall, beside))
+    tall, beside = (tuple(1e-3 * item for item in pair) for pair in (tall, beside))
     for tendon in structure.tendons:
         for angle in ANGLES:
             length = rotated_length(structure, tendon, angle)

@@ -46,18 +46,18 @@ APPLY = {
 
 
 def named(*names):
-    return tuple(each for each in ASSUMPTIONS if each.name in names)
+    return tuple(assumption for assumption in ASSUMPTIONS if assumption.name in names)
 
 
 def found_of(name):
     design = ff.load_design(name)
-    return {each.name: variant_of(each, design) for each in ASSUMPTIONS}
+    return {assumption.name: variant_of(assumption, design) for assumption in ASSUMPTIONS}
 
 
 @pytest.mark.parametrize("name", APPLY)
 def test_the_assumptions_that_apply_to_each_kind_of_structure_are_changed_and_others_have_a_reason(name):
     found = found_of(name)
-    assert {each for each, variant in found.items() if isinstance(variant, Variant)} == APPLY[name]
+    assert {key for key, variant in found.items() if isinstance(variant, Variant)} == APPLY[name]
     assert all(reason.strip() for reason in found.values() if isinstance(reason, str))
     # each changed design can be written to a file
     for variant in found.values():
@@ -91,7 +91,7 @@ def test_tendons_that_differ_from_vein_to_vein_are_all_changed():
     first, none, last = variant_of(twice, design).design.tendons
     assert (first.damping, none, last.damping) == (0.2, None, 0.6)
     (mass,) = named("tendon mass")
-    assert all(each is None or each.mass > 0 for each in variant_of(mass, design).design.tendons)
+    assert all(tendon is None or tendon.mass > 0 for tendon in variant_of(mass, design).design.tendons)
 
 
 @pytest.fixture(scope="module")
@@ -226,7 +226,7 @@ def test_the_measured_assumptions_of_named_designs_are_those_of_their_present_va
 
 
 def test_the_measured_times_of_the_reference_wing_are_computed_again(reference_outcome):
-    (measured,) = (each for each in measured_assumptions() if each.design.name == "binder2025")
+    (measured,) = (assumption for assumption in measured_assumptions() if assumption.design.name == "binder2025")
     for name, time in measured.own.times.items():
         assert reference_outcome.transitions[name].time == pytest.approx(time, rel=0.02)
     decides = next(run for run in measured.deciding if "damping" in run.name)

@@ -60,7 +60,7 @@ def test_specimens_that_soften_give_a_wing_that_softens_as_they_do(tmp_path):
     cycling = run_cycles(with_values(load_design("binder2025", settings), {"protocol.stages": [SETTLE, FOLD]}), 5)
     energy = [run.row["flat_energy_J"] for run in cycling.runs]
     # the overbend holds the flat wing, so its tendons keep their length except for the compliance of the stops
-    assert [each / energy[1] for each in energy[2:]] == pytest.approx([(n / 2) ** rate for n in (3, 4, 5)], rel=1e-3)
+    assert [item / energy[1] for item in energy[2:]] == pytest.approx([(n / 2) ** rate for n in (3, 4, 5)], rel=1e-3)
     # the data do not contain the first cycle
     assert energy[0] == energy[1]
     assert [run.measured for run in cycling.runs] == [False, True, True, True, True]

@@ -43,7 +43,7 @@ def test_every_change_is_tried_alone_and_undone(compared):
     assert set(groups) == {"offsets", "stiffness", "masses"}
     tried = {trial.groups for trial in compared.trials}
     assert tried == {(), groups, *((group,) for group in groups), *(
-        tuple(each for each in groups if each != group) for group in groups
+        tuple(item for item in groups if item != group) for group in groups
     )}  # fmt: skip
 
 
@@ -53,7 +53,7 @@ def test_comparison_is_printed_drawn_and_saved(compared):
     assert compared.blame[0].text in told
     written = json.loads(json_text(compared))
     assert written["hinges"][0]["made"]["barrier_J"] == compared.hinges[0].made.barrier
-    assert {each["name"] for each in written["unkept"]} >= {"mass", "barrier of two straps", "play of the hinges"}
+    assert {item["name"] for item in written["unkept"]} >= {"mass", "barrier of two straps", "play of the hinges"}
     energy = draw_made(compared).axes[0]
     labels = [line.get_label() for line in energy.lines]
     assert any(label.startswith("as made: barrier") for label in labels)

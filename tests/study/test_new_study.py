@@ -57,8 +57,8 @@ def test_every_key_of_a_study_is_listed(name):
     known = {fact.key for fact in key_facts("", StudyFile)}
     for key, value in tables.items():
         inside = [f"{key}.{name}" for name in value] if isinstance(value, dict) else [key]
-        for each in inside:
-            told = re.sub(r"^(settings|factors|grid)\..*", r"\1.KEY", each)
+        for item in inside:
+            told = re.sub(r"^(settings|factors|grid)\..*", r"\1.KEY", item)
             assert re.sub(r"\.[a-z]+_(torques|with)$", r".DRIVE_\1", told) in known
 
 

@@ -17,7 +17,7 @@ def pytest_runtest_call(item):
     try:
         return (yield)
     finally:
-        item.user_properties += [("agreement", json.dumps(each)) for each in _TOLD.values()]
+        item.user_properties += [("agreement", json.dumps(item)) for item in _TOLD.values()]
 
 
 def _tell(key: tuple[Any, ...], strain: float, told: dict[str, Any]) -> None:

@@ -45,8 +45,8 @@ def test_a_folded_sheet_has_the_degrees_of_freedom_of_the_loops_around_its_verti
     angles = folded_as_assigned(pattern)
     around = vertex_creases(pattern)
     slope = np.zeros((3 * len(around), len(angles)))
-    for number, each in enumerate(around):
-        slope[3 * number : 3 * number + 3, each.edges] = vertex_walk(each.sectors, angles[each.edges])[1].T
+    for number, item in enumerate(around):
+        slope[3 * number : 3 * number + 3, item.edges] = vertex_walk(item.sectors, angles[item.edges])[1].T
     rank = np.linalg.matrix_rank(slope, tol=1e-9)
     found = pattern_facts(pattern).freedoms.folded
     known = (creases_of(pattern) - rank, 3 * len(around) - rank)

@@ -225,7 +225,7 @@ def folding(**values):
     base = load_design("binder2025")
     settle, fold = base.protocol.stages[:2]
     stages = [settle.model_copy(update={"time_limit": 0.05}), fold]
-    return with_values(base, {"protocol.stages": [each.model_dump(exclude_none=True) for each in stages], **values})
+    return with_values(base, {"protocol.stages": [item.model_dump(exclude_none=True) for item in stages], **values})
 
 
 def test_the_wing_folds_later_in_air_and_its_energy_balance_includes_the_drag(holds):

@@ -45,7 +45,7 @@ class Followed(NamedTuple):
 
     def nearest(self, moved, factor):
         """Return the nearest point of the path, and the point near it with exactly that load factor."""
-        size, height = (max(abs(each(point)) for point in self.path.points) for each in (self.moved, _factor))
+        size, height = (max(abs(item(point)) for point in self.path.points) for item in (self.moved, _factor))
         near = min(
             self.path.points,
             key=lambda point: np.hypot((self.moved(point) - moved) / size, (point.factor - factor) / height),

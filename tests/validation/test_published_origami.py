@@ -61,7 +61,7 @@ def uniform_fields(pattern):
         turn = np.stack((-along * y - twist * x, across * x + twist * y, none), axis=1)
         rise = -(across * x**2 + along * y**2) / 2 - twist * x * y
         fields.append(np.cross(turn, corners - at) + rise[:, None] * (0, 0, 1))
-    fields += [np.stack(each, axis=1) for each in ((x, none, none), (none, y, none), (y, x, none))]
+    fields += [np.stack(item, axis=1) for item in ((x, none, none), (none, y, none), (y, x, none))]
     kinds = (2 * (line % 2) + place % 2)[:, None] == np.arange(4)
     own = kinds[:, None, :, None] * np.eye(3)[None, :, None, :]
     return np.concatenate((np.stack(fields, axis=-1), own.reshape(49, 3, 12)), axis=-1)

@@ -65,9 +65,9 @@ def test_the_reference_opens_in_the_same_time_at_every_timestep(holds):
     steps = ("0.2 ms", "0.1 ms", "0.05 ms")
     designs = [ff.load_design("binder2025", {"protocol.timestep": step}) for step in steps]
     outcomes = [measure(record) for _, record in sorted(run_each(designs, sparse=True), key=lambda pair: pair[0])]
-    assert [each.verdict for each in outcomes] == [Verdict.REACHED] * 3
+    assert [outcome.verdict for outcome in outcomes] == [Verdict.REACHED] * 3
     for name, resolution in (("fold", 1e-3), ("unfold", 2e-4)):
-        times = np.array([each.transitions[name].time for each in outcomes])
+        times = np.array([outcome.transitions[name].time for outcome in outcomes])
         holds(f"scatter of the {name} time", float(np.ptp(times)), below=resolution, by="the same time, s")
 
 
@@ -80,7 +80,7 @@ def test_a_run_with_unresolved_stops_is_unreliable_and_names_both_keys():
 
 def test_stops_do_not_depend_on_the_timestep():
     models = [
-        compile_model(ff.load_design("binder2025", {"protocol.timestep": each})) for each in ("0.2 ms", "0.05 ms")
+        compile_model(ff.load_design("binder2025", {"protocol.timestep": item})) for item in ("0.2 ms", "0.05 ms")
     ]
     first, second = (model.engine.jnt_solref * [model.units.time, 1] for model in models)
     assert np.array_equal(first, second)

@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import ElasticLaw
-from forficula.statics.net.collapse import collapse, snapped
+from forficula.statics.net.collapse import collapse, state_after_collapse
 from forficula.statics.net.energy import built_shape, expand
 from forficula.statics.net.load import acceleration, held_displacements, point_forces
 from forficula.statics.net.load_path import load_path
@@ -190,14 +190,14 @@ def test_the_truss_snaps_from_its_limit_to_the_inverted_shape_under_the_same_for
     net = von_mises(0.3)
     state = minimum(net, built_shape(net))
     lost = collapse(net, state, point_forces(net, APEX, DOWN))
-    there = snapped(net, lost)
+    there = state_after_collapse(net, lost)
     assert there.stable
     z = brentq(lambda z: force(0.3, z) - 1.001 * limit(0.3), -1.0, -0.3)
     agree("height after the snap", there.shape.positions[1], (0, 0, z), unit="m", by="von Mises 1923", abs=1e-8)
     assert minimum(net, there.shape).shape.positions[1, 2] == pytest.approx(-0.3)
     held = collapse(net, state, point_forces(net, APEX, DOWN), most=1.0)
     with pytest.raises(InputError, match="lost: need a state that collapses"):
-        snapped(net, held)
+        state_after_collapse(net, held)
 
 
 def test_the_frequency_of_the_apex_follows_from_its_stiffness(agree):

@@ -122,9 +122,9 @@ def test_the_response_for_a_design_has_its_keys_its_file_and_its_command(served)
 
 
 def served_value(name, key):
-    from forficula.design.files.held_keys import held_keys
+    from forficula.design.files.design_keys import design_keys
 
-    return next(each.value for each in held_keys(load_design(name)) if each.fact.key == key)
+    return next(item.value for item in design_keys(load_design(name)) if item.fact.key == key)
 
 
 @pytest.mark.parametrize(
@@ -181,13 +181,13 @@ def test_a_design_is_dropped_with_the_files_that_it_names(served):
 
 
 def test_the_model_is_the_one_that_the_package_builds_for_a_page(served):
-    from forficula.show.page.bench_page import at_start
     from forficula.show.page.data.live_data import live_data
+    from forficula.show.page.live_page import start_clip
 
     told = served.ask("model", settings={"tendon.0.stiffness": "0.6 N/cm"})
     design = load_design("letter-fold", {"tendon.0.stiffness": "0.6 N/cm"})
-    clip = at_start(design)
-    own = live_data(design, [each.measure for each in clip.readings], clip.mesh.anchors.tolist())
+    clip = start_clip(design)
+    own = live_data(design, [reading.measure for reading in clip.readings], clip.mesh.anchors.tolist())
     assert told["live"] == json.loads(json.dumps(own))
 
 

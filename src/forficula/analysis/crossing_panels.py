@@ -100,7 +100,7 @@ def panel_crossing(record: Record, rows: Sequence[int] | None = None) -> PanelCr
 
 def _deepest(record: Record, meshes: Sequence[PanelMesh], rows: Sequence[int]) -> PanelCrossing:
     """Find the deepest crossing in some rows."""
-    places = panel_places(record, rows)
+    places = panel_positions(record, rows)
     found = PanelCrossing(depth=0.0, time=float(record.time[rows[0]]))
     for (one, first_nodes), (other, second_nodes) in combinations(zip(meshes, places, strict=True), 2):
         depths = crossing_depths(one, first_nodes, other, second_nodes)
@@ -132,7 +132,7 @@ def panel_meshes(structure: Structure) -> list[PanelMesh]:
     ]
 
 
-def panel_places(record: Record, rows: Sequence[int]) -> list[Array]:
+def panel_positions(record: Record, rows: Sequence[int]) -> list[Array]:
     """Return the positions of the nodes of every panel, in the order of `panel_meshes`, m, (row, node, 3) each.
 
     A node moves with its body: its position is a weighted sum of the positions of the recorded points and nodes of that

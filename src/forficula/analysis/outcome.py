@@ -302,7 +302,7 @@ def measure(run: AnyRun) -> Outcome:
         InputError: the folder does not contain a run, or it cannot be read.
     """
     record = as_record(run)
-    return held_against(_outcome(record), record.checks, record.design)
+    return compared_outcome(_outcome(record), record.checks, record.design)
 
 
 def outcome_values(outcome: Outcome) -> dict[str, tuple[float, ...]]:
@@ -317,7 +317,7 @@ def outcome_values(outcome: Outcome) -> dict[str, tuple[float, ...]]:
     return values
 
 
-def held_against(outcome: Outcome, checks: Sequence[NumericalCheck], design: Design) -> Outcome:
+def compared_outcome(outcome: Outcome, checks: Sequence[NumericalCheck], design: Design) -> Outcome:
     """Compare an outcome with second runs of its design.
 
     Args:
@@ -329,7 +329,7 @@ def held_against(outcome: Outcome, checks: Sequence[NumericalCheck], design: Des
         The outcome with its confirmation. If the verdicts differ, the verdict is "undecided". For each state on which
         the runs disagree, `holds` is None and the transition to it has no time.
     """
-    if not checks or not outcome.verdict.tells:
+    if not checks or not outcome.verdict.conclusive:
         return outcome
     values: Values = outcome_values(outcome)
     timestep = float(design.protocol.timestep)
@@ -372,19 +372,19 @@ def _outcome(record: Record) -> Outcome:
         verdict = Verdict.UNTRUSTED
     else:
         verdict = _verdict(record.structure, missed)
-    if not verdict.tells:
+    if not verdict.conclusive:
         missed = next((run.driven for run in runs if run.driven is not None), None)
     decisive = missed or next((run.driven for run in reversed(runs) if run.driven is not None), None)
     run = None if decisive is None else _transition_run_of(runs, decisive)
     ending = Ending(
         verdict=verdict,
         transition=None if run is None else run.transition,
-        reading=run.state.furthest if verdict.tells and run is not None and run.state is not None else None,
+        reading=run.state.furthest if verdict.conclusive and run is not None and run.state is not None else None,
         time=record.diverged_at,
         residual=balance.residual if record.diverged_at is None else None,
         why=record.doubt or unresolved or _reason_text(record, verdict, missed),
     )
-    holds = {run.transition.state: run.holds if verdict.tells else None for run in runs}
+    holds = {run.transition.state: run.holds if verdict.conclusive else None for run in runs}
     led_to = {run.transition.state: run.state for run in runs}
     states = {
         state.name: led_to[state.name] if state.name in led_to else _named_state(record, state)
@@ -397,7 +397,7 @@ def _outcome(record: Record) -> Outcome:
         states=states,
         state_names={state.name: _rest_name(state, states[state.name], holds) for state in structure.states},
         transitions={run.transition.name: _transition(record, run, holds) for run in runs},
-        stages=tuple(_stage(record, end, tells=verdict.tells) for end in record.stages),
+        stages=tuple(_stage(record, end, conclusive=verdict.conclusive) for end in record.stages),
         energy_balance=balance,
         name=record.design.name,
         structure=structure,
@@ -634,14 +634,14 @@ def _largest_force(record: Record, drive: Drive, end: StageEnd) -> float | None:
     return float(max(forces, key=abs)) if any(displaced) and len(forces) else None
 
 
-def _stage(record: Record, end: StageEnd, *, tells: bool) -> StageOutcome:
+def _stage(record: Record, end: StageEnd, *, conclusive: bool) -> StageOutcome:
     timed = end.stage.until == "time"
     moment = end.end if timed else end.goal_time
     return StageOutcome(
         name=end.stage.name,
         drive=stage_drives(end.stage),
         goal=end.stage.until,
-        reached=end.goal_time is not None if tells and not timed else None,
+        reached=end.goal_time is not None if conclusive and not timed else None,
         time=None if moment is None else moment - end.start,
         work=_work(record, end),
         waited=end.waited or None,

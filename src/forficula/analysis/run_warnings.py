@@ -172,7 +172,7 @@ def _rounded(ratio: float) -> str:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Missed:
+class MissedTarget:
     """A crease that is not at its target.
 
     Attributes:
@@ -188,7 +188,7 @@ class Missed:
     within: float
 
 
-def missed_targets(record: Record) -> list[Missed]:
+def missed_targets(record: Record) -> list[MissedTarget]:
     """Return creases that were not at their targets when the stage with this goal ended, the furthest first.
 
     Returns:
@@ -203,11 +203,13 @@ def missed_targets(record: Record) -> list[Missed]:
     for hinge, angle, least, most in zip(hinges, record.series["hinge_angle"][row], lower, upper, strict=True):
         if not least <= angle <= most:
             target, within = (least + most) / 2, (most - least) / 2
-            found.append(Missed(label=hinge.label or hinge.name, angle=float(angle), target=target, within=within))
+            found.append(
+                MissedTarget(label=hinge.label or hinge.name, angle=float(angle), target=target, within=within)
+            )
     return sorted(found, key=lambda hinge: -abs(hinge.angle - hinge.target))
 
 
-def missed_text(missed: list[Missed], creases: int) -> str:
+def missed_text(missed: list[MissedTarget], creases: int) -> str:
     """Return which creases missed their targets, as a clause.
 
     Args:

@@ -23,7 +23,7 @@ class Verdict(StrEnum):
     NOT_BUILT = "not built"
 
     @property
-    def tells(self) -> bool:
+    def conclusive(self) -> bool:
         """Return whether the verdict is conclusive: about the structure and not about the computation."""
         return self in (Verdict.REACHED, Verdict.MOVING, Verdict.STUCK, Verdict.NOT_HELD)
 
@@ -132,7 +132,7 @@ def verdict_word(verdict: Verdict, wording: Wording | None, *, under_way: bool =
         wording: of the transition; None without a transition.
         under_way: whether the structure had left its first state for good.
     """
-    if not verdict.tells:
+    if not verdict.conclusive:
         return ENDING_TEXTS[verdict]
     if wording is None:
         return ENDING_TEXTS["settled"]

@@ -110,7 +110,7 @@ def open_design(
     if port is not None and not 1 <= port <= _LAST_PORT:
         raise InputError(f"--port: need 1 to {_LAST_PORT}, got {port}")
     if out is not None:
-        from forficula.show.page.bench_page import write_bench_page
+        from forficula.show.page.live_page import write_live_page
         from forficula.show.page.page import page_path
 
         if port is not None or no_browser:
@@ -118,7 +118,7 @@ def open_design(
                 f"{'--no-browser' if port is None else '--port'}: --out writes a file, which is not served"
             )
         read_option("--out", lambda: page_path(out))
-        write_bench_page(read_design(design, settings, unit), out)
+        write_live_page(read_design(design, settings, unit), out)
         print(f"written to {out}")
         return
 

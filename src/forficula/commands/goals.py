@@ -83,7 +83,7 @@ def optimise(
     """Search for the design that meets a goal best, or resume a search."""
     from forficula.goals import load_goal
     from forficula.goals.optimise.optimise import estimate_optimise
-    from forficula.goals.optimise.telling import filling_text
+    from forficula.goals.optimise.summary import filling_text
     from forficula.study.running.kept_runs import check_most
 
     check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})

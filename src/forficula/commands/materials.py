@@ -106,7 +106,7 @@ def size(
     from forficula.material.characterisation import LENGTH
     from forficula.material.law.law_file import load_law
     from forficula.material.law.law_keys import law_unit
-    from forficula.material.law.material_law import chosen, known_moduli
+    from forficula.material.law.material_law import known_moduli, with_linear_modulus
     from forficula.show.material.size_table import print_sizes, sizes_csv, sizes_json
 
     if out is not None and out.suffix != ".csv":
@@ -114,7 +114,7 @@ def size(
     law = load_law(material)
     if modulus is not None:
         value = read_quantity("--modulus", modulus, law_unit("modulus.linear"))
-        law = read_option("--modulus", lambda: chosen(law, value))
+        law = read_option("--modulus", lambda: with_linear_modulus(law, value))
     elif not law.no_tendon:
         read_option("--modulus", lambda: known_moduli(law))
     natural = None if length is None else read_quantity("--length", length, LENGTH)

@@ -182,7 +182,9 @@ def studies() -> None:
         keys = [parameter.key for parameter in goal.parameters]
         print(f"{name}\n    {goal.source}\n    a goal: {objectives} of {goal.base.name} over {listed(keys)}")
         facts = {"name": name, "kind": "goal", "source": goal.source, "design": goal.base.name}
-        listing.append(facts | {"objectives": [each.quantity.name for each in goal.objectives], "factors": keys})
+        listing.append(
+            facts | {"objectives": [objective.quantity.name for objective in goal.objectives], "factors": keys}
+        )
     for name in named_observations():
         observations = load_observations(name)
         observed, keys = [fact.name for fact in observations.facts], [prior.key for prior in observations.priors]

@@ -12,7 +12,7 @@ from forficula.material.law.drift import Drift
 from forficula.material.law.law_cycle import drifts_of
 from forficula.material.law.law_file import load_law
 from forficula.material.law.law_keys import law_unit, show_range, show_value
-from forficula.material.law.material_law import MaterialLaw, MaxwellBranch, check_rates, chosen, require
+from forficula.material.law.material_law import MaterialLaw, MaxwellBranch, check_rates, require, with_linear_modulus
 from forficula.material.law.softening import OgdenRoxburgh, pulls
 from forficula.quantities import Unit, as_written
 
@@ -249,7 +249,7 @@ def _check_choice(material: MaterialLaw, given: object, *, si: bool) -> None:
     except InputError:  # validation of the field reports the error
         return
     try:
-        chosen(material, float(value or 0.0))
+        with_linear_modulus(material, float(value or 0.0))
     except InputError as error:
         raise InputError(f"{key}: {error}") from None
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from forficula.design.named_protocol import Action, Drive, NamedProtocol, RestState, Transition, Wording
 from forficula.design.protocol import StageSection, read_goal, stage_drives
-from forficula.design.sheets.sheet_course import RestAngleDrive, SheetDrive, TorqueDrive, places_of
 from forficula.design.sheets.sheet_creases import creases_of, fold_edges
+from forficula.design.sheets.sheet_drives import RestAngleDrive, SheetDrive, TorqueDrive, places_of
 from forficula.names import listed
 
 if TYPE_CHECKING:

@@ -8,8 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
-from forficula.dynamics.energies.account import motor_force_name, motor_power_name, motor_setting_name, motor_work_name
 from forficula.dynamics.energies.energy import state_energies, state_series
+from forficula.dynamics.energies.work_balance import (
+    motor_force_name,
+    motor_power_name,
+    motor_setting_name,
+    motor_work_name,
+)
 from forficula.dynamics.engine.closures import APART_TEXT, LARGEST_GAP
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.record import Record, StageEnd
@@ -224,7 +229,7 @@ class Recorder:
         parts[:] = [_joined(parts)]
 
 
-def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
+def keep_rows(recorders: Sequence[Recorder], chunk: Chunk) -> None:
     """Keep the states of a chunk's structures at their sample intervals and at the beginning of stages."""
     steps, step = chunk.steps, np.arange(chunk.steps.after.shape[1])
     number = chunk.first[:, None] + step

@@ -49,7 +49,7 @@ _INCONCLUSIVE = [
     *(
         ending_word(Ending(verdict=verdict))
         for verdict in Verdict
-        if not verdict.tells and verdict is not Verdict.UNDECIDED
+        if not verdict.conclusive and verdict is not Verdict.UNDECIDED
     ),
     *FORMER_WORDS,
 ]

@@ -28,7 +28,7 @@ def emulators(samples):
 
 def looked_for(emulators, bounds, tolerances):
     found = zip(emulators, bounds, tolerances, strict=True)
-    return [AgreementWindow(emulator=each, low=bound - within, high=bound + within) for each, bound, within in found]
+    return [AgreementWindow(emulator=item, low=bound - within, high=bound + within) for item, bound, within in found]
 
 
 def test_planted_values_lie_in_ranges_much_narrower_than_the_priors(emulators):
@@ -101,7 +101,7 @@ def test_standard_errors_cover_unseen_values_even_at_a_jump():
 
 def test_a_smooth_quantity_is_predicted_far_better_than_it_scatters():
     points, elsewhere = latin_points(3, 64, 0), np.random.default_rng(1).random((200, 3))
-    values = [np.sin(3 * each[:, 0]) + 2 * each[:, 1] ** 2 + each[:, 0] * each[:, 2] for each in (points, elsewhere)]
+    values = [np.sin(3 * item[:, 0]) + 2 * item[:, 1] ** 2 + item[:, 0] * item[:, 2] for item in (points, elsewhere)]
     mean, error = fit_emulator(points, values[0]).predict(elsewhere)
     assert np.std(values[1] - mean) < 0.03 * np.std(values[1])
     assert np.mean(np.abs(values[1] - mean) <= 2 * error) >= 0.9

@@ -93,7 +93,7 @@ def test_contradicting_facts_are_reported_to_exclude_one_another(contradicted):
     assert result.attrs["most_met"] == 1
     said = [*together_sentences(result), *agrees_sentences(result)]
     assert "No sample meets all 2 facts, and according to a model fitted between the samples no values do" in said[0]
-    assert any(each.startswith("No values meet all facts") for each in said)
+    assert any(item.startswith("No values meet all facts") for item in said)
     assert sorted(result.attrs["met_most"]) == ["few", "many"]
 
 
@@ -123,9 +123,9 @@ def test_placed_samples_refute_an_accidental_exclusion():
         "No sample meets all 2 facts, but there are too few samples to exclude other values"
         in together_sentences(drawn)[0]
     )
-    for each in marginals(drawn):
-        planted_at = {"hinge.overbend": np.radians(2.2), "hinge.damping": 3e-4}[each.key]
-        assert each.agrees[0] <= planted_at <= each.agrees[1]
+    for marginal in marginals(drawn):
+        planted_at = {"hinge.overbend": np.radians(2.2), "hinge.damping": 3e-4}[marginal.key]
+        assert marginal.agrees[0] <= planted_at <= marginal.agrees[1]
     placed = observed(facts, samples=64, directed=96)
     assert int(placed.met_together_placed[0, 1]) > 0
     assert placed.together.values[0, 1] == Together.PLACED
@@ -144,7 +144,7 @@ def test_a_hidden_choice_is_identified_from_its_effect():
     met = result.sel(sample=result.met.all("fact"))
     assert 0 < met.sizes["sample"] < 64
     np.testing.assert_allclose(met.tendon_distal_attachment.astype(float), 0.04)
-    assert {each.key: each.agrees for each in marginals(result)}["tendon.distal_attachment"] == ("4 cm",)
+    assert {marginal.key: marginal.agrees for marginal in marginals(result)}["tendon.distal_attachment"] == ("4 cm",)
 
 
 def test_a_fact_with_inconclusive_runs_is_met_only_if_every_outcome_meets_it():
@@ -199,7 +199,7 @@ def test_a_number_with_an_inconclusive_run_is_decided_only_if_this_run_cannot_ma
     fact = time_fact("time", statistic=statistic, **LENGTHS, **asked)
     result = observed([fact], samples=4, rows=silent_at("9 cm"))
     assert (result.met == met).all()
-    assert (result.tells == tells).all()
+    assert (result.conclusive == tells).all()
     assert (result.untold == 1).all()
     assert np.isfinite(result.distance).all()
     assert int(result.told[0]) == (4 if tells else 0)
@@ -233,7 +233,7 @@ def test_a_least_value_is_bounded_by_inconclusive_values_and_the_first_success()
 
 
 def test_evidence_for_an_exclusion_is_reported_with_numbers(contradicted):
-    many, few = (int(each) for each in (contradicted.met_alone[0, 1], contradicted.met_alone[1, 0]))
+    many, few = (int(item) for item in (contradicted.met_alone[0, 1], contradicted.met_alone[1, 0]))
     told = together_sentences(contradicted)
     assert "Pairs that exclude one another, as far as samples show" in told[-2]
     assert f"many | few: 0 of 64 samples meet both, those that meet one: {many} and {few} (" in told[-1]

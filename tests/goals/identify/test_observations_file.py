@@ -6,7 +6,7 @@ from forficula.design import key_value
 from forficula.design.files.key_table import key_facts
 from forficula.errors import InputError
 from forficula.goals.identify import load_observations, named_observations, observations_of
-from forficula.goals.identify.fact_text import asked_text
+from forficula.goals.identify.fact_text import requirement_text
 from forficula.goals.identify.observations_file import ObservationsFile
 from forficula.goals.identify.prior import prior_shares, values_at
 from tests.goals.identify.closed_form import TENDONS, count_fact
@@ -29,7 +29,7 @@ def test_named_observations_have_the_values_that_the_paper_does_not_report():
     # the paper does not report lengths, angles, masses and damping, but stiffness, resting length and overbend
     assert {"pattern.hub_radius", "vein.diameter", "pattern.tangent", "hinge.damping"} <= set(keys)
     assert not {"tendon.stiffness", "tendon.rest_length", "hinge.overbend"} & set(keys)
-    asked = {fact.name: asked_text(fact) for fact in seen.facts}
+    asked = {fact.name: requirement_text(fact) for fact in seen.facts}
     assert asked["20 N cm is the least"] == "20 N cm"
     assert asked["none of 9 cm folds"] == "none"
     assert asked["least work at 7 to 8 cm"] == "least at tendon.rest_length 7 cm or 8 cm"

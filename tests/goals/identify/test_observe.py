@@ -117,7 +117,7 @@ def test_deviation_of_a_position_is_the_difference_of_its_number_to_the_least():
         "absent": "1 s",
     }
     stiff, _ = found(**fact, at={"tendon.stiffness": "40 N/cm"})
-    assert stiff == Finding(value=0.0, miss=0.0, distance=0.0, met=True, tells=True, untold=0)
+    assert stiff == Finding(value=0.0, miss=0.0, distance=0.0, met=True, conclusive=True, untold=0)
     soft, _ = found(**fact, at={"tendon.stiffness": "10 N/cm"})
     # sqrt(I / (k a b)) of 4e-4 kg m^2 and 5.5 cm twice: 11.5 ms at 10 N/cm and half of it at 40, each doubled
     assert soft.distance == pytest.approx(11.5e-3, rel=1e-2)
@@ -184,7 +184,7 @@ def test_requested_runs_do_not_depend_on_other_known_rows():
     lazily, ran = found(rows=odd, **fact)
     conditions = [dict(zip(TENDONS, values, strict=True)) for values in itertools.product(
         [f"{k}0 N/cm" for k in range(1, 7)], [f"{length} cm" for length in range(10)])]  # fmt: skip
-    every = [runs.at({**each, "protocol.fold_torque": "50 N cm"}, "fold") for each in conditions]
+    every = [runs.at({**condition, "protocol.fold_torque": "50 N cm"}, "fold") for condition in conditions]
     known = dict(zip([run.key for run in every], odd(every), strict=True))
     assert find(asked.facts[0], runs, known) == lazily
     assert len(ran) < 60
@@ -209,7 +209,7 @@ def test_every_condition_is_run_if_the_far_corner_has_another_boundary():
 def test_row_quantities_have_the_names_of_goal_quantities():
     design = load_design("force-clasp")
     told = row_quantities(design)
-    asked = {name for name, each in quantities_of(design).items() if each.source == "run" and each.unit.si}
+    asked = {name for name, quantity in quantities_of(design).items() if quantity.source == "run" and quantity.unit.si}
     assert asked < set(told)
     # a state has its own name, and its numbers have one without spaces
     assert {"shut again", "shut_again_energy", "shut_again_angle"} <= set(told)

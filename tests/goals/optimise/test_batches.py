@@ -135,7 +135,7 @@ def test_a_front_of_three_objectives_lies_on_its_sphere():
         one, two = x[:2] * np.pi / 2
         return radius * np.array([math.cos(one) * math.cos(two), math.cos(one) * math.sin(two), math.sin(one)]), []
 
-    values = np.array([each.objectives for each in pareto_front(searched(dtlz2, [Axis()] * 5, 640, objectives=3))])
+    values = np.array([item.objectives for item in pareto_front(searched(dtlz2, [Axis()] * 5, 640, objectives=3))])
     assert np.mean(np.linalg.norm(values, axis=1) - 1) < 0.02
     # every direction has a point of the front nearby
     directions = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1], [1, 1, 0], [0, 1, 1], [1, 0, 1]], dtype=float)

@@ -47,8 +47,8 @@ def test_the_intervals_hold_ishigamis_indices_in_nine_of_ten_repetitions_or_more
     monkeypatch.setattr("forficula.goals.tolerance.indices._RESAMPLES", 199)
     found = [indices(ishigami, 3, 128, seed) for seed in range(60)]
     for exact, low, high in (
-        (FIRST, [each.first_low[0] for each in found], [each.first_high[0] for each in found]),
-        (TOTAL, [each.total_low[0] for each in found], [each.total_high[0] for each in found]),
+        (FIRST, [item.first_low[0] for item in found], [item.first_high[0] for item in found]),
+        (TOTAL, [item.total_low[0] for item in found], [item.total_high[0] for item in found]),
     ):
         assert np.mean((np.array(low) <= exact) & (exact <= np.array(high)), axis=0).min() >= 0.82
 
@@ -82,7 +82,7 @@ def test_a_group_of_all_factors_explains_the_whole_variance():
 def test_every_result_has_its_own_indices():
     first, second = two_samples(3, 4096, 3)
     points = [first, second, *(exchanged(first, second, [factor]) for factor in range(3))]
-    values = [np.array([ishigami(each), each[:, 0]]) for each in points]
+    values = [np.array([ishigami(point), point[:, 0]]) for point in points]
     found = sobol_indices(["wave", "line"], ["a", "b", "c"], values[0], values[1], np.array(values[2:]), 0)
     np.testing.assert_allclose(found.total[0], TOTAL, atol=0.03)
     np.testing.assert_allclose(found.total[1], [1, 0, 0], atol=0.02)
@@ -142,7 +142,7 @@ def test_linear_fit_separates_factors_of_a_sum_with_correlated_columns():
 def test_linear_fit_explains_nothing_of_noise_on_average():
     points, rng = two_samples(10, 64, 0)[0], np.random.default_rng(1)
     noise = rng.standard_normal((200, 64))
-    found = line_indices([str(each) for each in range(200)], [str(each) for each in range(10)], points, noise, 0)
+    found = line_indices([str(index) for index in range(200)], [str(index) for index in range(10)], points, noise, 0)
     # mean of 2000 fractions of a variance, each of which scatters by 0.02
     assert abs(np.mean(found.first)) < 0.002
     held = (found.first_low <= 0) & (found.first_high >= 0)
@@ -151,7 +151,7 @@ def test_linear_fit_explains_nothing_of_noise_on_average():
 
 def test_too_few_points_give_no_linear_fit():
     points = two_samples(10, 16, 0)[0]
-    found = line_indices(["sum"], [str(each) for each in range(10)], points, np.sum(points, axis=1)[None], 0)
+    found = line_indices(["sum"], [str(index) for index in range(10)], points, np.sum(points, axis=1)[None], 0)
     assert np.isnan(found.first).all()
 
 

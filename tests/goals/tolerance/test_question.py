@@ -18,7 +18,7 @@ def test_default_tolerances_are_ten_per_cent_on_positive_values_outside_the_prot
     assert question.assumed
     assert "tendon.stiffness" in question.keys
     assert not any(key.startswith("protocol.") for key in question.keys)
-    assert {each.size for each in question.deviations} == {0.1}
+    assert {deviation.size for deviation in question.deviations} == {0.1}
     assert question.width_text(0) == "± 10 %"
 
 

@@ -48,7 +48,7 @@ def measured(law, history, seed, noise=5e4, **details):
 def covered(law, fit):
     """Return whether every interval contains the true value, by key."""
     planted = law_values(law)
-    return {each.key: each.low <= planted[each.key] <= each.high for each in fit.law.intervals}
+    return {interval.key: interval.low <= planted[interval.key] <= interval.high for interval in fit.law.intervals}
 
 
 def test_95_of_100_intervals_hold_the_planted_value():
@@ -61,8 +61,8 @@ def test_95_of_100_intervals_hold_the_planted_value():
     ):
         hits = [covered(law, fit_law([measured(law, history, seed)], forms=[form])) for seed in range(40)]
         # 95 % of 40 is 38; 33 or fewer come once in 400 times
-        assert min(sum(each[key] for each in hits) for key in form.keys) >= 34
-        shares += [hit for each in hits for hit in each.values()]
+        assert min(sum(hit[key] for hit in hits) for key in form.keys) >= 34
+        shares += [hit for item in hits for hit in item.values()]
     # 160 fits with correlated values: scatter of 1 to 2 %
     assert np.mean(shares) == pytest.approx(0.95, abs=0.035)
 
@@ -88,8 +88,8 @@ def test_specimens_that_differ_widen_the_intervals():
     for seed in range(30):
         scale = 1 + 0.05 * np.random.default_rng(100 + seed).standard_normal(4)
         own = [
-            measured(replace(VISCOUS, moduli=(5e6 * each, 0, 0)), history, 4 * seed + index)
-            for index, each in enumerate(scale)
+            measured(replace(VISCOUS, moduli=(5e6 * item, 0, 0)), history, 4 * seed + index)
+            for index, item in enumerate(scale)
         ]
         fit = fit_law(own, forms=[LawForm(damper=1)])
         hits.append(covered(VISCOUS, fit)["modulus.linear"])
@@ -116,11 +116,11 @@ def test_the_planted_law_is_chosen_among_all(law, history, form):
     planted, found = law_values(law), law_values(fit.law)
     for key in form.keys:
         assert found[key] == pytest.approx(planted[key], rel=0.1)
-    tried = {each.form for each in fit.candidates}
+    tried = {candidate.form for candidate in fit.candidates}
     assert len(tried) == len(fit.candidates)
     assert tried >= set(all_forms())
     # one more branch than the data have is tried, and no more
-    assert {each.branches for each in tried - set(all_forms())} == ({3} if form.branches == 2 else set())
+    assert {form.branches for form in tried - set(all_forms())} == ({3} if form.branches == 2 else set())
     assert fit.misfit == pytest.approx(5e4 / np.sqrt(len(history[0]) / fit.points), rel=0.1)
     residual = fit.residuals[0]
     assert residual.fitted - residual.stress == pytest.approx(np.zeros(fit.points), abs=5 * fit.misfit)
@@ -194,12 +194,12 @@ def test_a_known_zero_of_the_force_is_not_fitted():
         known = {"offset": zero, "drift": 0.5}
         specimens.append(StrainHistory(time=history[0], strain=history[1], stress=stress, **known))
     fit = fit_law(specimens, forms=[LawForm(order=3)])
-    assert [(each.offset, each.drift) for each in fit.residuals] == [(zero, 0.5) for zero in zeros]
+    assert [(residual.offset, residual.drift) for residual in fit.residuals] == [(zero, 0.5) for zero in zeros]
     assert all(covered(SPRING, fit).values())
-    for residual, each in zip(fit.residuals, specimens, strict=True):
-        assert residual.stress == pytest.approx(each.stress)
+    for residual, specimen in zip(fit.residuals, specimens, strict=True):
+        assert residual.stress == pytest.approx(specimen.stress)
         # at rest a law has no stress
-        assert residual.fitted[0] == pytest.approx(each.stress[0], abs=1.0)
+        assert residual.fitted[0] == pytest.approx(specimen.stress[0], abs=1.0)
 
 
 def test_one_rate_cannot_tell_a_damper_from_a_fast_branch():

@@ -33,7 +33,7 @@ def test_a_taut_tendon_relaxes_with_its_relaxation_time(share, others):
     energies = first**2 / (2 * np.array([K1, 50.0]))
     expected = float(np.sum(energies * -np.expm1([-2 * share, -2 * share * TAU / 1e6])))
     assert after.lost == pytest.approx(expected, rel=1e-9)
-    assert after.spared == 0
+    assert after.stored_excess == 0
 
 
 @pytest.mark.parametrize("share", [0.01, 0.1, 1.0, 4.0])
@@ -53,7 +53,7 @@ def test_a_slack_tendon_recovers_with_its_retardation_time(share):
     assert after.lost == pytest.approx(held * (kept**2 - later**2), rel=2e-3)
     # the energy balance closes: the branch at the distance of the ends, the loss and the stored excess
     change = (after.forces[0] ** 2 - before[0] ** 2) / (2 * K1)
-    assert change + after.lost - after.spared == pytest.approx(0, abs=1e-12)
+    assert change + after.lost - after.stored_excess == pytest.approx(0, abs=1e-12)
 
 
 def test_a_recovered_tendon_pulls_when_it_is_as_short_as_the_distance_of_its_ends():
@@ -76,7 +76,7 @@ def test_one_time_and_then_another_are_both_together(first, second, distance, on
     scale = np.abs(before).max() + K1 * REST
     assert apart.forces == pytest.approx(together.forces, abs=5e-3 * scale)
     assert half.lost + apart.lost >= -1e-12
-    assert half.spared + apart.spared == pytest.approx(together.spared, abs=5e-3 * scale**2 / K1)
+    assert half.stored_excess + apart.stored_excess == pytest.approx(together.stored_excess, abs=5e-3 * scale**2 / K1)
 
 
 @settings(max_examples=30, deadline=None)

@@ -9,9 +9,9 @@ from forficula.material.law.material_law import (
     MaterialLaw,
     MaxwellBranch,
     Unknown,
-    chosen,
     require,
     scaled,
+    with_linear_modulus,
 )
 from forficula.material.law.softening import OgdenRoxburgh
 
@@ -88,7 +88,7 @@ def test_resilin_is_a_range():
     law = load_law("resilin")
     with pytest.raises(InputError, match=r"resilin: modulus.linear: known only as a range, 0.4 to 1.5 MPa; choose"):
         scaled(law, length=0.06, area=5e-6)
-    assert scaled(chosen(law, 1.5e6), length=0.06, area=4e-6).stiffness[0] == pytest.approx(100)
+    assert scaled(with_linear_modulus(law, 1.5e6), length=0.06, area=4e-6).stiffness[0] == pytest.approx(100)
     with pytest.raises(InputError, match=r"resilin: branches: is unknown: relaxation times of 1.7 s and 16 s"):
         require(law, "branches")
 

@@ -119,7 +119,7 @@ def test_a_law_at_a_cycle_is_weaker_and_longer():
     longer = fit_drift([1, 2, 3, 4], 0.1 + 0.02 * np.log([1, 2, 3, 4]), relative=False)
     law = replace(law, stiffness_drift=weaker, residual_strain_drift=longer)
     later = law_at_cycle(law, 100)
-    assert later.moduli == pytest.approx(tuple(100**-0.05 * each for each in MODULI), rel=1e-4)
+    assert later.moduli == pytest.approx(tuple(100**-0.05 * item for item in MODULI), rel=1e-4)
     assert later.branches[0].modulus == pytest.approx(100**-0.05 * 1e6, rel=1e-4)
     assert later.residual_strain == pytest.approx(0.1 + 0.02 * math.log(100))
     assert (later.stiffness_drift, later.residual_strain_drift) == (None, None)
@@ -144,7 +144,7 @@ def test_before_the_first_measured_cycle_a_law_is_constant():
     drift = Drift(kind="logarithm", rate=-0.05, interval=(-0.06, -0.04), cycles=0.0, relative=True, seen=(3, 8))
     law = replace(LAW, stiffness_drift=drift)
     assert law_at_cycle(law, 1).moduli == law_at_cycle(law, 3).moduli == MODULI
-    assert law_at_cycle(law, 6).moduli == pytest.approx(tuple(2**-0.05 * each for each in MODULI))
+    assert law_at_cycle(law, 6).moduli == pytest.approx(tuple(2**-0.05 * item for item in MODULI))
     for cycle in (0, math.nan):
         with pytest.raises(InputError, match="cycle: need >= 1, got"):
             law_at_cycle(law, cycle)

@@ -15,9 +15,9 @@ WIDTH = 0.1
 
 def class_of(entries, way, place, cycle=None):
     (entry,) = (
-        each
-        for each in entries
-        if each.way == way and each.cycle == cycle and each.from_strain == pytest.approx(place * WIDTH)
+        entry
+        for entry in entries
+        if entry.way == way and entry.cycle == cycle and entry.from_strain == pytest.approx(place * WIDTH)
     )
     return entry
 
@@ -59,7 +59,7 @@ def test_moduli_are_those_of_a_planted_cubic(a, b, c, noise):
 def test_loading_unloading_and_cycles_are_distinguished():
     test = cyclic_test(lambda e, n: n * MODULUS * e, lambda e, n: n * MODULUS * e**2, cycles=3)
     entries = moduli_by_strain([find_cycles(test)])
-    assert [each.cycle for each in entries] == [2] * 20 + [3] * 20
+    assert [entry.cycle for entry in entries] == [2] * 20 + [3] * 20
     for number in (2, 3):
         assert class_of(entries, "loading", 5, number).local_modulus.median == pytest.approx(number * MODULUS)
         # at the middle of the class, twice the strain

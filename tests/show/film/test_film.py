@@ -170,11 +170,11 @@ def test_errors_of_ffmpeg_are_reported_and_no_file_is_left(tmp_path, reference_r
 
 def test_a_film_of_strains_colours_the_membrane_alone_and_needs_one(reference_run, cuts, frame, tmp_path):
     # the time of the largest strain
-    peak = max((each for each in strain_peaks(reference_run) if each.kind == "membranes"), key=lambda each: each.strain)
+    peak = max((peak for peak in strain_peaks(reference_run) if peak.kind == "membranes"), key=lambda item: item.strain)
     fold = next(cut for cut in cuts if cut.first < peak.time < cut.last)
     strained = FilmFrame(reference_run, cuts, (640, 360), strain=True)
     assert strained._strains.vmax == pytest.approx(peak.strain, rel=0.01)
-    before, now = (np.asarray(each.draw(fold, peak.time)).astype(int) for each in (frame, strained))
+    before, now = (np.asarray(item.draw(fold, peak.time)).astype(int) for item in (frame, strained))
     dark = np.array([round(255 * part) for part in STRAIN_COLOURS(1.0)[:3]])
     red = (np.abs(now - dark).max(axis=2) < 40)[60:220]  # below the colour bar and above the plots
     assert red.sum() > 50 > (np.abs(before - dark).max(axis=2) < 40)[60:220].sum()

@@ -172,7 +172,7 @@ def test_cycles_are_read_as_they_were_written(folders, cycling):
     read = read_cycling(folders / "run")
     rows = [replace(run, row={name: run.row.get(name) for name in read.runs[0].row}) for run in cycling.runs]
     assert read.runs == tuple(rows)
-    assert [each.name for each in read.transitions] == ["fold", "unfold"]
+    assert [transition.name for transition in read.transitions] == ["fold", "unfold"]
     assert (read.seen, read.verdict, read.remarks) == ((2, 4), "Up to cycle 2.", ("Seen.",))
 
 

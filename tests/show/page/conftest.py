@@ -229,8 +229,8 @@ def watching(context):
         return opened[-1]
 
     yield watch
-    for each in opened:
-        each.page.close()
+    for item in opened:
+        item.page.close()
 
 
 @pytest.fixture

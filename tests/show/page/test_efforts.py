@@ -45,7 +45,7 @@ def test_a_right_handed_turn_of_the_left_flap_about_a_creases_arrow_folds_it_in_
         axis = (head - tail) / np.linalg.norm(head - tail)
         moved = corners.copy()
         moved[2] += turned * np.cross(axis, corners[2] - tail)
-        angles = [hinge.sense * float(flap_angles(each)) for each in (corners, moved)]
+        angles = [hinge.sense * float(flap_angles(item)) for item in (corners, moved)]
         assert angles[1] - angles[0] == pytest.approx(turned, rel=1e-2)
 
 

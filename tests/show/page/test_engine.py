@@ -24,7 +24,7 @@ from forficula.show.page.data.live_data import live_data, shown_measures
 from forficula.show.page.data.shape_mesh import shape_mesh
 from forficula.show.page.page import built
 from forficula.show.page.parts.outcome_words import _PATTERNS
-from forficula.show.page.parts.words import LIVE_OUTCOME_TEXTS
+from forficula.show.page.parts.run_sentences import LIVE_OUTCOME_TEXTS
 from forficula.show.page.study_live import study_live
 from forficula.structure import structure_of
 from forficula.study.running.runs import run
@@ -187,7 +187,7 @@ def test_tendons_fold_and_fail_in_a_page_as_in_the_study(run_in_page):
         for tens in (1, 3, 6)
         for length in (0, 2, 4, 6, 8)
     ]
-    records = simulate([compile_model(with_values(design, each)) for each in tendons], sparse=True)
+    records = simulate([compile_model(with_values(design, tendon)) for tendon in tendons], sparse=True)
     found = outcomes(run_in_page(design, tendons))
     assert len({outcome["verdict"] for outcome in found}) > 1
     for outcome, record in zip(found, records, strict=True):

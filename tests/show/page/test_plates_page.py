@@ -53,10 +53,12 @@ def test_the_page_reports_the_outcome(plates_runs):
 def test_names_keep_their_hyphens_where_numbers_have_minus_signs(plates_runs):
     record, outcome = plates_runs["whole"]
     structure = record.structure
-    tendons = tuple(replace(each, name=f"{each.name}-b") for each in structure.tendons)
+    tendons = tuple(replace(tendon, name=f"{tendon.name}-b") for tendon in structure.tendons)
     first, *rest = structure.transitions
     closing = replace(first, wording=replace(first.wording, noun="re-closing"))
-    turned = {name: replace(each, strength=-each.strength) for name, each in outcome.transitions.items()}
+    turned = {
+        name: replace(transition, strength=-transition.strength) for name, transition in outcome.transitions.items()
+    }
     renamed = replace(structure, tendons=tendons, transitions=(closing, *rest))
     tables = "".join(outcome_tables(replace(outcome, transitions=turned, structure=renamed)))
     assert f"{tendons[0].name}<" in tables

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from forficula.analysis.confirmation import HALF_STEP
-from forficula.analysis.outcome import held_against, outcome_values
+from forficula.analysis.outcome import compared_outcome, outcome_values
 from forficula.dynamics import NumericalCheck
 from forficula.show.page.parts.outcome_tables import outcome_tables
 from forficula.show.run.outcome_rows import balance_remark, state_rows
@@ -20,7 +20,7 @@ def uncertain(reference, reference_outcome):
     """
     by = {"tendon.energy": 1.01, "tendon.length": 1.02, "membrane.energy": 1.01}
     values = {
-        name: tuple(each * by.get(name.partition(".")[2], 1.0) for each in numbers)
+        name: tuple(number * by.get(name.partition(".")[2], 1.0) for number in numbers)
         for name, numbers in outcome_values(reference_outcome).items()
     }
     for state in reference_outcome.states:
@@ -37,7 +37,7 @@ def uncertain(reference, reference_outcome):
         holds=reference_outcome.holds,
         values=values,
     )
-    return held_against(reference_outcome, [half], reference)
+    return compared_outcome(reference_outcome, [half], reference)
 
 
 def test_states_have_uncertainties_of_twice_the_difference_to_half_the_timestep(uncertain):

@@ -64,7 +64,7 @@ def end(status):
         torque, rest = status.split(": ", 1)
         word, verdict = end(rest)
         return (word if verdict in ("diverged", "untrusted") else f"{word} {torque}"), verdict
-    return next(each for beginning, each in ENDS.items() if status.startswith(beginning))
+    return next(item for beginning, item in ENDS.items() if status.startswith(beginning))
 
 
 def planted(factors, status=None, *, fold_outcome=None, sizes=None):
@@ -407,7 +407,7 @@ def test_energies_have_the_colours_that_all_energies_have_and_nothing_else_has(t
             for item in axes.collections
             if isinstance(item, QuadMesh | PathCollection) and item.get_array() is not None
         ]
-        assert {each is ENERGY_COLOURS for each in drawn} == {draw is not draw_torque_maps}
+        assert {item is ENERGY_COLOURS for item in drawn} == {draw is not draw_torque_maps}
 
 
 def test_fold_times_have_one_panel_for_each_value_of_the_first_factor():

@@ -22,7 +22,7 @@ from forficula.design.fans.fan_sections import (
     MembraneSection,
     VeinSection,
 )
-from forficula.design.fans.folding import REST_KEYS, check_angles, check_course, folding_protocol, other_start
+from forficula.design.fans.folding import REST_KEYS, check_angles, check_folding_stages, folding_protocol, other_start
 from forficula.design.files.tendon_tables import is_by_vein
 from forficula.design.medium import check_medium
 from forficula.design.named_protocol import Action, Drive, NamedProtocol
@@ -77,7 +77,7 @@ class FanProtocol(Protocol):
     @model_validator(mode="after")
     def _stages_in_order(self) -> FanProtocol:
         bounded = dict.fromkeys(("ring", "turn", "lift", "sweep", "distal_angle"), ANGLE)
-        check_course(self, bounded, whole="a wing")
+        check_folding_stages(self, bounded, whole="a wing")
         return self
 
 

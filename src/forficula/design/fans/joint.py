@@ -11,7 +11,7 @@ from pydantic import model_validator
 
 from forficula.design.design import Design, check_duration
 from forficula.design.fans.fan_sections import VeinSection
-from forficula.design.fans.folding import REST_KEYS, check_angles, check_course, folding_protocol, other_start
+from forficula.design.fans.folding import REST_KEYS, check_angles, check_folding_stages, folding_protocol, other_start
 from forficula.design.fans.joint_sections import JointHinge, JointPattern, JointTendon
 from forficula.design.named_protocol import Action, Drive, NamedProtocol
 from forficula.design.protocol import Protocol, check_bounds
@@ -46,7 +46,7 @@ class JointProtocol(Protocol):
 
     @model_validator(mode="after")
     def _stages_in_order(self) -> JointProtocol:
-        check_course(self, dict.fromkeys(("ring", "distal_angle"), ANGLE), whole="a joint")
+        check_folding_stages(self, dict.fromkeys(("ring", "distal_angle"), ANGLE), whole="a joint")
         return self
 
 

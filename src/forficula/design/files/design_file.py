@@ -23,11 +23,19 @@ from forficula.design.fans.fan_sections import MOST_UNITS
 from forficula.design.fans.joint import JointDesign
 from forficula.design.fans.joint_sections import JointTendon
 from forficula.design.files.file_design import file_tables
-from forficula.design.files.kept_parts import with_kept_parts
+from forficula.design.files.kept_sections import with_kept_sections
 from forficula.design.files.kinds import KINDS, design_class, kind_of
 from forficula.design.files.provenance import derived_source
 from forficula.design.files.rejection import File, origin, rejected
-from forficula.design.files.tables import RejectedError, check_once, dotted_keys, laid_over, merged, nested, numbered
+from forficula.design.files.tables import (
+    RejectedError,
+    check_once,
+    dotted_keys,
+    merged,
+    nested,
+    numbered,
+    with_settings_over,
+)
 from forficula.design.files.tendon_tables import entries_over, is_by_vein, tendon_over, tendons_over, value_from_folder
 from forficula.design.sheets.sheet_tables import with_sheet_read
 from forficula.errors import InputError
@@ -242,7 +250,7 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
     if any(key.partition(".")[0] == "based_on" for key in settings):
         raise InputError("based_on: cannot be set; name the design to start from instead")
     check_once(dotted_keys(settings), tables)
-    return _over(tables, nested(with_sheet_read(settings)), laid_over, si=si)
+    return _over(tables, nested(with_sheet_read(settings)), with_settings_over, si=si)
 
 
 def _check_texts(settings: Mapping[str, object]) -> None:
@@ -329,7 +337,7 @@ def _validate_changed(design: Design, tables: dict[str, Any]) -> Design:
     """Validate the changed tables of a design, SI; sections that did not change are not read again."""
     if design_class(tables) is type(design):
         try:
-            return type(design).model_validate(with_kept_parts(design, tables), context={"si": True})
+            return type(design).model_validate(with_kept_sections(design, tables), context={"si": True})
         except ValidationError:
             # validate the tables alone for the error message
             pass

@@ -204,7 +204,7 @@ def fields_of(annotation: Any = FanDesign, prefix: str = "") -> Iterator[tuple[s
             yield from fields_of(entry_of(field.annotation), f"{prefix}{name}.0.")
 
 
-def holds_parts(field: FieldInfo) -> bool:
+def holds_sections(field: FieldInfo) -> bool:
     """Return whether a field holds a section or a list of sections, which have further keys."""
     return bool(section_fields(field.annotation) or section_fields(entry_of(field.annotation)))
 

@@ -19,8 +19,8 @@ from forficula.design.sheets.rigid_checks import (
     check_rigid_supports,
     check_rigid_tendon,
 )
-from forficula.design.sheets.sheet_course import DisplacementDrive, RestAngleDrive, TorqueDrive, places_of
 from forficula.design.sheets.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
+from forficula.design.sheets.sheet_drives import DisplacementDrive, RestAngleDrive, TorqueDrive, places_of
 from forficula.design.sheets.sheet_places import GROUND_PLACE, SheetPlace, facet_of, is_vertex, place_on, vertex_of
 from forficula.design.stops import StopSection
 from forficula.errors import InputError
@@ -30,7 +30,7 @@ from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
 if TYPE_CHECKING:
     from forficula.design.sheets.sheet import SheetDesign
-    from forficula.design.sheets.sheet_course import SheetMeasure, SheetTendon
+    from forficula.design.sheets.sheet_drives import SheetMeasure, SheetTendon
 
 _Result = TypeVar("_Result")
 

@@ -16,7 +16,7 @@ from forficula.dynamics.engine.bodies import add_bodies, brake_name, engine_site
 from forficula.dynamics.engine.closures import add_closures, gap_name
 from forficula.dynamics.engine.contact import add_panels, add_stop_sensors, check_apart
 from forficula.dynamics.engine.couplings import add_couplings
-from forficula.dynamics.engine.drag import HELD, Drag, add_medium, drag_of
+from forficula.dynamics.engine.drag import CONSTANT_STEPS, Drag, add_medium, drag_of
 from forficula.dynamics.engine.membrane import MembraneMesh, add_membranes, joined_mesh
 from forficula.dynamics.engine.tendons import add_distance, add_limit, add_pulls, add_spring, add_tendon
 from forficula.dynamics.engine.units import ModelUnits, design_in_model_units, model_units
@@ -339,7 +339,7 @@ def _compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
 
 def _followed_steps(structure: Structure) -> int:
     """Return the number of steps over which creases and drag are constant; 1 without both."""
-    most = [] if structure.medium is None else [HELD]
+    most = [] if structure.medium is None else [CONSTANT_STEPS]
     if any(hinge.flaps for hinge in structure.hinges):
         most.append(followed_steps(structure))
     return min(most, default=1)

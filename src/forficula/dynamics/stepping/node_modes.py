@@ -12,7 +12,7 @@ from scipy.sparse import csr_array, diags_array
 from scipy.sparse.linalg import eigsh
 
 from forficula.arrays import Array, Indices
-from forficula.dynamics.engine.drag import HELD
+from forficula.dynamics.engine.drag import CONSTANT_STEPS
 from forficula.dynamics.engine.placement import Placement, placement_of
 from forficula.dynamics.stepping.folds import flap_turns
 from forficula.pattern.geometry import triangle_areas
@@ -121,7 +121,7 @@ def _viscous_rate(structure: Structure) -> float:
     corners = np.array([body.position for body in structure.bodies])[medium.carriers]
     per_corner = 32 / math.pi * medium.viscosity * triangle_areas(corners) / medium.widths / 3
     on_nodes = np.bincount(medium.carriers.ravel(), np.repeat(per_corner, 3), len(structure.bodies))
-    return HELD * float(max(on_nodes / [body.mass for body in structure.bodies]))
+    return CONSTANT_STEPS * float(max(on_nodes / [body.mass for body in structure.bodies]))
 
 
 def _step(square: float, rate: float) -> float:

@@ -10,7 +10,7 @@ from forficula.arrays import Array
 from forficula.design import stage_drives
 from forficula.dynamics.engine.closures import LARGEST_GAP
 from forficula.dynamics.engine.model import Model
-from forficula.dynamics.stepping.stage_plan import NEVER, far_beyond, longest_rest, rest_speeds, stage_goal
+from forficula.dynamics.stepping.stage_plan import NEVER, divergence_bounds, longest_rest, rest_speeds, stage_goal
 from forficula.structure import Drive, StageGoal, drive_unit
 
 
@@ -88,7 +88,7 @@ def stepped_protocol(model: Model) -> SteppedProtocol:
     protocol, structure = model.design.protocol, model.structure
     timestep = float(protocol.timestep)
     names = [drive.name for drive in structure.drives]
-    lowest, highest = far_beyond(model)
+    lowest, highest = divergence_bounds(model)
 
     def steps(time: float) -> int:
         return round(min(time, NEVER * timestep) / timestep)

@@ -11,7 +11,7 @@ from pydantic import BeforeValidator
 
 from forficula.design import Design, key_quantity, key_value, value_from_folder
 from forficula.design.file_fields import ByKey, Settings, YesOrNo, entry
-from forficula.design.files.rejection import read_part
+from forficula.design.files.rejection import read_section
 from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.goals.identify.fact import COUNTS, NUMBERS, PLACES, Fact, LeastValue, Order, Statistic, Term
@@ -141,7 +141,7 @@ def _bound(table: FactTable, order: str, term: Term, base: Design, folder: Path)
     check_known(value, _OF_TERM, f"{order}.")
     defaults = table.model_dump(include={"name", *_OF_TERM}, exclude_unset=True)
     with error_prefix(f"{order}."):
-        other = _term(read_part(FactTable, defaults | dict(value)), base, folder)
+        other = _term(read_section(FactTable, defaults | dict(value)), base, folder)
     if other.unit != term.unit:
         raise InputError(f"{order}: need a quantity in the same unit")
     return other

@@ -18,8 +18,8 @@ from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_course import Course, drive_course, short_of
 from forficula.statics.net.net_of import net_of, own_angles, panels, start_shape
-from forficula.statics.net.net_state import NetState, known, mobility, net_state, stored_parts
-from forficula.statics.net.passing import panels_pass
+from forficula.statics.net.net_state import NetState, mobility, net_state, rounded_energy, stored_parts
+from forficula.statics.net.panel_crossing import panels_cross
 from forficula.statics.net.saddle import find_saddle
 from forficula.statics.net.stable_states import StableStates, find_stable_states, same_shape
 from forficula.statics.net.supports import supported
@@ -161,7 +161,7 @@ def _landscape_rests(structure: Structure, net: Net, found: Sequence[tuple[str, 
             Rest(
                 name=name,
                 angles=angles,
-                energy=known(net, rest.energy),
+                energy=rounded_energy(net, rest.energy),
                 stored=stored_parts(structure, net, rest.shape),
                 stable=rest.stable,
                 within=within,
@@ -184,7 +184,7 @@ def _states(
     for rest, found in zip(search.states, search.counts, strict=True):
         name = _name(net, rest, rests)
         others += not name
-        if name or (others <= _SHOWN and not panels_pass(net, rest.shape, triangles)):
+        if name or (others <= _SHOWN and not panels_cross(net, rest.shape, triangles)):
             label = name or f"state {len(states) + 1}"
             progress(f"loads that it withstands: {name}" if name else label)
             states.append(net_state(structure, net, rest, label, found, loads=bool(name)))

@@ -69,7 +69,7 @@ def net_of(structure: Structure) -> Net:
     )
 
 
-def places(net: Net, shape: NetShape) -> Array:
+def point_positions(net: Net, shape: NetShape) -> Array:
     """Return the positions of the structure's points, followed by those of joints, m, (point, 3)."""
     return np.asarray(net.points @ shape.positions)
 

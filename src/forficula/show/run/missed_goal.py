@@ -32,7 +32,10 @@ def stalled_transition(record: Record) -> Transition | None:
     """Return the transition that a stage missed."""
     stalled = stalled_stage(record)
     stage = None if stalled is None else record.stages.index(stalled)
-    return next((each for each in record.structure.transitions if stage is not None and each.stage == stage), None)
+    return next(
+        (transition for transition in record.structure.transitions if stage is not None and transition.stage == stage),
+        None,
+    )
 
 
 def needed_torque(record: Record) -> float | None:

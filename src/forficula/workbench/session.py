@@ -7,11 +7,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from forficula.workbench.asked import Asked
+from forficula.workbench.requests import DesignRequest
 from forficula.workbench.worker import StoppedError, Task, Worker
 
 
-class Desk:
+class WorkerSession:
     """A worker process, and the request that it serves."""
 
     def __init__(self, worker: Worker) -> None:
@@ -24,7 +24,7 @@ class Desk:
         self,
         holder: object,
         task: Task,
-        request: Asked,
+        request: DesignRequest,
         folder: Path | None = None,
         report: Callable[[str], None] = lambda _: None,
     ) -> Any:

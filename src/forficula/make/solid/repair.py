@@ -12,8 +12,8 @@ from forficula.design import key_value
 from forficula.design.section import SMALL_LENGTH
 from forficula.dynamics import Record
 from forficula.errors import InputError
+from forficula.make.flat.clearance import Collision, recorded_collisions, state_rows
 from forficula.make.flat.pieces import pieces_of
-from forficula.make.flat.touching import Touch, state_rows, touches
 from forficula.make.make_parts import make_parts
 from forficula.make.part import PartSet
 from forficula.quantities import show_quantity
@@ -23,7 +23,7 @@ _NEAR = 30e-3
 
 
 @dataclass(frozen=True, kw_only=True)
-class Mending:
+class Repair:
     """Parts with other sizes in the same motion.
 
     Attributes:
@@ -36,17 +36,17 @@ class Mending:
 
     name: str
     values: Mapping[str, str]
-    touches: tuple[Touch, ...] | None
+    touches: tuple[Collision, ...] | None
     states: tuple[str, ...] = ()
     why: str = ""
 
     @property
-    def first(self) -> Touch | None:
+    def first(self) -> Collision | None:
         """First collision; None if there is none, or if the parts cannot be made."""
         return self.touches[0] if self.touches else None
 
 
-def mendings(parts: PartSet, record: Record) -> tuple[Mending, ...]:
+def possible_repairs(parts: PartSet, record: Record) -> tuple[Repair, ...]:
     """Try changes that may avoid collisions in a recorded motion, one after another, and then all together.
 
     The changes are bars half as thick, hinges half as wide and as thick, pegs nearer to the hinges and half as thick,
@@ -70,21 +70,21 @@ def mendings(parts: PartSet, record: Record) -> tuple[Mending, ...]:
         try:
             other = make_parts(parts.design.with_values(values), "section")
         except InputError as error:
-            results.append(Mending(name=name, values=values, touches=None, why=str(error)))
+            results.append(Repair(name=name, values=values, touches=None, why=str(error)))
         else:
             results.append(_tried(other, record, name, values))
     return tuple(results)
 
 
-def _tried(parts: PartSet, record: Record, name: str, values: Mapping[str, str]) -> Mending:
+def _tried(parts: PartSet, record: Record, name: str, values: Mapping[str, str]) -> Repair:
     """Return the collisions of changed parts in a recorded motion, and in its named states."""
     pieces = pieces_of(parts)
 
-    def collisions_in(rows: Indices | None) -> tuple[Touch, ...]:
-        return touches(parts, record, rows, deepest=0, pieces=pieces)
+    def collisions_in(rows: Indices | None) -> tuple[Collision, ...]:
+        return recorded_collisions(parts, record, rows, deepest=0, pieces=pieces)
 
     states = tuple(state for state, row in state_rows(record).items() if collisions_in(np.array([row])))
-    return Mending(name=name, values=values, touches=collisions_in(None), states=states)
+    return Repair(name=name, values=values, touches=collisions_in(None), states=states)
 
 
 def _share(parts: PartSet, key: str, least: float = 0.0, share: float = 0.5) -> str:

@@ -10,7 +10,7 @@ from forficula.arrays import Array
 from forficula.make.hinge.joint import turned
 from forficula.make.hinge.joint_layout import JointLayout
 from forficula.make.part import Part, PartSet
-from forficula.pattern.rotation import STILL, RigidMotion
+from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion
 from forficula.structure import GROUND
 
 # largest distances in an exploded view, as shares of the length of the arms that are moved, or of the part
@@ -28,7 +28,7 @@ def poses_at(parts: PartSet, angle: float) -> Mapping[int, RigidMotion]:
     A single joint turns its distal half. Bars that turn against the ground keep their built positions.
     """
     by_body = {joint.distal.body: joint for joint in parts.joints}
-    poses = {GROUND: STILL}
+    poses = {GROUND: IDENTITY_MOTION}
     for number, body in enumerate(parts.structure.bodies):
         pose = poses[body.parent]
         if number in by_body:
@@ -59,7 +59,7 @@ def apart(parts: PartSet) -> list[Array]:
 
 
 def _apart(parts: PartSet, part: Part, shifts: Mapping[int, Array]) -> Array:
-    same = [each for each in parts.parts if each.kind == part.kind]
+    same = [item for item in parts.parts if item.kind == part.kind]
     index = same.index(part)
     back = np.mean([root.along for root in parts.roots], axis=0) if parts.roots else np.zeros(3)
     rod = parts.roots[0].make.root_length if parts.roots else 0.0
@@ -69,7 +69,7 @@ def _apart(parts: PartSet, part: Part, shifts: Mapping[int, Array]) -> Array:
             between = (shifts[strap.bodies[0]] + shifts[strap.bodies[1]]) / 2
             return np.asarray(between + _RAISED * strap.strap.rest_length * strap.up)
         case "pin":
-            joint = [each for each in parts.joints if each.make.hinge == "pin"][index]
+            joint = [joint for joint in parts.joints if joint.make.hinge == "pin"][index]
             return np.asarray(shifts[joint.proximal.body] - _PULLED * joint.width * joint.frame[:, 1])
         case "hub":
             return np.asarray(-6 * rod * back)

@@ -12,7 +12,7 @@ _TURNED = 1e-3  # rad beyond 180 deg
 _WITHIN = 1e-6  # least share of a side or a panel by which it is pierced
 
 
-def panels_pass(net: Net, shape: NetShape, triangles: Indices) -> bool:
+def panels_cross(net: Net, shape: NetShape, triangles: Indices) -> bool:
     """Return whether a crease is folded beyond 180 deg, or a side of one triangle pierces another.
 
     Triangles that share a corner are compared only at their crease.

@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from forficula.quantities import reading_unit, show_value
-from forficula.show.landscape.landscape_marks import rest_name, sheet_parts, show_angles, torque_words
+from forficula.show.landscape.landscape_marks import rest_name, sheet_parts, show_angles, torque_location
 from forficula.show.structure.labels import measure_labels, parts_of, shown_angles, title_of
 from forficula.show.style import (
     BLACK,
@@ -34,7 +34,7 @@ _NAMED = 6  # largest number of hinges that are named below their angles
 _LEAST_SPAN = 1.0  # deg, least span of the axis of angles: smaller differences are rounding errors
 
 
-def draw_rests(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
+def draw_equilibria(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
     """Draw the equilibria of a structure in the order of its protocol: stored energy above, angles below.
 
     The arrow from one state to the next has the least slowly growing torque that makes this transition.
@@ -44,21 +44,21 @@ def draw_rests(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         width: width of the figure, inch.
     """
     rests, structure = landscape.rests, landscape.structure
-    largest = max(max(abs(each.energy), *map(abs, each.stored.values()), 0.0) for each in rests)
+    largest = max(max(abs(rest.energy), *map(abs, rest.stored.values()), 0.0) for rest in rests)
     unit, factor = reading_unit("J", largest)
     measures = shown_angles(structure)
     with figure_style():
         figure = Figure(figsize=(width, 4.2), layout="constrained")
         top, bottom = figure.subplots(2, 1, sharex=True, height_ratios=[1.6, 1])
-        for place, each in enumerate(rests):
-            _plot_bar(top, place, each, factor)
+        for place, rest in enumerate(rests):
+            _plot_bar(top, place, rest, factor)
         _mark_steps(top, landscape)
         low, high = top.get_ylim() if largest else (0.0, 1.0)
         top.set_ylim(low if low < 0 else 0.0, high if high > 0 else 1.0)
         top.set_ylabel(f"stored energy ({unit})")
         top.tick_params(axis="x", length=0)
         _plot_angles(bottom, rests, measures)
-        bottom.set_xticks(range(len(rests)), [rest_name(each, "\n") for each in rests])
+        bottom.set_xticks(range(len(rests)), [rest_name(rest, "\n") for rest in rests])
         bottom.set_xlim(-0.6, len(rests) - 0.4)
         bottom.set_ylabel(f"{title_of(measures[0]) if len(measures) == 1 else 'angle'} (deg)")
         bottom.set_xlabel(_order(landscape, measures))
@@ -101,7 +101,7 @@ def _plot_angles(axes: Axes, rests: tuple[Rest, ...], measures: tuple[Measure, .
     axes.axhline(0, color="0.6", lw=0.5, ls=":", zorder=0)
     for number, measure in enumerate(measures):
         mark, colour = _MARKS[number % len(_MARKS)]
-        for angles in np.degrees([read_angles(measure, each.angles) for each in rests]).T:
+        for angles in np.degrees([read_angles(measure, rest.angles) for rest in rests]).T:
             shift = next(shifts)
             places = [place + shift for place in range(len(rests))]
             axes.plot(places, angles, mark, color=colour, ms=4, ls="none", clip_on=False)
@@ -115,7 +115,9 @@ def _order(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
     """Return the order of the hinges, and where the torques act."""
     labels = [label for measure in measures for label in measure_labels(landscape.structure, measure)]
     named = parts_of(labels)
-    on = dict.fromkeys(torque_words(landscape.structure, each) for each in landscape.structure.transitions)
+    on = dict.fromkeys(
+        torque_location(landscape.structure, transition) for transition in landscape.structure.transitions
+    )
     torques = f"the torques above act {', '.join(on)}" if on else ""
     if not 1 < len(labels) <= _NAMED:
         return torques
@@ -124,13 +126,13 @@ def _order(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
 
 
 def _handles(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> list[Line2D | Patch]:
-    stored = dict.fromkeys(part for each in landscape.rests for part in each.stored)
+    stored = dict.fromkeys(part for rest in landscape.rests for part in rest.stored)
     names = {"membranes": sheet_parts(landscape.structure)}
     handles: list[Line2D | Patch] = [
         Patch(facecolor=_COLOURS[part], alpha=0.75, label=names.get(part, part)) for part in stored
     ]
     handles.append(Line2D([], [], color=BLACK, lw=1.6, label="sum (number)"))
-    if not all(each.stable for each in landscape.rests):
+    if not all(rest.stable for rest in landscape.rests):
         handles.append(Patch(facecolor="white", edgecolor="0.45", hatch="/////", label="not stable"))
     if len(measures) > 1:
         handles += [
@@ -144,9 +146,9 @@ def _text(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
     """Describe the states and the transitions."""
     whole, name = landscape.structure.appearance.whole, landscape.design.name
     states = [
-        f"{rest_name(each)}{'' if each.stable else ' (not stable)'} with {show_value(each.energy, 'J', 3)}"
-        f" at {', '.join(f'{title_of(measure)} {show_angles(measure, each.angles)}' for measure in measures)}"
-        for each in landscape.rests
+        f"{rest_name(rest)}{'' if rest.stable else ' (not stable)'} with {show_value(rest.energy, 'J', 3)}"
+        f" at {', '.join(f'{title_of(measure)} {show_angles(measure, rest.angles)}' for measure in measures)}"
+        for rest in landscape.rests
     ]
     steps = [
         f"{step} {'none' if least is None else show_value(least, 'N m', 3)}"

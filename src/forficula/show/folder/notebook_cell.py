@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from rich.console import RenderableType
 
 from forficula.show.page.parts.html import escaped, paragraph
-from forficula.show.page.parts.rich_html import laid_out
+from forficula.show.page.parts.rich_html import printed_result
 from forficula.show.style import PAGE_WIDTH, Drawing, description
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def picture(figure: Figure) -> str:
 
 def printed(renderable: RenderableType) -> Iterator[str]:
     """Yield the terminal output of a result as HTML."""
-    parts = laid_out(renderable)
+    parts = printed_result(renderable)
     if parts.heading:
         yield f"<p><strong>{escaped(parts.heading)}</strong></p>"
     yield from parts.tables

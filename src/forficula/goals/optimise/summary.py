@@ -20,7 +20,7 @@ from forficula.quantities import show_quantity
 _NEAR = 1e-3
 
 
-def told(result: Optimum) -> list[str]:
+def summary_sentences(result: Optimum) -> list[str]:
     """Return the conclusions, the effort, and, if no design meets the goal, what would have to be relaxed."""
     sentences = [_answer(result)]
     if result.best:

@@ -11,7 +11,7 @@ from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.names import listed
 from forficula.quantities import reading_unit
-from forficula.show.page.playback import Clip, Readings, blown_up
+from forficula.show.page.playback import Clip, Readings, diverged_rows
 from forficula.show.run.release import release_text
 from forficula.show.structure.labels import counted, measure_labels
 from forficula.structure import Structure, Transition, drive_of, drive_unit, hinge_groups
@@ -28,8 +28,8 @@ LIVE_OUTCOME_TEXTS = {
 def outcome_sentence(name: str, outcome: Outcome) -> str:
     """Return a sentence with a structure's transitions, their times, torques and work."""
     structure = outcome.structure
-    tried = [each for each in structure.transitions if outcome.transitions[each.name] is not None]
-    if not tried or not outcome.verdict.tells:
+    tried = [transition for transition in structure.transitions if outcome.transitions[transition.name] is not None]
+    if not tried or not outcome.verdict.conclusive:
         return f"{name}: {outcome.status}."
     clauses: list[str] = []
     for transition in tried:
@@ -81,7 +81,7 @@ def outcome_remarks(record: Record, outcome: Outcome) -> list[str]:
         if end.stage.until == "rest" and end.goal_time is None and record.diverged_at is None:
             limit = readable(end.stage.time_limit, "s")
             remarks.append(f'In the stage "{end.stage.name}" the {whole} did not come to rest within {limit}.')
-    if record.diverged_at is not None and blown_up(record).any():
+    if record.diverged_at is not None and diverged_rows(record).any():
         remarks.append("The last rows of the record, in which a hinge is a full turn beyond its stops, are not shown.")
     return remarks
 

@@ -16,25 +16,25 @@ from forficula.show.page.page import page_html
 from forficula.show.page.parts.design_rows import design_title
 from forficula.show.page.parts.design_tables import design_tables
 from forficula.show.page.parts.html import escaped, paragraph, remarks, section
-from forficula.show.page.parts.words import shape_text, structure_text
-from forficula.show.page.playback import Clip, clip_data, legend_data, make_clip, whole_of
+from forficula.show.page.parts.run_sentences import shape_text, structure_text
+from forficula.show.page.playback import Clip, clip_data, legend_data, make_clip, structure_noun
 from forficula.show.page.run_page import repeat
 from forficula.structure import structure_warnings
 
 _STEPS = 2  # length of the run that gives the shape at the start, timesteps
 
 
-def write_bench_page(design: Design, path: Path) -> None:
+def write_live_page(design: Design, path: Path) -> None:
     """Write a design as one HTML file in which the reader moves its structure, without a network.
 
     Raises:
         InputError: the engine in a page would simulate the design differently (with the reason), or the file cannot be
             written.
     """
-    write_text(path, bench_page(design))
+    write_text(path, live_page(design))
 
 
-def bench_page(design: Design) -> str:
+def live_page(design: Design) -> str:
     """Return a design as one page: its structure, simulated live, with sliders for some of its values, and all values.
 
     Raises:
@@ -43,7 +43,7 @@ def bench_page(design: Design) -> str:
     design = with_timestep(design)
     if why := why_not_portable(compile_model(design)):
         raise InputError(f"{design.name}: cannot be moved in a page: {why}; forficula run {design.name} simulates it")
-    clip = at_start(design)
+    clip = start_clip(design)
     title = design_title(design)
     shows = f"{design.shows[:1].upper()}{design.shows[1:]}." if design.shows else ""
     body = "".join(
@@ -56,11 +56,11 @@ def bench_page(design: Design) -> str:
             "</main>",
         )
     )
-    live = live_data(design, [each.measure for each in clip.readings], clip.mesh.anchors.tolist())
-    return page_html(f"{title}: interactive", body, bench_data(clip), live)
+    live = live_data(design, [reading.measure for reading in clip.readings], clip.mesh.anchors.tolist())
+    return page_html(f"{title}: interactive", body, live_page_data(clip), live)
 
 
-def at_start(design: Design) -> Clip:
+def start_clip(design: Design) -> Clip:
     """Return the structure at its start as a clip, from a run of two timesteps."""
     timestep = float(design.protocol.timestep)
     stage = {"name": "start", "drive": "none", "until": "time", "hold": 0.0, "time_limit": _STEPS * timestep}
@@ -69,14 +69,14 @@ def at_start(design: Design) -> Clip:
     return make_clip(record, measure(record), name=design.name)
 
 
-def bench_data(clip: Clip) -> dict[str, Any]:
+def live_page_data(clip: Clip) -> dict[str, Any]:
     """Return a structure that the reader moves, as data for JSON: its shape and what the picture needs."""
     tendons = clip.structure.tendons
     largest = max((float(tendon.law.elastic.energy(tendon.longest)) for tendon in tendons), default=0.0)
     unit, factor = reading_unit("J", largest)
     return {
         "kind": "bench",
-        "whole": whole_of([clip]),
+        "whole": structure_noun([clip]),
         "clips": [clip_data(clip)],
         "energy": {"unit": unit, "factor": factor, "largest_J": largest},
         "legend": legend_data([clip]),

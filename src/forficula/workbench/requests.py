@@ -33,7 +33,7 @@ _OUTSIDE = (
 )
 
 
-class SentFile(BaseModel):
+class UploadedFile(BaseModel):
     """A file that was dropped on the page.
 
     Attributes:
@@ -56,7 +56,7 @@ class SentFile(BaseModel):
         return name
 
 
-class Asked(BaseModel):
+class DesignRequest(BaseModel):
     """A design that a page requests.
 
     Attributes:
@@ -69,7 +69,7 @@ class Asked(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     design: str = ""
-    files: Annotated[tuple[SentFile, ...], Field(max_length=_MOST_FILES)] = ()
+    files: Annotated[tuple[UploadedFile, ...], Field(max_length=_MOST_FILES)] = ()
     unit: str = ""
     settings: dict[str, str] = {}
 
@@ -163,7 +163,7 @@ def _read(settings: Mapping[str, str]) -> dict[str, object]:
     return dict(read_settings([f"{key}={text}" for key, text in settings.items()], "key"))
 
 
-def asked_design(request: Asked, opened: Opened) -> Design:
+def requested_design(request: DesignRequest, opened: Opened) -> Design:
     """Read the design that a page requests, with its values.
 
     Raises:
@@ -181,7 +181,7 @@ def asked_design(request: Asked, opened: Opened) -> Design:
         return load_design(opened.design, settings, unit=opened.unit)
 
 
-def design_source(request: Asked, opened: Opened) -> str:
+def design_source(request: DesignRequest, opened: Opened) -> str:
     """Return the argument with which a command reads the design of a request, without its values."""
     if not request.files:
         return request.design or opened.design
@@ -190,7 +190,7 @@ def design_source(request: Asked, opened: Opened) -> str:
     return f"./{name}" if name.startswith("-") else name
 
 
-def _sent_design(request: Asked, opened: Opened, settings: Mapping[str, object]) -> Design:
+def _sent_design(request: DesignRequest, opened: Opened, settings: Mapping[str, object]) -> Design:
     """Read a design from sent files, which are in a temporary folder while they are read."""
     unit = parse_quantity(request.unit, LENGTH) if request.unit else None
     with TemporaryDirectory(prefix="forficula-") as name:

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from forficula.design import load_design
 from forficula.options import setting_texts
-from forficula.workbench.asked import Asked, Opened, SentFile
-from forficula.workbench.told import command_of, design_told, model_told, pattern_told
+from forficula.workbench.requests import DesignRequest, Opened, UploadedFile
+from forficula.workbench.responses import command_of, design_response, model_response, pattern_response
 
 LETTER = Opened(design="letter-fold")
 
@@ -19,7 +19,7 @@ LETTER = Opened(design="letter-fold")
 )
 def test_a_shell_reads_the_command_as_the_values_that_were_set(settings):
     kept = {key: text for key, text in settings.items() if text.isprintable()}
-    words = shlex.split(command_of(Asked(settings=kept), LETTER))
+    words = shlex.split(command_of(DesignRequest(settings=kept), LETTER))
     assert words[:3] == ["forficula", "run", "letter-fold"]
     assert words[3::2] == ["--set"] * len(kept)
     assert setting_texts(words[4::2]) == {key: text.strip() for key, text in kept.items()}
@@ -28,12 +28,12 @@ def test_a_shell_reads_the_command_as_the_values_that_were_set(settings):
 @pytest.mark.parametrize(
     ("asked", "opened", "command"),
     [
-        (Asked(), Opened(design="my wing.toml"), "forficula run 'my wing.toml'"),
-        (Asked(), Opened(design="sheet.fold", unit=0.01), 'forficula run sheet.fold --unit "0.01 m"'),
-        (Asked(design="binder2025"), Opened(design="sheet.fold", unit=0.01), "forficula run binder2025"),
-        (Asked(files=(SentFile(name="-rf.toml", text=""),)), LETTER, "forficula run ./-rf.toml"),
-        (Asked(settings={"pattern.units": "2"}), LETTER, "forficula run letter-fold --set pattern.units=2"),
-        (Asked(settings={"a.b": "2 cm"}), LETTER, 'forficula run letter-fold --set a.b="2 cm"'),
+        (DesignRequest(), Opened(design="my wing.toml"), "forficula run 'my wing.toml'"),
+        (DesignRequest(), Opened(design="sheet.fold", unit=0.01), 'forficula run sheet.fold --unit "0.01 m"'),
+        (DesignRequest(design="binder2025"), Opened(design="sheet.fold", unit=0.01), "forficula run binder2025"),
+        (DesignRequest(files=(UploadedFile(name="-rf.toml", text=""),)), LETTER, "forficula run ./-rf.toml"),
+        (DesignRequest(settings={"pattern.units": "2"}), LETTER, "forficula run letter-fold --set pattern.units=2"),
+        (DesignRequest(settings={"a.b": "2 cm"}), LETTER, 'forficula run letter-fold --set a.b="2 cm"'),
     ],
 )
 def test_the_command_names_what_is_open(asked, opened, command):
@@ -41,14 +41,14 @@ def test_the_command_names_what_is_open(asked, opened, command):
 
 
 def test_the_response_describes_the_design_and_its_sections():
-    told = design_told(Asked(), LETTER)
+    told = design_response(DesignRequest(), LETTER)
     assert told["hash"] == load_design("letter-fold").hash
     assert set(told["sections"]) == {key["key"].partition(".")[0] for key in told["keys"] if "." in key["key"]}
     assert all(told["sections"].values())
 
 
 def test_a_structure_that_the_engine_in_pages_cannot_simulate_is_shown_with_the_reason():
-    told = model_told(Asked(design="bistable-miura"), LETTER)
+    told = model_response(DesignRequest(design="bistable-miura"), LETTER)
     assert told["live"] == {"refused": "its creases are not joints, which engines before MuJoCo 4.0 do not support"}
     assert told["bench"]["clips"][0]["pointCount"] == 9
 
@@ -58,6 +58,6 @@ def test_a_pattern_with_a_vertex_that_does_not_fold_flat_says_so():
         [1, -3]],
         "edges_vertices": [[0, 1], [0, 2], [0, 3], [0, 4], [1, 2], [2, 3], [3, 4], [4, 1]],
         "edges_assignment": ["V", "M", "M", "M", "B", "B", "B", "B"]}"""
-    asked = Asked(files=(SentFile(name="odd.fold", text=text),))
-    assert "1 of 1 interior vertices do not fold flat" in pattern_told(asked, LETTER)["said"]
-    assert "do not fold flat" not in pattern_told(Asked(), LETTER)["said"]
+    asked = DesignRequest(files=(UploadedFile(name="odd.fold", text=text),))
+    assert "1 of 1 interior vertices do not fold flat" in pattern_response(asked, LETTER)["said"]
+    assert "do not fold flat" not in pattern_response(DesignRequest(), LETTER)["said"]

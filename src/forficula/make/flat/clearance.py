@@ -13,20 +13,20 @@ from forficula.dynamics import Record
 from forficula.make.flat.pieces import Piece, pieces_of
 from forficula.make.part import PartSet
 from forficula.make.solid.mesh import placed
-from forficula.make.solid.poses import PartPoses, poses_of, stage_at, telling_rows
+from forficula.make.solid.poses import PartPoses, different_rows, poses_of, stage_at
 from forficula.structure import GROUND
 
 # largest number of rows of a record that are checked
 _ROWS = 80
 # overlap that counts as a collision, mm^3, and in m^3
 _TOUCHES = 1e-2
-TOUCHES = _TOUCHES / 1e9
+LEAST_OVERLAP = _TOUCHES / 1e9
 # number of later rows in which the volume of a collision is measured
 _DEEPEST = 4
 
 
 @dataclass(frozen=True, kw_only=True)
-class Touch:
+class Collision:
     """A collision: two pieces of bodies that overlap for a while.
 
     Attributes:
@@ -51,14 +51,14 @@ class Touch:
     deepest: float
 
 
-def touches(
+def recorded_collisions(
     parts: PartSet,
     record: Record,
     rows: Indices | None = None,
     *,
     deepest: int = _DEEPEST,
     pieces: Sequence[Piece] | None = None,
-) -> tuple[Touch, ...]:
+) -> tuple[Collision, ...]:
     """Return the collisions in a recorded motion, sorted by time.
 
     All pairs of bodies without a common joint are checked, piece by piece, in at most 80 rows that are as different
@@ -73,7 +73,7 @@ def touches(
         deepest: number of rows after the first overlap in which its volume is measured: those with the nearest middles.
         pieces: pieces of the parts, if they have been cut already.
     """
-    poses = poses_of(record, telling_rows(record, _ROWS) if rows is None else rows)
+    poses = poses_of(record, different_rows(record, _ROWS) if rows is None else rows)
     collisions = []
     for one, other in combinations(pieces_of(parts) if pieces is None else pieces, 2):
         if _apart(parts, one.body, other.body):
@@ -99,7 +99,7 @@ def built_overlaps(parts: PartSet) -> dict[tuple[str, str], float]:
         if _apart(parts, one.body, other.body):
             pair = (_name(parts, one.body), _name(parts, other.body))
             volumes[pair] = volumes.get(pair, 0.0) + float(_volumes(one, other, built_poses, 0)[0]) / 1e9
-    return {pair: volume for pair, volume in volumes.items() if volume > TOUCHES}
+    return {pair: volume for pair, volume in volumes.items() if volume > LEAST_OVERLAP}
 
 
 def state_rows(record: Record) -> dict[str, int]:
@@ -175,7 +175,7 @@ def _distances(one: Array, other: Array) -> Array:
     return np.asarray(np.linalg.norm(gap, axis=1))
 
 
-def _touch(parts: PartSet, record: Record, pair: tuple[Piece, Piece], poses: PartPoses, volumes: Array) -> Touch:
+def _touch(parts: PartSet, record: Record, pair: tuple[Piece, Piece], poses: PartPoses, volumes: Array) -> Collision:
     """Return a collision: its first time, found among all rows, and its deepest overlap."""
     first = int(np.argmax(volumes > _TOUCHES))
     row = int(poses.rows[first])
@@ -189,7 +189,7 @@ def _touch(parts: PartSet, record: Record, pair: tuple[Piece, Piece], poses: Par
     time, most = float(record.time[row]), int(np.argmax(volumes))
     stage = stage_at(record, time)
     bodies = [piece.body for piece in pair]
-    return Touch(
+    return Collision(
         bodies=(_name(parts, bodies[0]), _name(parts, bodies[1])),
         features=(pair[0].feature, pair[1].feature),
         time=time,

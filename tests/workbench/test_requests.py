@@ -7,7 +7,7 @@ import pytest
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.material import load_law, save_law
-from forficula.workbench.asked import Asked, SentFile, asked_design, opened_with
+from forficula.workbench.requests import DesignRequest, UploadedFile, opened_with, requested_design
 from tests.workbench.test_server import SQUARE
 
 SECRET = "TOP-SECRET-TOKEN-12345"
@@ -37,7 +37,7 @@ def places(tmp_path, monkeypatch):
 
 def refusal(opened, **asked):
     with pytest.raises(InputError) as error:
-        asked_design(Asked.model_validate(asked), opened)
+        requested_design(DesignRequest.model_validate(asked), opened)
     return str(error.value)
 
 
@@ -110,13 +110,13 @@ def test_no_near_name_of_another_folder_is_offered(places, monkeypatch):
 
 def test_a_page_names_what_lies_in_the_folder_of_its_design(places):
     inside, _ = places
-    law = asked_design(Asked(), opened_with("design.toml", {}, None))
+    law = requested_design(DesignRequest(), opened_with("design.toml", {}, None))
     opened = opened_with("binder2025-joint", {}, None)
     for path in ("law.toml", str(inside / "law.toml"), "../inside/law.toml", "tpu-82a"):
-        design = asked_design(Asked(settings={"tendon.law": path, "tendon.area": law_area(law)}), opened)
+        design = requested_design(DesignRequest(settings={"tendon.law": path, "tendon.area": law_area(law)}), opened)
         assert design.tendon.law.linear_modulus == law.tendon.law.linear_modulus
-    sent = SentFile(name="a.toml", text=f"based_on = {json.dumps(str(inside / 'design.toml'))}")
-    assert asked_design(Asked(files=(sent,)), opened).hash == law.hash
+    sent = UploadedFile(name="a.toml", text=f"based_on = {json.dumps(str(inside / 'design.toml'))}")
+    assert requested_design(DesignRequest(files=(sent,)), opened).hash == law.hash
 
 
 def law_area(design):
@@ -128,11 +128,11 @@ def test_a_design_is_opened_with_what_it_names_elsewhere(places):
     inside, outside = places
     (inside / "far.toml").write_text('based_on = "../outside/design.toml"', "utf-8")
     opened = opened_with("far.toml", {}, None)
-    assert asked_design(Asked(), opened).hash == load_design("far.toml").hash
+    assert requested_design(DesignRequest(), opened).hash == load_design("far.toml").hash
     assert REFUSED in refusal(opened, settings={"tendon.law": str(outside / "credentials.toml")})
     opened = opened_with("binder2025-joint", {"tendon.law": "../outside/law.toml", "tendon.area": "5 mm^2"}, None)
-    given = Asked(settings=dict(opened.settings))
-    assert asked_design(given, opened).tendon.law is not None
+    given = DesignRequest(settings=dict(opened.settings))
+    assert requested_design(given, opened).tendon.law is not None
 
 
 def test_files_that_are_not_named_by_a_page_are_read_as_before(places):

@@ -8,7 +8,7 @@ import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics.energies.crease_work import crease_works, displacement_force, engine_work, motor_travel
-from forficula.dynamics.energies.energy import LETTING_GO, branch_losses, letting_go_work
+from forficula.dynamics.energies.energy import CLAMPING_FIELDS, branch_losses, clamping_work
 from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
 from forficula.dynamics.engine.model import Model, joint_ranges
 from forficula.dynamics.stepping.stepper import energy_of
@@ -19,7 +19,7 @@ from forficula.structure import Motor
 _JUMP = 8
 
 
-class Account:
+class WorkBalance:
     """Work done on each of many structures of one topology since its start."""
 
     def __init__(self, models: Sequence[Model]) -> None:
@@ -215,8 +215,8 @@ class Account:
         if "qacc" in steps.derived:
             friction = np.array(
                 [
-                    friction_torques(self._models[row], velocity[place, :-1], each, constraints[place])
-                    for place, (row, each) in enumerate(zip(rows.tolist(), steps.derived["qacc"], strict=True))
+                    friction_torques(self._models[row], velocity[place, :-1], item, constraints[place])
+                    for place, (row, item) in enumerate(zip(rows.tolist(), steps.derived["qacc"], strict=True))
                 ]
             )
             work["friction_work"] = np.sum(friction * travel, axis=2)
@@ -248,10 +248,10 @@ class Account:
             lost[place] = -branch_losses(model, activations).sum(axis=(1, 2))
         if model.lets_go.any():
             forces, late = (
-                {name: fields[name][place] for name in LETTING_GO} if fields else {}
+                {name: fields[name][place] for name in CLAMPING_FIELDS} if fields else {}
                 for fields in (steps.derived, steps.late)
             )
-            damper, spared = letting_go_work(model, travel[place], forces, late, activations)
+            damper, spared = clamping_work(model, travel[place], forces, late, activations)
             work["elastic_damping_work"][place] += damper
             if model.branches.size:
                 work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared

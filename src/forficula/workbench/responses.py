@@ -11,29 +11,29 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from forficula.design import Design, design_frames, design_pattern, design_text
-from forficula.design.files.held_keys import HeldKey, held_keys
+from forficula.design.files.design_keys import DesignKey, design_keys
 from forficula.dynamics import timestep_warnings, with_timestep
 from forficula.pattern import pattern_facts, write_fold
-from forficula.show.page.bench_page import at_start, bench_data
 from forficula.show.page.data.live_data import live_data
+from forficula.show.page.live_page import live_page_data, start_clip
 from forficula.show.page.parts.design_rows import design_title, section_heading, section_title
 from forficula.show.structure.sheet_figure import draw_sheet
 from forficula.show.style import description, save_figure
 from forficula.structure import structure_warnings
-from forficula.workbench.asked import Asked, Opened, asked_design, design_source
+from forficula.workbench.requests import DesignRequest, Opened, design_source, requested_design
 
 # text that a shell does not change between double quotes
 _PLAIN = re.compile(r'[^"$`\\!]*')
 
 
-def design_told(request: Asked, opened: Opened) -> dict[str, Any]:
+def design_response(request: DesignRequest, opened: Opened) -> dict[str, Any]:
     """Return the keys of a design with their values, its file, and the command that runs it, for JSON.
 
     Raises:
         InputError: the design cannot be read.
     """
-    design = asked_design(request, opened)
-    keys = held_keys(design)
+    design = requested_design(request, opened)
+    keys = design_keys(design)
     sections = dict.fromkeys(key.fact.key.partition(".")[0] for key in keys if "." in key.fact.key)
     return {
         "title": design_title(design),
@@ -47,7 +47,7 @@ def design_told(request: Asked, opened: Opened) -> dict[str, Any]:
     }
 
 
-def command_of(request: Asked, opened: Opened) -> str:
+def command_of(request: DesignRequest, opened: Opened) -> str:
     """Return the shell command that runs the design of a request."""
     words = ["forficula", "run", shlex.quote(design_source(request, opened))]
     unit = request.unit if request.files else f"{opened.unit:.9g} m" if opened.unit and not request.design else ""
@@ -58,7 +58,7 @@ def command_of(request: Asked, opened: Opened) -> str:
     return " ".join(words)
 
 
-def model_told(request: Asked, opened: Opened) -> dict[str, Any]:
+def model_response(request: DesignRequest, opened: Opened) -> dict[str, Any]:
     """Return the structure of a design at its start, and the data for the engine in the page or its reason to refuse.
 
     Raises:
@@ -66,12 +66,12 @@ def model_told(request: Asked, opened: Opened) -> dict[str, Any]:
     """
     with warnings.catch_warnings(record=True) as reading:
         warnings.simplefilter("always", UserWarning)
-        requested = asked_design(request, opened)
+        requested = requested_design(request, opened)
     design = with_timestep(requested)
-    clip = at_start(design)
+    clip = start_clip(design)
     measures = [reading.measure for reading in clip.readings]
     return {
-        "bench": bench_data(clip),
+        "bench": live_page_data(clip),
         "live": live_data(design, measures, clip.mesh.anchors.tolist()),
         "warnings": [
             *(str(warning.message).rpartition("/")[2] for warning in reading),
@@ -81,13 +81,13 @@ def model_told(request: Asked, opened: Opened) -> dict[str, Any]:
     }
 
 
-def pattern_told(request: Asked, opened: Opened) -> dict[str, Any]:
+def pattern_response(request: DesignRequest, opened: Opened) -> dict[str, Any]:
     """Return the crease pattern of a design as an SVG drawing, as a description, and as a FOLD file.
 
     Raises:
         InputError: the design has no pattern, or the pattern cannot be drawn.
     """
-    design = asked_design(request, opened)
+    design = requested_design(request, opened)
     sheet = design_pattern(design)
     with TemporaryDirectory(prefix="forficula-") as folder:
         figure = draw_sheet(sheet, pattern_facts(sheet))
@@ -98,7 +98,7 @@ def pattern_told(request: Asked, opened: Opened) -> dict[str, Any]:
     return {"drawing": base64.b64encode(drawing).decode("ascii"), "said": description(figure), "fold": fold}
 
 
-def _key(key: HeldKey) -> dict[str, Any]:
+def _key(key: DesignKey) -> dict[str, Any]:
     fact = key.fact
     return {
         "key": fact.key,

@@ -7,7 +7,7 @@ import scipy
 LEVEL = 0.95
 
 
-def share_interval(count: int, of: int, looks: int = 1) -> tuple[float, float]:
+def binomial_interval(count: int, of: int, looks: int = 1) -> tuple[float, float]:
     """Return the exact two-sided 95 % interval of a proportion (Clopper and Pearson 1934, doi:10.1093/biomet/26.4.404).
 
     Args:
@@ -24,10 +24,10 @@ def share_interval(count: int, of: int, looks: int = 1) -> tuple[float, float]:
     return low, _least_above(count, of, tail)
 
 
-def largest_share(count: int, of: int) -> float:
+def one_sided_upper_bound(count: int, of: int) -> float:
     """Return the upper end of the one-sided 95 % interval; for 0 successes 1 - 0.05^(1/n), about 3/n (rule of three).
 
-    Hanley and Lippman-Hand 1983, doi:10.1001/jama.1983.03330370053031. It is not an end of `share_interval`: a
+    Hanley and Lippman-Hand 1983, doi:10.1001/jama.1983.03330370053031. It is not an end of `binomial_interval`: a
     two-sided interval with this upper end would hold in fewer than 95 of 100 cases.
 
     Args:

@@ -6,7 +6,7 @@ import pytest
 from forficula.cli import main
 from forficula.design import load_design
 from forficula.errors import InputError
-from forficula.show.page.bench_page import bench_page
+from forficula.show.page.live_page import live_page
 from tests.show.page.conftest import until
 
 SECONDS = 60
@@ -37,4 +37,4 @@ def test_a_sheet_closes_in_a_page_without_a_run(bench):
 
 def test_a_structure_that_the_page_cannot_simulate_is_refused_with_the_command_that_can():
     with pytest.raises(InputError, match=r"miura-sheet: cannot be moved in a page: .*forficula run miura-sheet"):
-        bench_page(load_design("miura-sheet"))
+        live_page(load_design("miura-sheet"))

@@ -7,7 +7,7 @@ from typing import Any
 from forficula.design.section import Section
 
 
-def with_kept_parts(section: Section, tables: dict[str, Any]) -> dict[str, Any]:
+def with_kept_sections(section: Section, tables: dict[str, Any]) -> dict[str, Any]:
     """Replace tables that did not change by the sections that were read from them.
 
     Args:
@@ -24,7 +24,7 @@ def with_kept_parts(section: Section, tables: dict[str, Any]) -> dict[str, Any]:
 def _kept(value: object, before: object, after: Any) -> Any:
     """Return a section if its tables did not change; otherwise the tables, with unchanged sections inside them."""
     if isinstance(value, Section) and isinstance(after, dict):
-        return value if _same(before, after) else with_kept_parts(value, after)
+        return value if _same(before, after) else with_kept_sections(value, after)
     if not (isinstance(value, tuple) and value and isinstance(before, list) and isinstance(after, list)):
         return after
     if not all(isinstance(entry, Section) for entry in value) or not len(value) == len(before) == len(after):

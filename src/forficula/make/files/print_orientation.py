@@ -58,7 +58,7 @@ def printed_pieces(parts: PartSet) -> tuple[OrientedPart, ...]:
     return tuple(OrientedPart(parts=tuple(piece), count=piece[0].count) for piece in together.values())
 
 
-def lying_mesh(*parts: Part) -> Mesh:
+def print_mesh(*parts: Part) -> Mesh:
     """Return parts as one print: on the bed of the first, its longest rod along x, smallest x, y and z 0, mm.
 
     Coordinates are rounded to 0.1 um and edges shorter than 1 um are removed, so that corners that single precision
@@ -72,7 +72,7 @@ def lying_mesh(*parts: Part) -> Mesh:
     return Mesh(points=points, triangles=indices.reshape(-1)[mesh.triangles[kept]])
 
 
-def lying_size(part: Part) -> Array:
+def print_size(part: Part) -> Array:
     """Return the sides of the box around a part in its print orientation, m, (3,): length, width, height."""
     low, high = np.split(np.array(_lying(part).bounding_box()), 2)
     return np.asarray(high - low) / MILLIMETRES

@@ -7,7 +7,7 @@ from forficula.analysis import Verdict, measure
 from forficula.design import load_design, with_values
 from forficula.show import draw_angles, draw_energies
 from forficula.show.folder.run_folder import run_drawings
-from forficula.show.run.stalled import needed_torque, stalled_stage, still_time
+from forficula.show.run.missed_goal import needed_torque, stalled_stage, still_time
 from forficula.statics import energy_landscape
 from forficula.study.running.runs import run
 

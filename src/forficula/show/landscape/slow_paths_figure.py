@@ -11,8 +11,8 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
 from forficula.quantities import reading_unit
-from forficula.show.landscape.landscape_marks import course_words, shown_value
-from forficula.show.landscape.net_pictures import Pictures, hang_all, net_pictures
+from forficula.show.landscape.landscape_marks import shown_value, slow_path_text
+from forficula.show.landscape.net_pictures import Pictures, net_pictures, show_pictures
 from forficula.show.style import (
     BLACK,
     BLUE,
@@ -28,7 +28,7 @@ from forficula.statics import EnergyLandscape
 from forficula.statics.landscape import net_courses
 from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import NetShape
-from forficula.statics.net.net_course import Course, displaces, gone, reaction
+from forficula.statics.net.net_course import Course, drive_displacement, prescribes_displacement, reaction
 from forficula.structure import drive_unit, driven_motor
 
 _MOST = 5  # largest number of pictures of a path
@@ -38,7 +38,7 @@ _LETTERS = "abcdefgh"
 _SAME = 0.04  # points closer than this share of a plot's size share a label
 
 
-def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
+def draw_slow_paths(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
     """Draw the equilibria under every drive as it grows slowly, and shapes along the path.
 
     Args:
@@ -51,15 +51,15 @@ def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figur
     columns = 1 if is_narrow(width) else min(2, len(courses))
     rows = -(-len(courses) // columns)
     pictures = [
-        net_pictures(landscape.structure, landscape.net.net, [shape for _, shape, _ in each]) for each in moments
+        net_pictures(landscape.structure, landscape.net.net, [shape for _, shape, _ in moment]) for moment in moments
     ]
-    most = max(len(each) for each in moments)
-    height = _PLOT + min(max(each.slope for each in pictures) * width / columns / most, 1.3) + 0.25
+    most = max(len(moment) for moment in moments)
+    height = _PLOT + min(max(picture.slope for picture in pictures) * width / columns / most, 1.3) + 0.25
     with figure_style():
         figure = Figure(figsize=(width, rows * height + _LEGEND * (1 + is_narrow(width))), layout="constrained")
         panels = np.ravel(figure.subfigures(rows, columns, squeeze=False))
-        for panel, course, each, picture in zip(panels, courses, moments, pictures, strict=False):
-            _draw_course(panel, landscape, course, each, picture, width / columns)
+        for panel, course, moment, picture in zip(panels, courses, moments, pictures, strict=False):
+            _draw_course(panel, landscape, course, moment, picture, width / columns)
         fit_legend(figure, _handles(courses), 4, loc="outside lower center")
         return describe(figure, _text(landscape, courses))
 
@@ -97,9 +97,9 @@ def _draw_course(
     axes.set_title(course.name, loc="left")
     axes.margins(x=0.06, y=0.1)
     small = [panel.add_subplot(grid[1, number]) for number in range(len(moments))]
-    hang_all(pictures, small, width / len(moments))
-    for letter, each, (_, _, words) in zip(_LETTERS, small, moments, strict=False):
-        each.set_title(f"{letter}\n{words}" if words else letter, pad=1, fontsize=7)
+    show_pictures(pictures, small, width / len(moments))
+    for letter, item, (_, _, words) in zip(_LETTERS, small, moments, strict=False):
+        item.set_title(f"{letter}\n{words}" if words else letter, pad=1, fontsize=7)
 
 
 class _Plot:
@@ -118,14 +118,14 @@ class _Plot:
         largest = max(abs(point.factor) for point in points) * self._size
         self.unit, self._factor = reading_unit(drive_unit(self._structure, course.drive), largest)
         self.drive = motor.kind.replace("rest-angle", "rest angle moved")
-        self._displaces = displaces(self._structure, course.drive)
+        self._displaces = prescribes_displacement(self._structure, course.drive)
         if self._displaces:
             self.unit, self._factor = reading_unit("N", max(abs(self._force(point.shape)) for point in points))
             self.drive = "force on all points"
         self.along = "angle turned" if motor.direction is None else f"displacement along the {motor.kind}"
 
     def _gone(self, shape: NetShape) -> float:
-        return gone(self._structure, self._net, self._drive, shape)
+        return drive_displacement(self._structure, self._net, self._drive, shape)
 
     def _force(self, shape: NetShape) -> float:
         return reaction(self._structure, self._net, self._drive, shape)
@@ -154,7 +154,7 @@ def _lettered(places: Sequence[tuple[float, float]]) -> list[tuple[tuple[float, 
     size = np.ptp(np.array(places), axis=0) + 1e-12
     labels: list[tuple[tuple[float, float], str]] = []
     for letter, place in zip(_LETTERS, places, strict=False):
-        near = [np.abs((np.array(each) - place) / size).max() < _SAME for each, _ in labels]
+        near = [np.abs((np.array(item) - place) / size).max() < _SAME for item, _ in labels]
         if any(near):
             number = near.index(True)
             labels[number] = (labels[number][0], f"{labels[number][1]}, {letter}")
@@ -197,7 +197,7 @@ def _text(landscape: EnergyLandscape, courses: Sequence[Course]) -> str:
     for course in courses:
         unit = drive_unit(landscape.structure, course.drive)
         least = "" if course.least is None else f", at its goal with {shown_value(course.least, unit)}"
-        paths.append(f"{course.name}: {course_words(landscape.structure, course)}{least}")
+        paths.append(f"{course.name}: {slow_path_text(landscape.structure, course)}{least}")
     what = (
         f"Equilibria of the {landscape.structure.appearance.whole} {landscape.design.name} under slowly growing drives"
     )

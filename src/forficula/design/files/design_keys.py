@@ -11,7 +11,7 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.files.key_table import KeyFact, field_fact, field_forms
-from forficula.design.files.keys import entry_of, holds_parts, names_law, section_fields
+from forficula.design.files.keys import entry_of, holds_sections, names_law, section_fields
 from forficula.design.section import Quantity, Section, field_quantity
 from forficula.material.law.law_file import named_laws
 from forficula.names import listed
@@ -22,7 +22,7 @@ _DIGITS = 9  # significant digits of a quantity
 
 
 @dataclass(frozen=True, kw_only=True)
-class HeldKey:
+class DesignKey:
     """A key that a design has, or could have.
 
     Attributes:
@@ -40,7 +40,7 @@ class HeldKey:
     chosen: str = ""
 
 
-def held_keys(design: Design) -> list[HeldKey]:
+def design_keys(design: Design) -> list[DesignKey]:
     """List all keys of a design, section by section, for its kind of pattern and the entries of its lists.
 
     An empty list of tables is one key. A section that the design lacks is listed with all keys of its class.
@@ -54,7 +54,7 @@ def held_keys(design: Design) -> list[HeldKey]:
             keys.append(key)
             continue
         value = show_quantity(choice.value, reader.unit, _DIGITS)
-        keys.append(HeldKey(fact=key.fact, value=value, words=key.words, chosen=choice.reason))
+        keys.append(DesignKey(fact=key.fact, value=value, words=key.words, chosen=choice.reason))
     # keys outside sections first, then the structure, then optional sections and the protocol
     return sorted(keys, key=lambda key: _rank(key.fact.key.partition(".")[0]) if "." in key.fact.key else -1)
 
@@ -63,14 +63,14 @@ def _rank(section: str) -> int:
     return _LAST.index(section) + 1 if section in _LAST else 0
 
 
-def _held(annotation: Any, section: Section | None, prefix: str) -> Iterator[HeldKey]:
+def _held(annotation: Any, section: Section | None, prefix: str) -> Iterator[DesignKey]:
     """Yield the keys of a section that an annotation allows; for an absent section, those of its class."""
     for name, field in section_fields(annotation).items():
         if section is not None and name not in type(section).model_fields:
             continue
         key, value = f"{prefix}{name}", getattr(section, name) if section is not None else None
         entry = entry_of(field.annotation)
-        if not holds_parts(field):
+        if not holds_sections(field):
             yield _leaf(key, field, value)
             continue
         if names_law(key):
@@ -87,23 +87,23 @@ def _held(annotation: Any, section: Section | None, prefix: str) -> Iterator[Hel
             yield from _held(field.annotation, None, f"{key}.")
 
 
-def _leaf(key: str, field: FieldInfo, value: Any) -> HeldKey:
+def _leaf(key: str, field: FieldInfo, value: Any) -> DesignKey:
     reader, forms = field_quantity(field), [form for form in field_forms(field) if form is not type(None)]
     words = dict.fromkeys([*(reader.words if reader else ()), *_words(forms)])
     only = reader is None and bool(words) and all(form is bool or get_origin(form) is Literal for form in forms)
-    return HeldKey(fact=field_fact(key, field), value=_text(value, reader), words=tuple(words), only_words=only)
+    return DesignKey(fact=field_fact(key, field), value=_text(value, reader), words=tuple(words), only_words=only)
 
 
-def _law(key: str, field: FieldInfo, value: Any) -> HeldKey:
+def _law(key: str, field: FieldInfo, value: Any) -> DesignKey:
     """Return the key of a material law as a single value, its name."""
     fact = KeyFact(key=key, meaning=field.description or "", allowed="name of a material, or of a law file", default="")
-    return HeldKey(fact=fact, value=value.name if value is not None else "", words=tuple(named_laws()))
+    return DesignKey(fact=fact, value=value.name if value is not None else "", words=tuple(named_laws()))
 
 
-def _empty(key: str, field: FieldInfo, entry: Iterable[str]) -> HeldKey:
+def _empty(key: str, field: FieldInfo, entry: Iterable[str]) -> DesignKey:
     """Return the key of an empty list of tables as a single value; `entry` has the keys of the tables."""
     allowed = f"list of tables, {{...}}, with {listed(entry)}"
-    return HeldKey(fact=KeyFact(key=key, meaning=field.description or "", allowed=allowed, default=""), value="")
+    return DesignKey(fact=KeyFact(key=key, meaning=field.description or "", allowed=allowed, default=""), value="")
 
 
 def _words(forms: list[Any]) -> Iterator[str]:
