@@ -168,8 +168,8 @@ def test_a_landscape_needs_no_simulation_and_one_of_plates_leaves_what_there_is(
     assert output.out.startswith("letter-fold: bistable (flat, closed); barrier ")
     assert "simulated" not in output.out + output.err
     figures = [name for kind in ("levels", "rests", "tendon") for name in figure_files(kind)]
-    found = everything_in(in_an_empty_folder / "there")
-    assert found == sorted(["design.toml", "figures", "landscape.json", "report.html", *figures])
+    result = everything_in(in_an_empty_folder / "there")
+    assert result == sorted(["design.toml", "figures", "landscape.json", "report.html", *figures])
     content = json.loads((in_an_empty_folder / "there" / "landscape.json").read_text())
     assert content["simulation"] is None
     assert ff.load_design(in_an_empty_folder / "there" / "design.toml").hash == ff.load_design("letter-fold").hash
@@ -194,11 +194,11 @@ def test_a_scaled_design_is_printed_as_one_and_the_groups_that_it_cannot_keep_be
     small = ff.load_design("small.toml")
     assert small.pattern.distal_length == pytest.approx(0.01, rel=1e-15)
     assert small.protocol.gravity == 9.81
-    first, *told = printed.err.splitlines()
+    first, *output = printed.err.splitlines()
     assert first == (
         "3 of 18 dimensionless groups of binder2025-x0.1 change, because gravity and materials are not scaled:"
     )
-    assert [line.partition(" (")[0] for line in told] == [
+    assert [line.partition(" (")[0] for line in output] == [
         "  gravity: 0.000386 -> 3.86e-05",
         "  Reynolds number, left out: 1.69e+05 -> 1.69e+04",
         "  relaxation of the membrane: 0.603 -> 6.03",
@@ -678,8 +678,8 @@ def test_assumptions_leave_a_table_that_a_run_of_the_same_design_then_names(in_a
     done = call("assumptions", "flap.toml")
     assert "twice the damping of hinges" in done.out
     assert done.out.endswith("written to out/flap-assumptions; open out/flap-assumptions/report.html\n")
-    told = call("run", "flap.toml", "--no-confirm").out
-    assert "\nAssumptions: none of 8 changed assumptions changes the verdict (out/flap-assumptions).\n" in told
+    output = call("run", "flap.toml", "--no-confirm").out
+    assert "\nAssumptions: none of 8 changed assumptions changes the verdict (out/flap-assumptions).\n" in output
 
 
 def test_a_run_that_was_killed_while_it_was_replaced_is_restored(in_an_empty_folder, call):

@@ -184,11 +184,11 @@ def _named(name: str) -> _Accepted:
     if name in _KNOWN:
         return _KNOWN[name]
     article = "an" if name[0] in "AEIOU" else "a"
-    given = f" (as {_GIVEN_BY[name]} returns it)" if name in _GIVEN_BY else ""
+    provided = f" (as {_GIVEN_BY[name]} returns it)" if name in _GIVEN_BY else ""
     # by name, because importing the class may take a second
     return _accepted(
-        f"{article} {name}{given}",
-        f"objects of class {name}{given.replace(' it', ' them')}",
+        f"{article} {name}{provided}",
+        f"objects of class {name}{provided.replace(' it', ' them')}",
         lambda value: any(item.__name__ == name for item in type(value).__mro__),
     )
 

@@ -41,19 +41,19 @@ def joints():
 
 
 def outcomes(designs):
-    found = {}
+    result = {}
     for number, record in run_each(designs, sparse=True):
         outcome = measure(record)
-        found[number] = outcome, combined_margin(list(transition_margins(record, outcome).values()))
-    return [found[number] for number in range(len(designs))]
+        result[number] = outcome, combined_margin(list(transition_margins(record, outcome).values()))
+    return [result[number] for number in range(len(designs))]
 
 
 @pytest.fixture(scope="module")
 def advised():
     """Return design, outcome and margin of the failing joints that have an advice."""
     designs = joints()
-    found = [(design, *outcome) for design, outcome in zip(designs, outcomes(designs), strict=True)]
-    return [item for item in found if item[1].advised.values]
+    result = [(design, *outcome) for design, outcome in zip(designs, outcomes(designs), strict=True)]
+    return [item for item in result if item[1].advised.values]
 
 
 def test_each_advice_helps_nine_of_ten_failing_joints(advised):

@@ -35,8 +35,8 @@ def test_a_vertex_with_a_missing_angle_names_the_creases_that_missed_their_targe
     missed = missed_targets(record)
     assert missed
     assert abs(missed[0].angle - missed[0].target) == max(abs(item.angle - item.target) for item in missed)
-    (told,) = [text for text in run_warnings(record) if "did not reach their targets within" in text]
-    assert told.startswith(
+    (output,) = [text for text in run_warnings(record) if "did not reach their targets within" in text]
+    assert output.startswith(
         f"{len(missed)} of 4 creases did not reach their targets within 5 deg: {missed[0].label} at "
     )
     assert missed[0].target == pytest.approx(math.pi)

@@ -129,10 +129,10 @@ def test_energy_supplied_by_contacts_gives_a_warning_and_counts_as_missing():
     wing = load_design("binder2025", {"protocol.contact": True, "protocol.stages": [stage]})
     record = run(wing)
     assert not any("contacts supplied" in warning for warning in run_warnings(record))
-    given = {name: record.series[name].copy() for name in ("contact_work", "kinetic_energy")}
-    for values in given.values():
+    provided = {name: record.series[name].copy() for name in ("contact_work", "kinetic_energy")}
+    for values in provided.values():
         values[-1] += 1.0  # J
-    gifted = replace(record, series={**record.series, **given})
+    gifted = replace(record, series={**record.series, **provided})
     assert energy_balance(gifted).missing == pytest.approx(energy_balance(record).missing - 1.0, abs=1e-4)
     assert any(warning.startswith("contacts supplied 1 J, ") for warning in run_warnings(gifted))
 

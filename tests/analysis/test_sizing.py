@@ -83,5 +83,5 @@ def test_each_resting_length_is_stretched_by_the_tendons_that_have_it():
     # a rest length of 9 cm gives 11 cm or slightly less; none has the specimens' 6 cm, so the longest counts
     assert strains[0.09] == pytest.approx(0.11 / 0.09 - 1, rel=0.1)
     assert strains[0.06] == pytest.approx(0.11 / 0.06 - 1, rel=0.02)
-    (given, *_) = size_tendons(design, load_law("tpu-82a"), [1000.0], length=0.04)
-    assert given.flat_strain == pytest.approx(strains[0.04])
+    (provided, *_) = size_tendons(design, load_law("tpu-82a"), [1000.0], length=0.04)
+    assert provided.flat_strain == pytest.approx(strains[0.04])

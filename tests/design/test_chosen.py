@@ -66,9 +66,9 @@ def test_chosen_values_follow_those_that_they_follow_from():
 
 
 def test_chosen_values_convert_to_other_units():
-    there = in_units(NOTHING, length=1e-2, mass=1e-3, time=1e-2)
-    assert there.chosen == ()
-    assert there.facet.thickness == pytest.approx(100 * NOTHING.settled().facet.thickness)
+    present = in_units(NOTHING, length=1e-2, mass=1e-3, time=1e-2)
+    assert present.chosen == ()
+    assert present.facet.thickness == pytest.approx(100 * NOTHING.settled().facet.thickness)
 
 
 def test_a_sheet_of_twice_the_size_has_similar_motion():

@@ -69,15 +69,15 @@ def test_a_design_that_is_written_reads_the_same_to_the_bit():
 
 
 def test_every_number_converts_to_other_units_and_back():
-    there = in_units(LETTER, length=1e-2, mass=1e-3, time=1e-2)
-    assert there.pattern.panel_lengths == pytest.approx((9.9,))
-    assert there.drive[0].value == pytest.approx(3e-2 / (1e-3 * (1e-2 / 1e-2) ** 2))
+    present = in_units(LETTER, length=1e-2, mass=1e-3, time=1e-2)
+    assert present.pattern.panel_lengths == pytest.approx((9.9,))
+    assert present.drive[0].value == pytest.approx(3e-2 / (1e-3 * (1e-2 / 1e-2) ** 2))
     # N m/rad/m
-    assert there.crease.stiffness == pytest.approx(2e-2 / (1e-3 * 1e-2 / 1e-2**2))
-    assert there.crease.start == LETTER.crease.start
-    back = in_units(there, length=1e2, mass=1e3, time=1e2)
+    assert present.crease.stiffness == pytest.approx(2e-2 / (1e-3 * 1e-2 / 1e-2**2))
+    assert present.crease.start == LETTER.crease.start
+    back = in_units(present, length=1e2, mass=1e3, time=1e2)
     assert back.pattern.panel_lengths == pytest.approx(LETTER.pattern.panel_lengths, rel=1e-15)
-    assert np.ptp(design_pattern(there).vertices_coords[:, 0]) == pytest.approx(29.7)
+    assert np.ptp(design_pattern(present).vertices_coords[:, 0]) == pytest.approx(29.7)
 
 
 def test_a_scaled_strip_is_stiff_as_its_cube():
@@ -343,9 +343,9 @@ def test_a_design_of_another_kind_cannot_be_the_base(tmp_path):
     ],
 )
 def test_a_place_has_the_described_position(text, facet, place):
-    found = place_on(pleat_pattern([0.1, 0.2, 0.3], 0.2, "MV"), text)
-    assert found.facet == facet
-    assert found.position == pytest.approx([*place, 0], abs=1e-15)
+    result = place_on(pleat_pattern([0.1, 0.2, 0.3], 0.2, "MV"), text)
+    assert result.facet == facet
+    assert result.position == pytest.approx([*place, 0], abs=1e-15)
 
 
 @pytest.mark.parametrize(

@@ -86,9 +86,9 @@ def test_a_sheet_that_is_taken_along_rests_where_it_does_by_statics():
     net = net_of(structure)
     course = drive_course(structure, net, minimum(net, start_shape(structure, net)), structure.drives[0], None)
     (record,) = simulate([compile_model(design)])
-    there = course.slow.points[-1].shape.positions
-    assert there[8, 2] - net.nodes[8, 2] == pytest.approx(4e-3)
-    apart = np.linalg.norm(record.series["point_position"][-1] - there, axis=1).max()
+    present = course.slow.points[-1].shape.positions
+    assert present[8, 2] - net.nodes[8, 2] == pytest.approx(4e-3)
+    apart = np.linalg.norm(record.series["point_position"][-1] - present, axis=1).max()
     assert apart < 1e-2 * 4e-3
     # it returns after its release
     assert course.rest.shape.positions == pytest.approx(net.nodes, abs=1e-5)

@@ -21,12 +21,12 @@ def test_numbers_that_a_knob_changes_are_those_of_the_model_that_is_built_with_i
         value = knob.lowest + share * (knob.highest - knob.lowest)
         built = compile_model(with_values(model.design, {knob.key: value}))
         expected = model_numbers(built) | {"opt.gravity": np.array(built.engine.opt.gravity)}
-        found = {name: values.copy() for name, values in own.items()} | {"opt.gravity": np.zeros(3)}
+        result = {name: values.copy() for name, values in own.items()} | {"opt.gravity": np.zeros(3)}
         for change in knob.changes:
-            found[change.field][change.places] = change.low + change.slopes * (value - knob.lowest)
+            result[change.field][change.places] = change.low + change.slopes * (value - knob.lowest)
         for name, values in expected.items():
             sprung = np.repeat(built.engine.tendon_stiffness > 0, 2) if name == "tendon_lengthspring" else slice(None)
-            assert found[name][sprung] == pytest.approx(values[sprung], rel=1e-9, abs=1e-12), (knob.key, name)
+            assert result[name][sprung] == pytest.approx(values[sprung], rel=1e-9, abs=1e-12), (knob.key, name)
 
 
 def test_no_knob_changes_what_another_one_changes(model):

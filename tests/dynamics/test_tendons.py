@@ -231,10 +231,10 @@ def test_wings_with_other_numbers_of_branches_go_through_their_stages_side_by_si
 def test_a_law_that_cannot_be_kept_from_pushing_is_refused_until_the_design_allows_it():
     for law in ({"yield_strain": 0.2}, {"cubic_viscosity": 0.1}):
         values = {"linear_modulus": 4e6, "branches": [{"modulus": 1e6, "time": 0.002}]} | law
-        given = with_values(ff.load_design("binder2025"), SHORT | {"tendon.law": values})
+        provided = with_values(ff.load_design("binder2025"), SHORT | {"tendon.law": values})
         with pytest.raises(ff.InputError, match=r"tendon\.pushes_when_slack: need true to simulate a law that has a"):
-            compile_model(given)
-        assert not compile_model(with_values(given, {"tendon.pushes_when_slack": True})).lets_go.any()
+            compile_model(provided)
+        assert not compile_model(with_values(provided, {"tendon.pushes_when_slack": True})).lets_go.any()
 
 
 def test_a_slack_tendon_exerts_nothing_however_fast_its_ends_move():

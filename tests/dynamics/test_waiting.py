@@ -237,9 +237,9 @@ def test_a_month_folded_and_a_month_open_are_reported(stored_run, tmp_path):
     assert first.endswith("Then it opened again.")
     assert second.startswith("After 30 d opened its tendons pull ")
     assert energy_balance(stored_run).residual < 5e-3
-    told = summary(stored_run, outcome, {})
-    assert [item["wait_s"] for item in told["storage"]["waits"]] == [2592000.0, 2592000.0]
-    assert told["stages"]["store folded"]["waited_s"] > 2591990
+    output = summary(stored_run, outcome, {})
+    assert [item["wait_s"] for item in output["storage"]["waits"]] == [2592000.0, 2592000.0]
+    assert output["stages"]["store folded"]["waited_s"] > 2591990
     save_record(stored_run, tmp_path / "record.nc")
     again = load_record(tmp_path / "record.nc")
     assert again.stages == stored_run.stages

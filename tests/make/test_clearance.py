@@ -69,7 +69,7 @@ def test_selected_rows_are_as_different_as_possible(reference_run):
 
 def test_a_planted_collision_is_found_when_it_happens(parts):
     record = record_of(parts, {"sweep0": math.radians(40)})
-    found = recorded_collisions(parts, record)
+    result = recorded_collisions(parts, record)
     # without culling, pieces and steps: the whole vein against the others, row by row
     origin = parts.structure.bodies[0].position
     others = [half(parts, body) for body in (2, 3)]
@@ -78,18 +78,18 @@ def test_a_planted_collision_is_found_when_it_happens(parts):
     def touch(row):
         frame = rotation_about(np.array([0.0, 0.0, 1.0]), math.radians(40) * float(record.time[row]))
         swept = [placed(item, frame, origin - frame @ origin) for item in moving]
-        return any((here ^ there).volume() > 1e-2 for here in swept for there in others)
+        return any((current ^ present).volume() > 1e-2 for current in swept for present in others)
 
     low, high = 0, ROWS - 1
     while high - low > 1:
         middle = (low + high) // 2
         low, high = (low, middle) if touch(middle) else (middle, high)
-    assert found[0].time == pytest.approx(float(record.time[high]), abs=1e-9)
-    assert found[0].stage == "settle"
-    assert 0.1 < found[0].time < 0.9
+    assert result[0].time == pytest.approx(float(record.time[high]), abs=1e-9)
+    assert result[0].stage == "settle"
+    assert 0.1 < result[0].time < 0.9
     (check, *_) = motion_checks(parts, record, mend=False)
     assert check.ok is False
-    assert check.part == " and ".join(found[0].bodies)
+    assert check.part == " and ".join(result[0].bodies)
     assert check.value > check.limit
 
 

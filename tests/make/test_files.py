@@ -228,12 +228,12 @@ def test_an_open_surface_is_detected(joint, monkeypatch):
 def test_halves_printed_in_place_are_one_piece_and_fuse_if_too_close(joint_of, in_place):
     content = print_files(in_place)["stl/proximal0_and_distal0.stl"]
     assert trimesh.load(io.BytesIO(content), file_type="stl").body_count == 2
-    found = {}
+    result = {}
     for overbend in ("3 deg", "12 deg"):
         made = joint_of(**{"make.hinge": "print-in-place", "make.straps": 1, "hinge.overbend": overbend})
         assert [piece.name for piece in printed_pieces(made)] == ["proximal0 and distal0", "strap0"]
-        (found[overbend],) = (check for check in mesh_checks(made) if check.name == "apart as printed")
-    assert (found["3 deg"].ok, found["12 deg"].ok) == (False, True)
+        (result[overbend],) = (check for check in mesh_checks(made) if check.name == "apart as printed")
+    assert (result["3 deg"].ok, result["12 deg"].ok) == (False, True)
     # faces outside of the clearance around the knuckles, 3 deg apart
-    assert found["3 deg"].value == pytest.approx(3.4e-3 * np.sin(np.radians(3)), rel=0.05)
-    assert "they fuse" in found["3 deg"].text
+    assert result["3 deg"].value == pytest.approx(3.4e-3 * np.sin(np.radians(3)), rel=0.05)
+    assert "they fuse" in result["3 deg"].text

@@ -170,8 +170,8 @@ def test_a_slack_strap_keeps_its_length_and_its_ends(made_joint):
 
 
 def test_gussets_shorter_than_their_two_lugs_are_named():
-    told = {check.part: check.ok for check in lug_checks(make_parts("binder2025-thick", "section"))}
-    assert [part for part, ok in told.items() if not ok] == ["gusset0", "gusset1"]
+    output = {check.part: check.ok for check in lug_checks(make_parts("binder2025-thick", "section"))}
+    assert [part for part, ok in output.items() if not ok] == ["gusset0", "gusset1"]
 
 
 def test_first_joint_of_a_vein_with_two_folds_includes_all_joints_of_its_tendon():

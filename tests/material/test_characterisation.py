@@ -52,9 +52,9 @@ def test_a_law_keeps_the_length_of_its_specimens_through_its_file(three_elastic,
 def test_specimens_that_differ_in_size_leave_no_length_behind():
     test = elastic()
     longer = replace(test, name="longer", length=2 * LENGTH, extension=2 * test.extension)
-    found = characterise([test, longer], forms=family_forms("linear"))
-    assert known_length(found.law) is None
-    assert any("differ in size" in remark for remark in found.remarks)
+    result = characterise([test, longer], forms=family_forms("linear"))
+    assert known_length(result.law) is None
+    assert any("differ in size" in remark for remark in result.remarks)
 
 
 def test_the_first_cycle_is_left_out_by_default():
@@ -83,13 +83,13 @@ def test_rows_with_the_same_time_count_once():
 
 
 def test_drift_is_that_which_was_planted():
-    found = characterise([tpu(seed, cycles=5) for seed in (1, 2, 3)], forms=family_forms("linear"))
+    result = characterise([tpu(seed, cycles=5) for seed in (1, 2, 3)], forms=family_forms("linear"))
     # stress falls by 5.5 % of ln N, so from cycle 2 to 5 by this factor
     planted = (1 - 0.055 * math.log(5)) / (1 - 0.055 * math.log(2))
-    factor, low, high = found.drifts["peak_stress"].change(5)
+    factor, low, high = result.drifts["peak_stress"].change(5)
     assert factor == pytest.approx(planted, rel=5e-3)  # a law linear in ln N, fitted as a power
     assert low < factor < high
-    assert found.drifts["residual_strain"].change(5)[0] > 0
+    assert result.drifts["residual_strain"].change(5)[0] > 0
 
 
 def test_without_a_law_other_results_exist_and_a_remark_gives_the_reason(monkeypatch):
@@ -97,11 +97,11 @@ def test_without_a_law_other_results_exist_and_a_remark_gives_the_reason(monkeyp
         raise InputError("no law can be determined: too few rows")
 
     monkeypatch.setattr(characterisation, "fit_law", refuse)
-    found = characterise([elastic()])
-    assert (found.law, found.fit) == (None, None)
-    assert "there is no law: no law can be determined: too few rows" in found.remarks
-    assert json.dumps(plain(found), allow_nan=False)
-    assert len(found.cycles) == 3
+    result = characterise([elastic()])
+    assert (result.law, result.fit) == (None, None)
+    assert "there is no law: no law can be determined: too few rows" in result.remarks
+    assert json.dumps(plain(result), allow_nan=False)
+    assert len(result.cycles) == 3
 
 
 def test_a_requested_law_that_cannot_be_fitted_is_an_error():
@@ -110,8 +110,8 @@ def test_a_requested_law_that_cannot_be_fitted_is_an_error():
 
 
 def test_one_specimen_gives_a_remark():
-    found = characterise([elastic()], forms=family_forms("linear"))
-    assert any(remark.startswith("one specimen: ") for remark in found.remarks)
+    result = characterise([elastic()], forms=family_forms("linear"))
+    assert any(remark.startswith("one specimen: ") for remark in result.remarks)
 
 
 @pytest.mark.parametrize(
@@ -166,8 +166,8 @@ def test_scatter_between_specimens_is_reported_in_the_law_and_its_file(tmp_path)
         cyclic_test(lambda strain, _, own=own: own * strain, cycles=4, samples=100, noise=1e4, name=name)
         for name, own in modulus.items()
     ]
-    found = characterise(tests, forms=family_forms("linear"))
-    save_law(found.law, tmp_path / "law.toml")
+    result = characterise(tests, forms=family_forms("linear"))
+    save_law(result.law, tmp_path / "law.toml")
     law = load_law(tmp_path / "law.toml")
     # the standard deviation of their logarithms
     scatter = np.log(list(modulus.values())).std(ddof=1)
@@ -199,7 +199,7 @@ def test_what_a_cycle_does_not_have_is_null_in_the_summary():
 def test_the_zero_of_the_force_is_what_the_load_cell_shows_of_a_slack_specimen():
     """An offset of 0.01 N on 5 mm2, less than the scatter of specimens would show if it were fitted with the law."""
     tests = [replace(item, force=item.force + 0.01) for item in (tpu(1), tpu(2), tpu(3))]
-    found = characterise(tests, forms=family_forms("polynomial"))
-    for residual in found.fit.residuals:
+    result = characterise(tests, forms=family_forms("polynomial"))
+    for residual in result.fit.residuals:
         # 15 samples with a noise of 4 kPa
         assert residual.offset == pytest.approx(2e3, abs=3.5e3)

@@ -15,10 +15,10 @@ def test_the_printed_command_reads_the_written_files(tmp_path, monkeypatch, caps
     assert words == ["tpu-made-up-1.csv", "tpu-made-up-2.csv", "tpu-made-up-3.csv"]
     tests = ff.material.read_tensile_tests(words, length=0.06, area=5e-6)
     assert [len(test.time) for test in tests] == [801] * 3
-    found = ff.material.characterise(tests, name="tpu", source=", ".join(words))
+    result = ff.material.characterise(tests, name="tpu", source=", ".join(words))
     # 4.8 MPa, reduced by the softening from the first cycle on
-    assert found.cycles[0].secant_modulus == pytest.approx(4.8e6, rel=0.05)
-    assert "made-up" in found.law.source
+    assert result.cycles[0].secant_modulus == pytest.approx(4.8e6, rel=0.05)
+    assert "made-up" in result.law.source
 
 
 def test_every_file_of_sample_tests_states_that_they_are_simulated(tmp_path):

@@ -97,10 +97,10 @@ def test_a_grid_of_thousands_of_squares_without_faces_is_read_in_seconds(tmp_pat
     path = tmp_path / "grid.fold"
     path.write_text(json.dumps(document))
     before = process_time()
-    found = {frozenset(face) for face in read_fold(path, 0.01).faces_vertices}
+    result = {frozenset(face) for face in read_fold(path, 0.01).faces_vertices}
     assert process_time() - before < 6  # all pairs of edges took four times as long
     corners = (number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1])
-    assert found == {frozenset(face) for face in zip(*(corner.flat for corner in corners), strict=True)}
+    assert result == {frozenset(face) for face in zip(*(corner.flat for corner in corners), strict=True)}
 
 
 @pytest.mark.parametrize("corners", [[0, 2, 4, 1, 3], [0, 1, 3, 2, 4], [0, 3, 1, 4, 2]])

@@ -35,13 +35,13 @@ def test_faces_found_from_the_edges_are_those_of_the_fan(tmp_path):
     document = json.loads(path.read_text(encoding="utf-8"))
     del document["faces_vertices"]
     path.write_text(json.dumps(document), encoding="utf-8")
-    found = read_fold(path)
+    result = read_fold(path)
 
     def from_lowest(face):
         first = face.index(min(face))
         return face[first:] + face[:first]
 
-    assert {from_lowest(face) for face in found.faces_vertices} == {
+    assert {from_lowest(face) for face in result.faces_vertices} == {
         from_lowest(face) for face in pattern.faces_vertices
     }
 

@@ -118,9 +118,9 @@ def test_the_other_state_has_the_same_creases(values):
         return
     other = kresling_other_state(sides, radius, height, twist)
     assert (other.twist > 0) == (twist > 0)
-    here = kresling_lengths(sides, radius, height, abs(twist))
-    there = kresling_lengths(sides, radius, other.height, abs(other.twist))
-    assert there == pytest.approx(here, rel=1e-12)
+    current = kresling_lengths(sides, radius, height, abs(twist))
+    present = kresling_lengths(sides, radius, other.height, abs(other.twist))
+    assert present == pytest.approx(current, rel=1e-12)
 
 
 def test_a_tower_in_both_states_has_congruent_facets_and_folds_from_one_to_the_other():

@@ -143,19 +143,19 @@ def test_a_transition_that_its_drive_cannot_make_has_no_least_value():
     """A pyramid that is pulled up does not snap down."""
     stages = [{"name": "pull", "drive": "pull", "until": "height < 19 cm", "hold": 0.0, "time_limit": 1.0}]
     done = {"name": "rest", "drive": "none", "until": "rest", "state": "low", "hold": 0.0, "time_limit": 1.0}
-    found = energy_landscape(pyramid(**{"protocol.stages": [*stages, done]}))
-    pull = next(course for course in found.courses if course.name == "pull")
+    result = energy_landscape(pyramid(**{"protocol.stages": [*stages, done]}))
+    pull = next(course for course in result.courses if course.name == "pull")
     assert pull.least is None
-    assert found.rests[-1].name == "not low"
-    assert not found.rests[-1].within
+    assert result.rests[-1].name == "not low"
+    assert not result.rests[-1].within
 
 
 def test_a_sheet_without_springs_in_its_creases_and_without_supports_rests_nowhere_firmly():
     loose = {"crease.stiffness": 0.0, "facet.bend_stiffness": 0.0, "support": [], "drive": [], "measure": []}
     stage = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 1.0}
-    found = energy_landscape(pyramid(**loose, **{"protocol.stages": [stage], "pattern.sectors": [1.2, 1.2, 1.2, 1.3]}))
-    assert found.states == ()
-    assert any("a part can move without any force" in remark for remark in found.remarks)
+    result = energy_landscape(pyramid(**loose, **{"protocol.stages": [stage], "pattern.sectors": [1.2, 1.2, 1.2, 1.3]}))
+    assert result.states == ()
+    assert any("a part can move without any force" in remark for remark in result.remarks)
 
 
 def test_progress_is_reported(landscape, told):

@@ -82,12 +82,12 @@ def test_the_moves_are_derivatives_of_the_points(seed):
     angles = np.random.default_rng(seed).uniform(-1, 1, (1, laid.size))
     at = pose(laid, angles)
     moves = moves_of(carried, at, places_of(carried, at))[:, 0]
-    found = np.zeros((len(points), laid.size, 3))
-    found[carried.pairs[0], carried.pairs[1]] = moves.T
+    result = np.zeros((len(points), laid.size, 3))
+    result[carried.pairs[0], carried.pairs[1]] = moves.T
     steps = small * np.eye(laid.size)
     differences = (placed(structure, angles + steps) - placed(structure, angles - steps)) / (2 * small)
     # central differences of points of 0.5 m, times 1e-12; rounding divided by 1e-6
-    assert found == pytest.approx(np.swapaxes(differences, 0, 1), abs=1e-9)
+    assert result == pytest.approx(np.swapaxes(differences, 0, 1), abs=1e-9)
 
 
 def test_the_points_of_a_fan_are_where_the_simulator_has_them(reference_run):

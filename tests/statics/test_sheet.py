@@ -154,5 +154,5 @@ def test_energy_goes_with_the_modulus_and_the_thickness(factor):
     energy = sheet_energy(SHEETS[0], angles)[0]
     for key in ("youngs_modulus", "thickness"):
         stiffer = {f"membrane.{key}": factor * getattr(REFERENCE.membrane, key)}
-        found = sheet_energy(sheet_of(structure_of(with_values(REFERENCE, stiffer))), angles)[0]
-        assert found == pytest.approx(factor * energy)
+        result = sheet_energy(sheet_of(structure_of(with_values(REFERENCE, stiffer))), angles)[0]
+        assert result == pytest.approx(factor * energy)

@@ -202,12 +202,12 @@ def test_a_structure_in_other_units_is_the_same():
     units = {"length": 1e-2, "mass": 1e-3, "time": 1e-2}
     one, other = structure_of(CLASP), structure_of(in_units(CLASP, **units))
     per_length = units["mass"] / units["time"] ** 2
-    for here, there in zip(one.springs, other.springs, strict=True):
-        assert there.stiffness * per_length == pytest.approx(here.stiffness)
-        assert there.damping * units["mass"] / units["time"] == pytest.approx(here.damping)
-    for here, there in zip(one.hinges, other.hinges, strict=True):
-        assert there.stiffness * per_length * units["length"] ** 2 == pytest.approx(here.stiffness)
-        assert there.rest_angle == here.rest_angle
+    for current, present in zip(one.springs, other.springs, strict=True):
+        assert present.stiffness * per_length == pytest.approx(current.stiffness)
+        assert present.damping * units["mass"] / units["time"] == pytest.approx(current.damping)
+    for current, present in zip(one.hinges, other.hinges, strict=True):
+        assert present.stiffness * per_length * units["length"] ** 2 == pytest.approx(current.stiffness)
+        assert present.rest_angle == current.rest_angle
     assert [body.mass * 1e-3 for body in other.bodies] == pytest.approx([body.mass for body in one.bodies])
 
 

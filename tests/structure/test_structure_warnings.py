@@ -52,8 +52,8 @@ def test_a_medium_heavier_than_the_moving_bodies_gives_a_warning():
 
 def test_a_tendon_stretched_beyond_the_measured_range_gives_a_warning():
     def warned(rest_length):
-        found = warnings(load_design("binder2025", TPU | {"tendon.rest_length": rest_length}))
-        return [warning for warning in found if "measured" in warning]
+        result = warnings(load_design("binder2025", TPU | {"tendon.rest_length": rest_length}))
+        return [warning for warning in result if "measured" in warning]
 
     # the flat tendon is 10.9 cm long
     assert not warned("6 cm")
@@ -93,8 +93,8 @@ def test_branches_that_relax_while_the_wing_is_folded_are_warned_of():
 
 def test_what_is_true_of_some_tendons_only_names_them():
     short = {f"tendon.{vein}.rest_length": "5 cm" for vein in (0, 2)}
-    found = warnings(load_design("binder2025", TPU | {"tendon.rest_length": "6 cm"} | short))
-    (warning,) = [item for item in found if "measured" in item]
+    result = warnings(load_design("binder2025", TPU | {"tendon.rest_length": "6 cm"} | short))
+    (warning,) = [item for item in result if "measured" in item]
     assert warning.startswith("tendon0, tendon2: the flat wing stretches its tendons by 118 %")
 
 

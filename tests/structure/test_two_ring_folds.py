@@ -79,8 +79,8 @@ class Stack:
             nodes += [places[np.unique(surface.triangles[surface.panels == n])] for n in range(len(surface.names))]
         panels = zip(panel_meshes(self.structure), nodes, strict=True)
         return max(
-            crossing_depths(one, here[None], other, there[None])[0]
-            for (one, here), (other, there) in combinations(panels, 2)
+            crossing_depths(one, current[None], other, present[None])[0]
+            for (one, current), (other, present) in combinations(panels, 2)
         )
 
 
@@ -134,7 +134,7 @@ def test_rigidly_folded_layers_lie_a_pitch_apart_and_bars_beside_each_other(desi
     lowest, highest = (order(pairs) for order, pairs in ((np.min, proximal), (np.max, distal)))
     assert lowest - highest == pytest.approx(design.fan.gusset_height, rel=1e-9)
     for one, other in combinations(bars[:4], 2):
-        apart = min(distance(here, there) for here in one for there in other)
+        apart = min(distance(current, present) for current in one for present in other)
         assert apart >= pitch * (1 - 1e-6)
 
 

@@ -168,10 +168,10 @@ def test_a_search_without_unfold_torques_only_folds_and_releases(gridded, tmp_pa
         "works",
     }
     print_study(study, table)
-    told = capsys.readouterr().out
-    assert "open" not in told
+    output = capsys.readouterr().out
+    assert "open" not in output
     for count, words in zip(count_first(table)[[1, 0, 2]], ("0.0001", "0.001", "0.01"), strict=True):
-        assert re.search(rf"^hinge damping {words} N m s/rad(, as in binder2025)? +{count} *$", told, re.MULTILINE)
+        assert re.search(rf"^hinge damping {words} N m s/rad(, as in binder2025)? +{count} *$", output, re.MULTILINE)
 
 
 def test_folding_results_do_not_depend_on_the_search_for_opening(gridded, write_study_file, tmp_path):

@@ -48,9 +48,9 @@ def test_every_change_is_tried_alone_and_undone(compared):
 
 
 def test_comparison_is_printed_drawn_and_saved(compared):
-    told = "\n".join(made_lines(compared))
-    assert "tendon.proximal_offset: 0 cm as designed, 0.3 cm as made" in told
-    assert compared.blame[0].text in told
+    output = "\n".join(made_lines(compared))
+    assert "tendon.proximal_offset: 0 cm as designed, 0.3 cm as made" in output
+    assert compared.blame[0].text in output
     written = json.loads(json_text(compared))
     assert written["hinges"][0]["made"]["barrier_J"] == compared.hinges[0].made.barrier
     assert {item["name"] for item in written["unkept"]} >= {"mass", "barrier of two straps", "play of the hinges"}

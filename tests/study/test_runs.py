@@ -19,8 +19,8 @@ FOLD = {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time
 
 
 def auto(**values):
-    given = {key.replace("__", "."): value for key, value in values.items()}
-    return load_design("binder2025", {"protocol.timestep": "auto", "protocol.stages": [SETTLE, FOLD], **given})
+    provided = {key.replace("__", "."): value for key, value in values.items()}
+    return load_design("binder2025", {"protocol.timestep": "auto", "protocol.stages": [SETTLE, FOLD], **provided})
 
 
 DESIGNS = [

@@ -48,8 +48,8 @@ def drop(damping_ratio, steps):
 
 @pytest.mark.parametrize("damping_ratio", [0.3, 0.6, 1.0])
 def test_the_rebound_of_a_joint_from_its_stop_is_that_of_the_closed_form(damping_ratio, agree):
-    found, _ = drop(damping_ratio, 400)
-    agree("rebound", found, rebound(damping_ratio), unit="", by="exp(-z phase / sqrt(1 - z^2))", abs=3e-3)
+    result, _ = drop(damping_ratio, 400)
+    agree("rebound", result, rebound(damping_ratio), unit="", by="exp(-z phase / sqrt(1 - z^2))", abs=3e-3)
 
 
 def test_the_depth_of_a_critically_damped_stop_is_proportional_to_speed_and_time_constant(agree):
@@ -57,8 +57,8 @@ def test_the_depth_of_a_critically_damped_stop_is_proportional_to_speed_and_time
 
 
 def test_four_steps_per_time_constant_are_close_to_the_closed_form(holds):
-    found = [abs(drop(ratio, 4)[0] - rebound(ratio)) for ratio in (0.6, 1.0)]
-    holds("error of the rebound", max(found), below=0.06, by="closed form")
+    result = [abs(drop(ratio, 4)[0] - rebound(ratio)) for ratio in (0.6, 1.0)]
+    holds("error of the rebound", max(result), below=0.06, by="closed form")
 
 
 def test_the_reference_opens_in_the_same_time_at_every_timestep(holds):

@@ -76,36 +76,36 @@ def test_a_page_names_no_file_outside_and_does_not_learn_whether_it_exists(place
     inside, outside = places
     opened = opened_with("binder2025-joint", {}, None)
     ending = ENDINGS[key]
-    there, missing = f"{'sheet' if ending == 'fold' else 'credentials'}.{ending}", f"no-such-file.{ending}"
+    present, missing = f"{'sheet' if ending == 'fold' else 'credentials'}.{ending}", f"no-such-file.{ending}"
     # from the folder of files that were sent, more steps up than there are lead to the root
     folder = {
         "absolute": str(outside),
         "upwards": f"{'../' * 30}{outside.as_posix().lstrip('/')}",
         "back and forth": f"{inside.as_posix()}/../outside",
     }[form]
-    for at_file, at_nothing in zip(naming(key, f"{folder}/{there}"), naming(key, f"{folder}/{missing}"), strict=True):
-        told, of_nothing = refusal(opened, **at_file), refusal(opened, **at_nothing)
-        assert REFUSED in told
-        assert SECRET not in told
-        assert told.replace(there, missing) == of_nothing
+    for at_file, at_nothing in zip(naming(key, f"{folder}/{present}"), naming(key, f"{folder}/{missing}"), strict=True):
+        output, of_nothing = refusal(opened, **at_file), refusal(opened, **at_nothing)
+        assert REFUSED in output
+        assert SECRET not in output
+        assert output.replace(present, missing) == of_nothing
 
 
 @pytest.mark.parametrize("path", ["link.toml", "linked/credentials.toml", "~/credentials.toml", "linked/../x.toml"])
 @pytest.mark.usefixtures("places")
 def test_no_link_and_no_home_leads_outside(path):
     opened = opened_with("binder2025-joint", {}, None)
-    told = refusal(opened, settings={"tendon.law": path})
-    assert SECRET not in told
-    assert REFUSED in told or "no such file" in told
-    assert "linked" not in path or REFUSED in told
+    output = refusal(opened, settings={"tendon.law": path})
+    assert SECRET not in output
+    assert REFUSED in output or "no such file" in output
+    assert "linked" not in path or REFUSED in output
 
 
 def test_no_near_name_of_another_folder_is_offered(places, monkeypatch):
     inside, outside = places
     opened = opened_with(str(inside / "design.toml"), {}, None)
     monkeypatch.chdir(outside)
-    told = refusal(opened, files=[{"name": "a.toml", "text": 'based_on = "credential"'}])
-    assert "credentials" not in told
+    output = refusal(opened, files=[{"name": "a.toml", "text": 'based_on = "credential"'}])
+    assert "credentials" not in output
 
 
 def test_a_page_names_what_lies_in_the_folder_of_its_design(places):
@@ -131,8 +131,8 @@ def test_a_design_is_opened_with_what_it_names_elsewhere(places):
     assert requested_design(DesignRequest(), opened).hash == load_design("far.toml").hash
     assert REFUSED in refusal(opened, settings={"tendon.law": str(outside / "credentials.toml")})
     opened = opened_with("binder2025-joint", {"tendon.law": "../outside/law.toml", "tendon.area": "5 mm^2"}, None)
-    given = DesignRequest(settings=dict(opened.settings))
-    assert requested_design(given, opened).tendon.law is not None
+    provided = DesignRequest(settings=dict(opened.settings))
+    assert requested_design(provided, opened).tendon.law is not None
 
 
 def test_files_that_are_not_named_by_a_page_are_read_as_before(places):

@@ -41,16 +41,16 @@ def test_the_command_names_what_is_open(asked, opened, command):
 
 
 def test_the_response_describes_the_design_and_its_sections():
-    told = design_response(DesignRequest(), LETTER)
-    assert told["hash"] == load_design("letter-fold").hash
-    assert set(told["sections"]) == {key["key"].partition(".")[0] for key in told["keys"] if "." in key["key"]}
-    assert all(told["sections"].values())
+    output = design_response(DesignRequest(), LETTER)
+    assert output["hash"] == load_design("letter-fold").hash
+    assert set(output["sections"]) == {key["key"].partition(".")[0] for key in output["keys"] if "." in key["key"]}
+    assert all(output["sections"].values())
 
 
 def test_a_structure_that_the_engine_in_pages_cannot_simulate_is_shown_with_the_reason():
-    told = model_response(DesignRequest(design="bistable-miura"), LETTER)
-    assert told["live"] == {"refused": "its creases are not joints, which engines before MuJoCo 4.0 do not support"}
-    assert told["bench"]["clips"][0]["pointCount"] == 9
+    output = model_response(DesignRequest(design="bistable-miura"), LETTER)
+    assert output["live"] == {"refused": "its creases are not joints, which engines before MuJoCo 4.0 do not support"}
+    assert output["bench"]["clips"][0]["pointCount"] == 9
 
 
 def test_a_pattern_with_a_vertex_that_does_not_fold_flat_says_so():
@@ -58,6 +58,6 @@ def test_a_pattern_with_a_vertex_that_does_not_fold_flat_says_so():
         [1, -3]],
         "edges_vertices": [[0, 1], [0, 2], [0, 3], [0, 4], [1, 2], [2, 3], [3, 4], [4, 1]],
         "edges_assignment": ["V", "M", "M", "M", "B", "B", "B", "B"]}"""
-    asked = DesignRequest(files=(UploadedFile(name="odd.fold", text=text),))
-    assert "1 of 1 interior vertices do not fold flat" in pattern_response(asked, LETTER)["said"]
+    requested = DesignRequest(files=(UploadedFile(name="odd.fold", text=text),))
+    assert "1 of 1 interior vertices do not fold flat" in pattern_response(requested, LETTER)["said"]
     assert "do not fold flat" not in pattern_response(DesignRequest(), LETTER)["said"]

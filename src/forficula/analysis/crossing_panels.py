@@ -90,25 +90,25 @@ def panel_crossing(record: Record, rows: Sequence[int] | None = None) -> PanelCr
     if rows is not None:
         return _deepest(record, meshes, rows)
     rows = _evenly_spaced_rows(record)
-    found = _deepest(record, meshes, rows)
+    result = _deepest(record, meshes, rows)
     # search once more between the rows next to the deepest one
-    near = int(np.searchsorted(record.time[rows], found.time))
+    near = int(np.searchsorted(record.time[rows], result.time))
     low, high = rows[max(near - 1, 0)], rows[min(near + 1, len(rows) - 1)]
     closer = _deepest(record, meshes, np.unique(np.linspace(low, high, _CLOSER).round().astype(np.int64)).tolist())
-    return max(found, closer, key=lambda crossing: crossing.depth)
+    return max(result, closer, key=lambda crossing: crossing.depth)
 
 
 def _deepest(record: Record, meshes: Sequence[PanelMesh], rows: Sequence[int]) -> PanelCrossing:
     """Find the deepest crossing in some rows."""
     places = panel_positions(record, rows)
-    found = PanelCrossing(depth=0.0, time=float(record.time[rows[0]]))
+    result = PanelCrossing(depth=0.0, time=float(record.time[rows[0]]))
     for (one, first_nodes), (other, second_nodes) in combinations(zip(meshes, places, strict=True), 2):
         depths = crossing_depths(one, first_nodes, other, second_nodes)
         row = int(np.argmax(depths))
-        if depths[row] > found.depth:
+        if depths[row] > result.depth:
             names = (one.name, other.name)
-            found = PanelCrossing(depth=float(depths[row]), names=names, time=float(record.time[rows[row]]))
-    return found
+            result = PanelCrossing(depth=float(depths[row]), names=names, time=float(record.time[rows[row]]))
+    return result
 
 
 def _evenly_spaced_rows(record: Record) -> list[int]:
@@ -148,7 +148,7 @@ def panel_positions(record: Record, rows: Sequence[int]) -> list[Array]:
     places = np.concatenate(
         [[point.place for point in structure.points], *(membrane.places for membrane in structure.membranes)]
     )
-    found = []
+    result = []
     for surface in (membrane.surface for membrane in structure.membranes if membrane.surface is not None):
         nodes = np.zeros((len(known), len(surface.bodies), 3))
         for body in np.unique(surface.bodies).tolist():
@@ -157,8 +157,8 @@ def panel_positions(record: Record, rows: Sequence[int]) -> list[Array]:
             wanted = np.vstack([surface.places[of_body].T / structure.span, np.ones((1, int(of_body.sum())))])
             weights = np.linalg.lstsq(np.vstack([places[of_points].T / structure.span, ones]), wanted, rcond=1e-9)[0]
             nodes[:, of_body] = np.einsum("rkx,kn->rnx", known[:, of_points], weights)
-        found += [nodes[:, np.unique(surface.triangles[surface.panels == n])] for n in range(len(surface.names))]
-    return found
+        result += [nodes[:, np.unique(surface.triangles[surface.panels == n])] for n in range(len(surface.names))]
+    return result
 
 
 def crossing_depths(one: PanelMesh, first_nodes: Array, other: PanelMesh, second_nodes: Array) -> Array:

@@ -80,25 +80,24 @@ def _stretched_membranes(record: Record) -> list[str]:
 
 def _crossing_facets(record: Record) -> list[str]:
     """Warn of the first two facets that pass through each other, with the number of further pairs."""
-    found = facets_that_cross(record)
-    if not found:
+    result = facets_that_cross(record)
+    if not result:
         return []
-    names, more = " and ".join(found[0].names), len(found) - 1
+    names, more = " and ".join(result[0].names), len(result) - 1
     others = f", and {more} more pair{'s' * (more > 1)} later" if more else ""
     kind = "plates" if record.structure.plates else "facets"
     return [
-        f"{names} pass through each other from {found[0].time:.3g} s{others}: contact between {kind} is not modelled"
+        f"{names} pass through each other from {result[0].time:.3g} s{others}: contact between {kind} is not modelled"
     ]
 
 
 def _crossing_panels(record: Record) -> list[str]:
     """Warn of the two panels that pass furthest through each other, unless the depth is negligible."""
-    found = panel_crossing(record)
-    if found is None or found.depth <= _TRIFLE * record.structure.span:
+    result = panel_crossing(record)
+    if result is None or result.depth <= _TRIFLE * record.structure.span:
         return []
-    crossing = (
-        f"{' and '.join(found.names)} pass through each other by {show_value(found.depth, 'm')} at {found.time:.3g} s"
-    )
+    names, depth = " and ".join(result.names), show_value(result.depth, "m")
+    crossing = f"{names} pass through each other by {depth} at {result.time:.3g} s"
     if record.structure.contact is None:
         return [f"{crossing}: contact is switched off; protocol.contact = true keeps panels apart"]
     return [f"{crossing}, more than contact should allow: a shorter timestep reduces the depth"]
@@ -109,12 +108,12 @@ def _energy_adding_contacts(record: Record) -> list[str]:
     if "contact_work" not in record.series or record.diverged_at is not None:
         return []
     balance = energy_balance(record)
-    given = -(balance.contacts or 0.0)
-    if not given > record.design.protocol.residual_limit * balance.exchanged:
+    energy = -(balance.contacts or 0.0)
+    if not energy > record.design.protocol.residual_limit * balance.exchanged:
         return []
-    share = f", {100 * given / balance.exchanged:.2g} % of the exchanged energy," if balance.exchanged else ""
+    share = f", {100 * energy / balance.exchanged:.2g} % of the exchanged energy," if balance.exchanged else ""
     return [
-        f"contacts supplied {show_value(given, 'J')}{share} although real contacts only dissipate energy: the timestep"
+        f"contacts supplied {show_value(energy, 'J')}{share} although real contacts only dissipate energy: the timestep"
         " does not resolve them, and the energy balance counts this energy as missing"
     ]
 
@@ -199,14 +198,14 @@ def missed_targets(record: Record) -> list[MissedTarget]:
         return []
     (lower, upper), hinges = hinge_bounds(record.structure, goal_of(record.structure, TARGET)), record.structure.hinges
     row = max(int(np.searchsorted(record.time, ends[-1].end, side="right")) - 1, 0)
-    found = []
+    result = []
     for hinge, angle, least, most in zip(hinges, record.series["hinge_angle"][row], lower, upper, strict=True):
         if not least <= angle <= most:
             target, within = (least + most) / 2, (most - least) / 2
-            found.append(
+            result.append(
                 MissedTarget(label=hinge.label or hinge.name, angle=float(angle), target=target, within=within)
             )
-    return sorted(found, key=lambda hinge: -abs(hinge.angle - hinge.target))
+    return sorted(result, key=lambda hinge: -abs(hinge.angle - hinge.target))
 
 
 def missed_text(missed: list[MissedTarget], creases: int) -> str:

@@ -32,14 +32,14 @@ def rest_distances(landscape: EnergyLandscape, record: Record) -> Mapping[str, f
     }
     count, net = len(landscape.structure.points), landscape.net.net
     known = {name: net_places(net, shape)[:count] for name, shape in shapes.items()}
-    found = {}
+    result = {}
     for end in record.stages:
         if end.stage.state in known:
             row = int(np.searchsorted(record.time, end.end, side="right")) - 1
-            found[end.stage.state] = float(
+            result[end.stage.state] = float(
                 np.abs(_distances(point_positions[row]) - _distances(known[end.stage.state])).max()
             )
-    return found
+    return result
 
 
 def _distances(point_positions: Array) -> Array:

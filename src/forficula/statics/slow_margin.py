@@ -42,7 +42,7 @@ def least_slow_torques(designs: Sequence[Design], names: Collection[str] | None 
     wanted = [
         transition.stage is not None and (names is None or transition.name in names) for transition in transitions
     ]
-    found = []
+    result = []
     for number, transition in enumerate(transitions):
         # the start of a transition depends on the transitions before it
         tried = transition.stage is not None and any(wanted[number:])
@@ -53,8 +53,8 @@ def least_slow_torques(designs: Sequence[Design], names: Collection[str] | None 
             start = state_after(structures, transition, slow.torque, slow.position).position
         elif any(wanted[number:]):
             start = state_beyond(structures, transition).position
-        found.append(least)
-    return tuple(found)
+        result.append(least)
+    return tuple(result)
 
 
 def _slow(structures: Ensemble, start: Array, transition: Transition) -> SlowTransition:

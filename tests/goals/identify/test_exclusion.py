@@ -64,17 +64,17 @@ def test_rarely_met_facts_give_no_verdict_on_exclusion():
 
 def test_facts_that_values_between_the_samples_may_meet_do_not_exclude_one_another():
     met, targets = halves(placed=[(0, 1)])
-    asked = []
+    requested = []
 
     def open_between(facts):
-        asked.append(facts)
+        requested.append(facts)
         return True
 
     seen = replace(evidence(met, targets=targets), open_between=open_between)
     assert conjunction((0, 1), seen).verdict is Together.OPEN
     # emulators are not evaluated if samples are decisive
     assert conjunction((1, 2), seen).verdict is Together.MET
-    assert asked == [(0, 1)]
+    assert requested == [(0, 1)]
 
 
 def test_facts_that_one_sample_nearly_meets_do_not_exclude_one_another():

@@ -30,8 +30,8 @@ def observed(facts, samples=64, directed=0, unknown=UNKNOWN, rows=assess):
         "sampling": {"samples": samples, "directed": directed},
         "fact": facts,
     }
-    asked = observations_of(tables)
-    return build_result(asked, identify_samples(asked, rows), 0)
+    requested = observations_of(tables)
+    return build_result(requested, identify_samples(requested, rows), 0)
 
 
 def planted(overbend, damping):
@@ -158,10 +158,10 @@ def test_a_fact_with_inconclusive_runs_is_met_only_if_every_outcome_meets_it():
     plain = count_fact("ten", equals=10, over={"tendon.rest_length": "0..9 cm step 1"}, rising=[], falling=[])
     plain["settings"] = {"protocol.fold_torque": "500 N cm"}
     assert observed([plain], samples=4).met.all()
-    told = observed([plain], samples=4, rows=silent)
-    assert (told.untold == 1).all()
-    assert not told.met.any()
-    assert (told.distance == 1).all()
+    output = observed([plain], samples=4, rows=silent)
+    assert (output.untold == 1).all()
+    assert not output.met.any()
+    assert (output.distance == 1).all()
     assert observed([{**plain, "tolerance": 1}], samples=4, rows=silent).met.all()
 
 
@@ -169,11 +169,11 @@ def silent_at(length):
     """Rows in which the runs with one resting length are inconclusive."""
 
     def rows(runs):
-        found = assess(runs)
-        for run, row in zip(runs, found, strict=True):
+        result = assess(runs)
+        for run, row in zip(runs, result, strict=True):
             if run.values["tendon.rest_length"] == length:
                 row["verdict"] = "untrusted"
-        return found
+        return result
 
     return rows
 
@@ -210,19 +210,19 @@ def test_a_number_with_an_inconclusive_run_is_decided_only_if_this_run_cannot_ma
 
 def test_a_least_value_is_bounded_by_inconclusive_values_and_the_first_success():
     def silent(runs):
-        found = assess(runs)
-        for run, row in zip(runs, found, strict=True):
+        computed = assess(runs)
+        for run, row in zip(runs, computed, strict=True):
             if run.values["protocol.fold_torque"] == "20 N cm":
                 row["verdict"] = "diverged"
-        return found
+        return computed
 
     least = {"key": "protocol.fold_torque", "values": "10..50 N cm step 10", "state": "folded"}
-    asked = {"name": "torque", "quantity": "least value", "least": least, "until": "fold"}
-    asked |= {"over": {"tendon.rest_length": "5 cm"}, "tolerance": "1 N cm"}
+    requested = {"name": "torque", "quantity": "least value", "least": least, "until": "fold"}
+    requested |= {"over": {"tendon.rest_length": "5 cm"}, "tolerance": "1 N cm"}
     unknown = {"hinge.overbend": ["3 deg", "8 deg"]}
 
     def told(**bound):
-        result = observed([{**asked, **bound}], samples=2, unknown=unknown, rows=silent)
+        result = observed([{**requested, **bound}], samples=2, unknown=unknown, rows=silent)
         return [result[name].sortby("hinge_overbend").values[:, 0].tolist() for name in ("met", "tells")]
 
     # 10 N cm suffice at 3 deg; at 8 deg 20 N cm may, and 30 N cm do
@@ -234,10 +234,10 @@ def test_a_least_value_is_bounded_by_inconclusive_values_and_the_first_success()
 
 def test_evidence_for_an_exclusion_is_reported_with_numbers(contradicted):
     many, few = (int(item) for item in (contradicted.met_alone[0, 1], contradicted.met_alone[1, 0]))
-    told = together_sentences(contradicted)
-    assert "Pairs that exclude one another, as far as samples show" in told[-2]
-    assert f"many | few: 0 of 64 samples meet both, those that meet one: {many} and {few} (" in told[-1]
-    assert "would meet both if independent); at most 4.6 % of the prior (95 %); none of" in told[-1]
+    output = together_sentences(contradicted)
+    assert "Pairs that exclude one another, as far as samples show" in output[-2]
+    assert f"many | few: 0 of 64 samples meet both, those that meet one: {many} and {few} (" in output[-1]
+    assert "would meet both if independent); at most 4.6 % of the prior (95 %); none of" in output[-1]
     assert int(contradicted.tried_together[0, 1]) == 32
 
 

@@ -27,12 +27,12 @@ def goal(vary=AREA, **search):
 
 def points(axes, batch, count, sign):
     """The first points of a search that minimises, or maximises, the first coordinate."""
-    search, found = ParabolaSearch(axes, 1, batch, 0), []
-    while len(found) < count:
-        asked = search.ask()
-        search.tell([Trial(point=item, objectives=(sign * item[0],)) for item in asked])
-        found += asked
-    return found[:count]
+    search, result = ParabolaSearch(axes, 1, batch, 0), []
+    while len(result) < count:
+        requested = search.ask()
+        search.tell([Trial(point=item, objectives=(sign * item[0],)) for item in requested])
+        result += requested
+    return result[:count]
 
 
 @pytest.mark.parametrize(("axes", "batch"), [(1, 4), (2, 16), (9, 16), (12, 32), (2, 64)])

@@ -99,10 +99,10 @@ def test_gain_of_a_halved_tolerance_equals_closed_form(found):
 
 
 def test_conclusions_name_the_tolerance_to_tighten_and_the_value_to_change(found):
-    told = " ".join(advice(found))
-    assert f"Tighten the tolerance of {KEYS[1]}, ± 10 %, first." in told
-    assert f"A smaller {KEYS[1]} than 5 cm would help" in told
-    assert "The remaining tolerances (3) together explain 0 % (0 to 0 %): they are uncritical." in told
+    output = " ".join(advice(found))
+    assert f"Tighten the tolerance of {KEYS[1]}, ± 10 %, first." in output
+    assert f"A smaller {KEYS[1]} than 5 cm would help" in output
+    assert "The remaining tolerances (3) together explain 0 % (0 to 0 %): they are uncritical." in output
 
 
 def test_map_shows_the_two_most_important_factors_and_their_failures(found):
@@ -153,9 +153,9 @@ def test_a_failing_nominal_design_has_a_probability_but_no_distance_to_failure(d
     assert failing.reaches == ()
     assert failing.nearest is None
     assert 0 < failing.probability.share < 0.5
-    told = advice(failing)
-    assert told[0].startswith("The nominal design does not work")
-    assert any(sentence.startswith(f"A smaller {KEYS[1]}") for sentence in told)
+    output = advice(failing)
+    assert output[0].startswith("The nominal design does not work")
+    assert any(sentence.startswith(f"A smaller {KEYS[1]}") for sentence in output)
 
 
 def test_constant_margins_need_no_tighter_tolerance(design, tmp_path):
@@ -168,30 +168,30 @@ def test_constant_margins_need_no_tighter_tolerance(design, tmp_path):
 def test_without_failures_importance_is_reported_and_no_tolerance_tightened(design, tmp_path):
     sound = assessed(design, tmp_path / "sound", SMALL, lambda offsets: line(offsets) + 0.2)
     assert sound.probability.fails == 0
-    told = " ".join(advice(sound))
-    assert "Tighten" not in told
+    output = " ".join(advice(sound))
+    assert "Tighten" not in output
     assert (
-        f"None of the {sound.probability.works} conclusive designs fails: no tolerance needs to be tightened." in told
+        f"None of the {sound.probability.works} conclusive designs fails: no tolerance needs to be tightened." in output
     )
-    assert f"What matters most is the tolerance of {KEYS[1]}, ± 10 %: it explains" in told
+    assert f"What matters most is the tolerance of {KEYS[1]}, ± 10 %: it explains" in output
     # the distance to failure is reported, too
-    assert f"If only one value deviates, the nearest failure is {KEYS[1]} at" in told
+    assert f"If only one value deviates, the nearest failure is {KEYS[1]} at" in output
     assert tighten_first(sound) is None
 
 
 def test_without_successes_no_tolerance_is_blamed(design, tmp_path):
     hopeless = assessed(design, tmp_path / "hopeless", SMALL, lambda offsets: line(offsets) - 0.6)
     assert hopeless.probability.works == 0
-    told = " ".join(advice(hopeless))
-    assert "Tighten" not in told
-    assert "None of the designs works: change the design before its tolerances." in told
+    output = " ".join(advice(hopeless))
+    assert "Tighten" not in output
+    assert "None of the designs works: change the design before its tolerances." in output
     assert tighten_first(hopeless) is None
 
 
 def test_nearly_equal_tolerances_are_reported_as_unresolved(design, tmp_path):
     close = assessed(design, tmp_path / "close", SMALL, lambda offsets: 0.2 - float(offsets @ [0, 0.16, 0, -0.15, 0]))
-    told = " ".join(advice(close))
-    assert "There are too few runs to resolve which tolerance explains most of the variance: in resamplings" in told
+    output = " ".join(advice(close))
+    assert "There are too few runs to resolve which tolerance explains most of the variance: in resamplings" in output
     assert close.indices.leads[0].sum() == pytest.approx(1)
 
 

@@ -57,11 +57,11 @@ def estimates(model, dimension, share, *, drawn):
 @pytest.mark.parametrize("drawn", [True, False], ids=["points of a tolerance", "independent points"])
 @pytest.mark.parametrize(("model", "dimension", "share"), MODELS)
 def test_interval_contains_the_known_probability_in_at_least_95_of_100_repetitions(model, dimension, share, drawn):
-    found = list(estimates(model, dimension, share, drawn=drawn))
-    held = np.mean([item.low <= share <= item.high for item in found])
+    result = list(estimates(model, dimension, share, drawn=drawn))
+    held = np.mean([item.low <= share <= item.high for item in result])
     # of 200 repetitions at 95 %, at least 0.90 in 999 of 1000 series
     assert held >= stats.binom.ppf(1e-3, REPETITIONS, 0.95) / REPETITIONS
-    assert np.mean([item.share for item in found]) == pytest.approx(
+    assert np.mean([item.share for item in result]) == pytest.approx(
         share, abs=4 * math.sqrt(share * (1 - share) / POINTS / REPETITIONS)
     )
 
@@ -87,8 +87,8 @@ def test_interval_contains_the_known_probability_for_every_pair_of_important_fac
 
 @pytest.mark.parametrize(("model", "dimension", "share"), MODELS[:3])
 def test_counts_over_the_points_scatter_less_than_the_interval_assumes(model, dimension, share):
-    found = [estimate.share for estimate in estimates(model, dimension, share, drawn=True)]
-    assert np.std(found) < 0.9 * math.sqrt(share * (1 - share) / POINTS)
+    result = [estimate.share for estimate in estimates(model, dimension, share, drawn=True)]
+    assert np.std(result) < 0.9 * math.sqrt(share * (1 - share) / POINTS)
 
 
 def test_inconclusive_runs_widen_the_interval_by_all_possible_outcomes():

@@ -113,9 +113,9 @@ def test_the_planted_law_is_chosen_among_all(law, history, form):
     fit = fit_law([measured(law, history, 3)], name="tpu", source="planted")
     assert fit.form == form
     assert (fit.law.name, fit.law.source, fit.law.largest_strain) == ("tpu", "planted", pytest.approx(1, abs=0.01))
-    planted, found = law_values(law), law_values(fit.law)
+    planted, result = law_values(law), law_values(fit.law)
     for key in form.keys:
-        assert found[key] == pytest.approx(planted[key], rel=0.1)
+        assert result[key] == pytest.approx(planted[key], rel=0.1)
     tried = {candidate.form for candidate in fit.candidates}
     assert len(tried) == len(fit.candidates)
     assert tried >= set(all_forms())

@@ -106,9 +106,9 @@ def test_a_drift_to_a_plateau_is_found():
 
 
 def test_no_drift_is_found_in_constant_cycles():
-    found = [fit_drift(*drifting(lambda n: 0.0 * n, noise=0.02, seed=seed)).kind for seed in range(40)]
+    result = [fit_drift(*drifting(lambda n: 0.0 * n, noise=0.02, seed=seed)).kind for seed in range(40)]
     # BIC takes a drift out of noise of 32 points in about 1 of 15
-    assert found.count("none") >= 30
+    assert result.count("none") >= 30
     drift = fit_drift([1, 2, 3], [3.0, 3.0, 3.0])
     assert (drift.kind, drift.change(50)) == ("none", (1, 1, 1))
 

@@ -42,9 +42,9 @@ def test_noise_of_the_travel_neither_splits_nor_joins_cycles(cycles, largest, no
     shaken_test = TensileTest(
         name="s", time=test.time, extension=test.extension + shaken, force=test.force, length=LENGTH, area=AREA
     )
-    found = find_cycles(shaken_test, drop_first=False)
-    assert [cycle.number for cycle in found] == list(range(1, cycles + 1))
-    for cycle in found:
+    result = find_cycles(shaken_test, drop_first=False)
+    assert [cycle.number for cycle in result] == list(range(1, cycles + 1))
+    for cycle in result:
         assert cycle.largest_strain == pytest.approx(largest, abs=2.4 * noise * largest + largest / samples)
 
 

@@ -92,7 +92,7 @@ def test_the_folder_has_all_of_it_and_draws_it_again(found, table, folder):
 
 def test_the_terminal_has_probability_indices_and_reaches(found, capsys):
     print_tolerance(found)
-    told = capsys.readouterr().out
+    output = capsys.readouterr().out
     for words in (
         "letter-fold: The design works in",
         "stays opened",
@@ -100,7 +100,7 @@ def test_the_terminal_has_probability_indices_and_reaches(found, capsys):
         "fails above",
         "tendon left rest length",
     ):
-        assert words in told
+        assert words in output
 
 
 def test_where_there_was_little_time_only_what_is_known_is_drawn(design, tmp_path):

@@ -62,8 +62,8 @@ def test_at_a_stop_faces_of_both_halves_lie_on_one_another_and_half_way_none_do(
             # side of the axis
             off = (corners.mean(axis=1) - layout.origin) @ (np.eye(3) - np.outer(axis, axis))
             halves.append([item / np.linalg.norm(item, axis=1)[:, None] for item in (normals, off)])
-        (one, here), (other, there) = (half for half in halves if len(half[0]))
-        return bool(((one @ other.T < -1 + 1e-9) & (here @ there.T > 1 - 1e-6)).any())
+        (one, current), (other, present) = (half for half in halves if len(half[0]))
+        return bool(((one @ other.T < -1 + 1e-9) & (current @ present.T > 1 - 1e-6)).any())
 
     assert meet(getattr(layout, which))
     assert not meet((layout.lower + layout.upper) / 2)

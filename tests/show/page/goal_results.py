@@ -66,9 +66,9 @@ class Tried:
 
 def tried_goal(folder, tables=TABLES):
     """The best designs of a goal, and the runs of some."""
-    found = optimise_goal(goal_of(tables), folder)
-    runs = candidates_to_keep(found, 4)
-    return Tried(asked=found, table=found.table, kept=list(kept_runs(runs, folder)))
+    result = optimise_goal(goal_of(tables), folder)
+    runs = candidates_to_keep(result, 4)
+    return Tried(asked=result, table=result.table, kept=list(kept_runs(runs, folder)))
 
 
 def tried_tolerance(folder, count=32):
@@ -136,15 +136,15 @@ def write_pages_of_goals(folder):
     paths = {kind: folder / kind / "report.html" for kind in GOAL_KINDS}
     for path in paths.values():
         path.parent.mkdir(parents=True)
-    found = PrintedResult(heading="a question: made up", tables=(), sentences=("made up for a test",))
+    result = PrintedResult(heading="a question: made up", tables=(), sentences=("made up for a test",))
     tried = tried_goal(paths["optimise"].parent)
-    write_goal_page(tried.asked, found, paths["optimise"], tried.kept, len(tried.kept))
+    write_goal_page(tried.asked, result, paths["optimise"], tried.kept, len(tried.kept))
     off = tried_tolerance(paths["tolerance"].parent)
     design, deviations = off.asked
     cells = made_up_cells(design, deviations)
-    write_tolerance_page(design, deviations, off.table, found, paths["tolerance"], off.kept, len(off.kept), CSV, cells)
+    write_tolerance_page(design, deviations, off.table, result, paths["tolerance"], off.kept, len(off.kept), CSV, cells)
     seen = Tried(asked=None, table=tried_identification(off.table), kept=[])
-    write_identify_page(seen.table, found, paths["identify"])
+    write_identify_page(seen.table, result, paths["identify"])
     return {kind: (item, paths[kind]) for kind, item in zip(GOAL_KINDS, (tried, off, seen), strict=True)}
 
 

@@ -40,8 +40,8 @@ def data(page):
 
 def cells(page, caption):
     """Return the texts of a table's rows, without notes."""
-    found = re.search(rf"<caption>{caption}.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
-    rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.DOTALL) for row in re.findall(r"<tr>(.*?)</tr>", found)]
+    result = re.search(rf"<caption>{caption}.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
+    rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.DOTALL) for row in re.findall(r"<tr>(.*?)</tr>", result)]
     return [[html.unescape(re.sub(r"<small>.*?</small>|<[^>]+>", "", cell)) for cell in row] for row in rows]
 
 
@@ -89,14 +89,14 @@ def test_runs_that_were_made_and_those_that_were_saved_are_counted(optimised, op
 
 
 def test_without_a_feasible_design_the_page_lists_the_largest_margins(optimised):
-    found = optimised.asked
-    table = found.table.copy()
+    result = optimised.asked
+    table = result.table.copy()
     for name in ("best", "front", "feasible"):
         table[name] = table[name].copy(data=np.zeros(table.sizes["candidate"], dtype=bool))
     from forficula.goals.optimise.trials import Relaxation
 
-    given = (Relaxation(limit=0, best=-0.2, alone=-0.3, unseen=float("nan"), trial=None),)
-    page = goal_page(replace(found, best=(), table=table, relaxations=given), NOTHING)
+    provided = (Relaxation(limit=0, best=-0.2, alone=-0.3, unseen=float("nan"), trial=None),)
+    page = goal_page(replace(result, best=(), table=table, relaxations=provided), NOTHING)
     assert "which comes nearest: none meets all" in page
     assert cells(page, "Largest margins")[0][2:] == ["−20 %", "−30 %"]
     assert data(page)["views"]["best_word"] == "nearest"

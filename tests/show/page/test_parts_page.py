@@ -124,9 +124,9 @@ def test_the_recorded_run_moves_bars_as_the_simulator_did(opened, parts, short_r
         for part in (part for part in parts.parts if part.body in moved):
             turn, way = rigid(corners(part, parts), drawn(opened, part.name))
             own = [number for number, point in enumerate(structure.points) if point.body == part.body]
-            there = short_run.series["point_position"][row, own]
+            present = short_run.series["point_position"][row, own]
             # angles are 4-byte floats, interpolated between kept rows
-            assert np.abs(built[own] @ turn.T + way - there).max() < 1e-5, (row, part.name)
+            assert np.abs(built[own] @ turn.T + way - present).max() < 1e-5, (row, part.name)
 
 
 def test_in_the_exploded_view_every_part_has_its_displacement(opened, parts):
@@ -168,8 +168,8 @@ def test_hidden_parts_are_not_drawn_and_pressing_a_part_describes_it(opened, par
     opened.settle()
     assert page.evaluate(seen) == len(parts.parts) - 3
     page.get_by_role("button", name="distal1").click()
-    told = page.locator(".chosen").inner_text()
-    assert re.fullmatch(r"distal1: distal bar of petg, [\d.]+ g, [\d.]+ × [\d.]+ × [\d.]+ mm", told)
+    output = page.locator(".chosen").inner_text()
+    assert re.fullmatch(r"distal1: distal bar of petg, [\d.]+ g, [\d.]+ × [\d.]+ × [\d.]+ mm", output)
     page.get_by_label("root, 3").uncheck()
     page.locator("canvas").scroll_into_view_if_needed()
     # position of the hub's centre in the window

@@ -108,12 +108,12 @@ def test_the_page_of_plates_works_in_a_browser(plates_runs, watch, tmp_path):
 
 def test_the_page_has_dimensionless_groups_and_what_dominates(plates_runs):
     record, _ = plates_runs["whole"]
-    told = re.sub(r"<[^>]*>", " ", groups_table(record))
+    output = re.sub(r"<[^>]*>", " ", groups_table(record))
     groups = groups_of(record.structure, record.design.protocol.timestep)
     # quotes are escaped
-    assert dominance(groups).replace("'", "&#x27;") in told
+    assert dominance(groups).replace("'", "&#x27;") in output
     for group in groups.every:
-        assert re.search(rf"\b{group.name}\s+{re.escape(f'{group.value:.3g}')}\s", told), group.name
+        assert re.search(rf"\b{group.name}\s+{re.escape(f'{group.value:.3g}')}\s", output), group.name
 
 
 def test_a_page_without_groups_has_no_section_about_them(plates_runs):

@@ -30,11 +30,11 @@ def shown():
 
 
 def test_terminal_output_is_on_the_page(shown):
-    found = printed_result(shown)
-    assert found.heading == "wing: it folds"
-    assert [re.search("<caption>(.*?)</caption>", table)[1] for table in found.tables] == ["Sums", "Titled"]
-    assert "<td>10 N/cm</td>" in found.tables[0]
-    assert found.sentences == ("hinge.damping is large", f"mind this {HOSTILE}")
+    result = printed_result(shown)
+    assert result.heading == "wing: it folds"
+    assert [re.search("<caption>(.*?)</caption>", table)[1] for table in result.tables] == ["Sums", "Titled"]
+    assert "<td>10 N/cm</td>" in result.tables[0]
+    assert result.sentences == ("hinge.damping is large", f"mind this {HOSTILE}")
 
 
 def test_text_stays_text_and_the_figure_has_a_text_and_a_form_for_phones(shown, tmp_path):

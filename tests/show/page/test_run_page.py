@@ -274,13 +274,13 @@ def test_the_sheet_takes_the_colours_of_its_strains_with_their_scale_and_its_own
     seek(opened, end.start)
     strained, own = (opened.page.get_by_role("button", name=name) for name in ("membrane strain", "panels"))
     strained.click()
-    found = opened.page.evaluate(
+    result = opened.page.evaluate(
         "(() => { const { strains, vertices } = forficula.player.stage.views[0].shape;"
         " return [...strains.at(vertices)]; })()"
     )
     # equal to the strains by face in the figure
     expected = face_strains(shape, surface_at(short_run, shape, end.start))
-    assert max(found) == pytest.approx(expected.max(), rel=1e-2)
+    assert max(result) == pytest.approx(expected.max(), rel=1e-2)
     scale = opened.page.locator(".legend .energy:visible").last.inner_text()
     assert re.fullmatch(r"Green strain of the membrane: 0\s*[\d.]+ %", scale)
     assert opened.page.locator(".legend .of-region:visible").count() == 0

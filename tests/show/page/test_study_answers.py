@@ -34,8 +34,8 @@ def test_a_cell_without_a_run_is_simulated_on_request_with_the_study_s_outcome(a
         page.evaluate("(point) => { forficula.open(point); }", point)
         until(page, f"(window.forficula.panel.answers.panel !== null) && {SAID}.includes(': {status}')", SECONDS)
         least = table["least_fold_torque"].values.ravel()[point]
-        told = f"least fold torque {100 * least:g} N cm"
-        assert (told in page.evaluate(SAID)) == bool(np.isfinite(least))
+        output = f"least fold torque {100 * least:g} N cm"
+        assert (output in page.evaluate(SAID)) == bool(np.isfinite(least))
     # the live structure has the point's values
     shown = page.locator(".slider", has_text="Tendon rest length").locator("output").inner_text()
     assert shown == "4 cm"

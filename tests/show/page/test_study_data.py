@@ -48,9 +48,9 @@ def test_numbers_are_those_of_the_table_in_the_unit_beside_them(study):
         if name == "status" or ":" in name:
             continue
         expected = FACTORS[quantity["unit"]] * table[name].values.ravel()
-        given = np.array([math.nan if value is None else value for value in quantity["values"]])
-        assert np.allclose(given, expected, rtol=1e-6, equal_nan=True)
-        assert np.nanmax(np.abs(given), initial=0.1) < 1000
+        provided = np.array([math.nan if value is None else value for value in quantity["values"]])
+        assert np.allclose(provided, expected, rtol=1e-6, equal_nan=True)
+        assert np.nanmax(np.abs(provided), initial=0.1) < 1000
 
 
 def test_quantities_say_of_which_transition_they_are(study):
@@ -59,11 +59,11 @@ def test_quantities_say_of_which_transition_they_are(study):
     table.attrs |= {"start_state": "flat", "transitions": transitions_text(structure_of(study.base), study.search)}
     for state in ("flat", "folded", "opened"):
         table[f"{state}_energy"] = table["fold_work"]
-    told = {name: quantity["transition"] for name, quantity in quantities(study_data(study, table)).items()}
-    assert (told["status"], told["flat_energy"]) == (None, None)
-    assert [told[name] for name in ("least_fold_torque", "fold_work", "folded_energy")] == [0, 0, 0]
-    assert [told[name] for name in ("least_unfold_torque", "unfold_work", "opened_energy")] == [1, 1, 1]
-    assert {number for name, number in told.items() if name.startswith("fold_time_by")} == {0}
+    output = {name: quantity["transition"] for name, quantity in quantities(study_data(study, table)).items()}
+    assert (output["status"], output["flat_energy"]) == (None, None)
+    assert [output[name] for name in ("least_fold_torque", "fold_work", "folded_energy")] == [0, 0, 0]
+    assert [output[name] for name in ("least_unfold_torque", "unfold_work", "opened_energy")] == [1, 1, 1]
+    assert {number for name, number in output.items() if name.startswith("fold_time_by")} == {0}
 
 
 def test_fold_times_have_a_map_for_every_torque_that_was_tried(study):
@@ -75,8 +75,8 @@ def test_fold_times_have_a_map_for_every_torque_that_was_tried(study):
     assert len({time["unit"] for time in times}) == 1
     for index, time in enumerate(times):
         expected = FACTORS[time["unit"]] * table["fold_time_by_torque"].values[..., index].ravel()
-        given = [math.nan if value is None else value for value in time["values"]]
-        assert np.allclose(given, expected, rtol=1e-6, equal_nan=True)
+        provided = [math.nan if value is None else value for value in time["values"]]
+        assert np.allclose(provided, expected, rtol=1e-6, equal_nan=True)
 
 
 def test_reasons_for_missing_values_are_those_of_the_figures(study):

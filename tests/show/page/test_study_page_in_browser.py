@@ -135,8 +135,8 @@ def test_a_click_on_a_cell_shows_that_run_and_its_numbers(opened, small):
         cell(page, point).click()
         assert page.locator("#point h2").inner_text() == f"Point {point + 1}"
         stiffness, length = float(row["tendon_stiffness_N_per_m"]) / 100, float(row["tendon_rest_length_m"]) * 100
-        told = page.locator("#point .outcome").inner_text()
-        assert told == f"Tendon stiffness {stiffness:g} N/cm, tendon rest length {length:g} cm: {row['status']}."
+        output = page.locator("#point .outcome").inner_text()
+        assert output == f"Tendon stiffness {stiffness:g} N/cm, tendon rest length {length:g} cm: {row['status']}."
         numbers = page.locator("#point tr", has_text="work of folding").locator("td").inner_text()
         if row["fold_work_J"]:
             assert float(numbers.removesuffix(" J")) == pytest.approx(float(row["fold_work_J"]), rel=5e-3)

@@ -71,9 +71,9 @@ def test_the_acting_torque_is_drawn_with_the_least_slow_torque(weak, drawings):
 
 def test_without_a_sufficient_torque_the_legend_says_so(weak):
     figure = draw_angles(weak, measure(weak), 3.5, lambda: np.nan)
-    told = [text.get_text() for axes in figure.axes if (key := axes.get_legend()) for text in key.get_texts()]
-    assert "no slow torque up to 10 N cm suffices" in told
-    assert "least slow torque" not in told
+    output = [text.get_text() for axes in figure.axes if (key := axes.get_legend()) for text in key.get_texts()]
+    assert "no slow torque up to 10 N cm suffices" in output
+    assert "least slow torque" not in output
 
 
 def test_the_figure_has_the_verdict_and_the_advice(weak, drawings):

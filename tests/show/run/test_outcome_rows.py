@@ -60,9 +60,9 @@ def test_the_page_has_the_uncertainty_of_the_energy_of_the_membrane_too(uncertai
 
 def test_large_energies_of_slack_branches_are_explained(reference_outcome):
     balance = replace(reference_outcome.energy_balance, branches=0.1, branch_damping=13.2, letting_go=-12.9)
-    told = balance_remark(balance)
-    assert "Of the 13.2 J dissipated by branches, 12.9 J belong to slack branches; no work was done for them" in told
-    assert told.endswith("The sum is 0.3 J.")
+    output = balance_remark(balance)
+    assert "Of the 13.2 J dissipated by branches, 12.9 J belong to slack branches; no work was done for them" in output
+    assert output.endswith("The sum is 0.3 J.")
 
 
 def test_small_energies_of_slack_branches_are_not_explained(reference_outcome):

@@ -382,12 +382,12 @@ def test_one_factor_is_drawn_as_a_line_with_the_failures_along_the_bottom():
 def test_samples_lie_where_their_factors_say():
     table = sampled(many_ends())
     axes = panels(draw_torque_maps(table))["least fold torque"]
-    found = table.where(table.least_fold_torque > 0, drop=True)
-    places = np.column_stack([100 * found.tendon_stiffness / 1e4, 100 * found.tendon_rest_length])
+    result = table.where(table.least_fold_torque > 0, drop=True)
+    places = np.column_stack([100 * result.tendon_stiffness / 1e4, 100 * result.tendon_rest_length])
     drawn = axes.collections[0]
     # the first factor is vertical
     np.testing.assert_allclose(np.asarray(drawn.get_offsets())[:, ::-1], places)
-    np.testing.assert_allclose(drawn.get_array(), 100 * found.least_fold_torque)
+    np.testing.assert_allclose(drawn.get_array(), 100 * result.least_fold_torque)
     assert sum(len(line.get_xdata()) for line in axes.lines) == 7
 
 

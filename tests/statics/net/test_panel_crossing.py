@@ -35,13 +35,13 @@ def test_triangles_apart_or_that_share_a_corner_do_not_pass():
 def test_a_crease_beyond_half_a_turn_passes():
     net, _ = sheet([[0, 0, 0], [1, 0, 0], [0.5, 1, 0], [0.5, -1, 0]], [(0, 1, 2), (1, 0, 3)])
     triangles = np.array([[0, 1, 2], [1, 0, 3]])
-    there = net.nodes.copy()
-    there[3] = [0.5, np.cos(0.1), np.sin(0.1)]
-    assert not panels_cross(net, shape_at(net, there, np.array([np.pi - 0.1])), triangles)
+    present = net.nodes.copy()
+    present[3] = [0.5, np.cos(0.1), np.sin(0.1)]
+    assert not panels_cross(net, shape_at(net, present, np.array([np.pi - 0.1])), triangles)
     # on the other side of the panel: folded around it, or passed through it
-    there[3, 2] *= -1
-    assert not panels_cross(net, shape_at(net, there, np.array([0.1 - np.pi])), triangles)
-    assert panels_cross(net, shape_at(net, there, np.array([np.pi + 0.1])), triangles)
+    present[3, 2] *= -1
+    assert not panels_cross(net, shape_at(net, present, np.array([0.1 - np.pi])), triangles)
+    assert panels_cross(net, shape_at(net, present, np.array([np.pi + 0.1])), triangles)
 
 
 def test_two_plates_that_fold_onto_one_another_up_to_their_stop_do_not_pass():

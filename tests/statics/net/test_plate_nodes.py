@@ -63,16 +63,16 @@ def test_joints_hold_and_plates_stay_rigid_where_they_fold():
     net = net_of(MIURA)
     rest = minimum(net, start_shape(MIURA, net))
     assert rest.stable
-    there, built = point_positions(net, rest.shape), built_points(MIURA)
+    present, built = point_positions(net, rest.shape), built_points(MIURA)
     assert np.abs(own_angles(MIURA, rest.shape) - own_angles(MIURA, start_shape(MIURA, net))).max() > 0.1
     for plate in MIURA.plates:
         for one in plate.points:
             for other in plate.points:
                 length = np.linalg.norm(built[one] - built[other])
-                assert np.linalg.norm(there[one] - there[other]) == pytest.approx(length, abs=1e-5 * 0.02)
+                assert np.linalg.norm(present[one] - present[other]) == pytest.approx(length, abs=1e-5 * 0.02)
     for closure in MIURA.closures:
         for one, other in closure.points:
-            assert np.linalg.norm(there[one] - there[other]) < 1e-4 * 0.02
+            assert np.linalg.norm(present[one] - present[other]) < 1e-4 * 0.02
 
 
 def test_a_free_plate_has_zero_frequencies_for_rigid_body_motions():

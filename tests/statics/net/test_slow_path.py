@@ -49,8 +49,8 @@ def test_a_force_that_falls_again_snaps_back_at_the_other_limit():
     net = von_mises()
     largest = force(np.linspace(0, RISE, 20001)).max()
     load = point_forces(net, np.array([2]), np.array([[0.0, 0.0, -1.0]]))
-    there = slow_path(net, built_shape(net), load, end=2 * largest)
-    back = slow_path(net, there.points[-1].shape, load, begin=2 * largest, end=-2 * largest)
+    present = slow_path(net, built_shape(net), load, end=2 * largest)
+    back = slow_path(net, present.points[-1].shape, load, begin=2 * largest, end=-2 * largest)
     assert [snap.factor for snap in back.snaps] == pytest.approx([-largest], rel=1e-4)
 
 

@@ -91,7 +91,7 @@ def knobs_of(model: Model) -> tuple[Knob, ...]:
 @lru_cache(maxsize=8)  # pages of a study, and of repeated runs, have the same design
 def _knobs(design: Design) -> tuple[Knob, ...]:
     model = compile_model(design)
-    found: list[Knob] = []
+    result: list[Knob] = []
     taken: set[tuple[str, int]] = set()
     for key in _keys(model):
         knob = _knob(model, key)
@@ -101,8 +101,8 @@ def _knobs(design: Design) -> tuple[Knob, ...]:
         # numbers that two values change would depend on both
         if not entries & taken:
             taken |= entries
-            found.append(knob)
-    return tuple(found)
+            result.append(knob)
+    return tuple(result)
 
 
 def _keys(model: Model) -> list[str]:

@@ -182,8 +182,8 @@ def _largest(matrix: csr_array) -> float:
     if matrix.shape[0] <= _FEW or not matrix.nnz:
         return float(np.linalg.eigvalsh(matrix.toarray()).max()) if matrix.nnz else 0.0
     start = np.random.default_rng(0).normal(size=matrix.shape[0])
-    found = eigsh(matrix, k=1, which="LM", return_eigenvectors=False, v0=start, tol=_CLOSE)
-    return float(found[0]) * (1 + _CLOSE)
+    result = eigsh(matrix, k=1, which="LM", return_eigenvectors=False, v0=start, tol=_CLOSE)
+    return float(result[0]) * (1 + _CLOSE)
 
 
 def _lines(structure: Structure) -> _Elements:

@@ -82,10 +82,10 @@ def begins_as_assigned(pattern: CreasePattern) -> bool:
     lower = np.where(signs > 0, 1.0, -np.inf)
     upper = np.where(signs < 0, -1.0, np.inf)
     equations = _sparse(rows, len(signs))
-    found = scipy.optimize.linprog(
+    result = scipy.optimize.linprog(
         np.zeros(len(signs)), A_eq=equations, b_eq=np.zeros(len(rows)), bounds=np.stack([lower, upper], 1)
     )
-    return bool(found.status == 0)
+    return bool(result.status == 0)
 
 
 def folded_as_assigned(pattern: CreasePattern) -> Array | None:

@@ -402,10 +402,10 @@ def _neighbours(faces: Sequence[Sequence[int]]) -> dict[int, list[tuple[int, boo
     for number, face in enumerate(faces):
         for side in face_sides(face):
             at[frozenset(side)].append((number, side))
-    found = defaultdict[int, list[tuple[int, bool]]](list)
+    result = defaultdict[int, list[tuple[int, bool]]](list)
     for pair in at.values():
         if len(pair) == 2:
             (one, side), (other, opposite) = pair
-            found[one].append((other, side != opposite))
-            found[other].append((one, side != opposite))
-    return found
+            result[one].append((other, side != opposite))
+            result[other].append((one, side != opposite))
+    return result

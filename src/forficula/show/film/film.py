@@ -120,8 +120,8 @@ def _pictures(
 
 def _ffmpeg() -> str:
     """Return the path of ffmpeg: the system's, or that of imageio-ffmpeg."""
-    if found := shutil.which("ffmpeg"):
-        return found
+    if result := shutil.which("ffmpeg"):
+        return result
     try:
         import imageio_ffmpeg
     except ImportError:

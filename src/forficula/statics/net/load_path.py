@@ -147,7 +147,7 @@ def load_path(
     if direction is not None:
         current = replace(current, direction=direction / np.linalg.norm(direction), pace=0.0)
     length = (net.size / 50 if step is None else step) / np.abs(current.direction).max()
-    longest, points, found = length, [current.point], list[PathEvent]()
+    longest, points, result = length, [current.point], list[PathEvent]()
     ended: Literal["target", "count", "stop", "stuck"] = "count"
     while len(points) <= increments:
         following = _increment(net, load, current, length)
@@ -168,14 +168,14 @@ def load_path(
         if target is not None and passed:
             following = _point_at_factor(net, load, current, following, length, target)
             new = [event for event in new if (event.point.factor - target) * (current.point.factor - target) > 0]
-        found += new
+        result += new
         points.append(following.point)
-        if passed or (stop is not None and stop(following.point)) or (events is not None and len(found) >= events):
+        if passed or (stop is not None and stop(following.point)) or (events is not None and len(result) >= events):
             ended = "target" if passed else "stop"
             break
         current = following
         length = min(2 * length, longest) if following.point.corrections <= _QUICK else length
-    return LoadPath(load=load, points=tuple(points), events=tuple(found), ended=ended, pins=pins)
+    return LoadPath(load=load, points=tuple(points), events=tuple(result), ended=ended, pins=pins)
 
 
 def _bent(current: _PathPoint, following: _PathPoint, length: float) -> bool:

@@ -144,12 +144,12 @@ def _rests(
         for transition in structure.transitions
         if transition.name in by_name
     ]
-    found = []
+    result = []
     for name, rest in places:
         state = state_of(structure, name)
         within = state is None or short_of(structure, net, goal_of(structure, state.goal), rest.shape) <= 0
-        found.append((name if within or state is None else state.missed, rest, within))
-    return tuple(found)
+        result.append((name if within or state is None else state.missed, rest, within))
+    return tuple(result)
 
 
 def _landscape_rests(structure: Structure, net: Net, found: Sequence[tuple[str, NetRest, bool]]) -> tuple[Rest, ...]:
@@ -181,13 +181,13 @@ def _states(
 ) -> list[NetState]:
     """Return the listed states: those of the protocol, and the lowest others in which no panels cross."""
     triangles, states, others = panels(structure), list[NetState](), 0
-    for rest, found in zip(search.states, search.counts, strict=True):
+    for rest, result in zip(search.states, search.counts, strict=True):
         name = _name(net, rest, rests)
         others += not name
         if name or (others <= _SHOWN and not panels_cross(net, rest.shape, triangles)):
             label = name or f"state {len(states) + 1}"
             progress(f"loads that it withstands: {name}" if name else label)
-            states.append(net_state(structure, net, rest, label, found, loads=bool(name)))
+            states.append(net_state(structure, net, rest, label, result, loads=bool(name)))
     return states
 
 
@@ -208,7 +208,7 @@ def _passes(net: Net, states: Sequence[NetState]) -> tuple[Pass, ...]:
         return ()
     apart = np.array([[_shape_difference(one.rest.shape, other.rest.shape) for other in states] for one in states])
     tree = minimum_spanning_tree(np.triu(apart, 1)).tocoo()
-    found = dict[tuple[int, int], Pass]()
+    result = dict[tuple[int, int], Pass]()
     for start, end in sorted(zip(tree.row.tolist(), tree.col.tolist(), strict=True)):
         saddle = find_saddle(net, states[start].rest, states[end].rest, increments=_INCREMENTS, tries=_PATHS)
         if saddle is None:
@@ -217,8 +217,8 @@ def _passes(net: Net, states: Sequence[NetState]) -> tuple[Pass, ...]:
         if one is not None and other is not None and one != other:
             barriers = saddle.barriers if one < other else saddle.barriers[::-1]
             ends = min(one, other), max(one, other)
-            found[ends] = Pass(ends=ends, barriers=barriers, energy=saddle.rest.energy, shape=saddle.rest.shape)
-    return tuple(found[ends] for ends in sorted(found))
+            result[ends] = Pass(ends=ends, barriers=barriers, energy=saddle.rest.energy, shape=saddle.rest.shape)
+    return tuple(result[ends] for ends in sorted(result))
 
 
 def _state_number(net: Net, states: Sequence[NetState], rest: NetRest) -> int | None:

@@ -170,8 +170,8 @@ def mobility(structure: Structure, net: Net, shape: NetShape) -> Mobility | None
     """Count mechanisms and states of self-stress with flat panels; None for a net that is too large, or of plates."""
     if np.count_nonzero(net.free) > _LARGEST or structure.plates:
         return None
-    found = rigidity(_unstretched(net), shape, bends(structure))
-    return Mobility(degrees_of_freedom=found.degrees_of_freedom, self_stresses=found.self_stresses)
+    result = rigidity(_unstretched(net), shape, bends(structure))
+    return Mobility(degrees_of_freedom=result.degrees_of_freedom, self_stresses=result.self_stresses)
 
 
 def _unstretched(net: Net) -> Net:
@@ -188,12 +188,12 @@ def _unstretched(net: Net) -> Net:
 
 def _tried_loads(structure: Structure, net: Net, rest: NetRest) -> list[Withstood]:
     """Return every load that is tried, without those that would move the net as a rigid body."""
-    found = []
+    result = []
     for words, unit, load in _loads(structure, net, rest.shape):
         lost = _loss_under(net, rest, load)
         if lost is not None:
-            found.append(Withstood(load=words, unit=unit, value=float(lost.factor), kind=lost.kind))
-    return found
+            result.append(Withstood(load=words, unit=unit, value=float(lost.factor), kind=lost.kind))
+    return result
 
 
 def _loss_under(net: Net, rest: NetRest, load: Load) -> Collapse | None:

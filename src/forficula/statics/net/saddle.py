@@ -84,10 +84,10 @@ def find_saddle(
         path = load_path(net, start.shape, towards, step=step, increments=increments, target=0.0)
         if path.ended != "target":
             continue
-        found = _saddle_at(net, path, first, second)
-        if found is not None and found.joins:
-            return found
-        other = other or found
+        result = _saddle_at(net, path, first, second)
+        if result is not None and result.joins:
+            return result
+        other = other or result
     return other
 
 

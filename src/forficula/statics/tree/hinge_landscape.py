@@ -180,10 +180,10 @@ def hinge_landscape(
     """
     angle = special_angles(hinge, points)
     path = _Path(hinge=hinge, spring=spring)
-    found = _places(path)
-    stable = [place for place in found if place.stable]
-    top = _first_maximum(found)
-    climbed = top is not None and top is not found[0]
+    result = _places(path)
+    stable = [place for place in result if place.stable]
+    top = _first_maximum(result)
+    climbed = top is not None and top is not result[0]
     slack = slack_angle(hinge)
     return HingeLandscape(
         hinge=hinge,
@@ -192,8 +192,8 @@ def hinge_landscape(
         moment=hinge.moment(angle),
         barrier=top.energy - stable[0].energy if top is not None and climbed else None,
         barrier_angle=0.0 - top.coordinate if top is not None and climbed else None,
-        holding_torque=_holding_torque(hinge, found[0]),
-        peak_opening=_peak(path, top, found),
+        holding_torque=_holding_torque(hinge, result[0]),
+        peak_opening=_peak(path, top, result),
         slack_angle=slack,
         states=tuple(_hinge_state(hinge, place) for place in stable),
         time_scale=None if spring is not None else time_scale(hinge),
@@ -329,7 +329,7 @@ def crossed_hinges(structure: Structure, points: int = 181) -> tuple[CrossedHing
     def survey(hinge: TendonHinge, spring: HingeSpring | None) -> HingeLandscape:
         return hinge_landscape(hinge, points, overbend=structure.appearance.overbend, spring=spring)
 
-    found = []
+    result = []
     for number, tendon in enumerate(structure.tendons):
         if tendon.crossing is None:
             continue
@@ -338,8 +338,8 @@ def crossed_hinges(structure: Structure, points: int = 181) -> tuple[CrossedHing
         if crossed.stiffness:
             spring = HingeSpring(stiffness=crossed.stiffness, rest_angle=own.sense * crossed.rest_angle)
         ideal = None if tendon.ideal is None else survey(tendon_hinge(structure, tendon, tendon.ideal), spring)
-        found.append(CrossedHinge(tendon=number, hinge=tendon.crossing.hinge, own=survey(own, spring), ideal=ideal))
-    return tuple(found)
+        result.append(CrossedHinge(tendon=number, hinge=tendon.crossing.hinge, own=survey(own, spring), ideal=ideal))
+    return tuple(result)
 
 
 def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: str = "overbend") -> tuple[str, ...]:

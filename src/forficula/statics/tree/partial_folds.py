@@ -209,19 +209,19 @@ def partial_folds(structures: Ensemble, flat: Array) -> tuple[PartialFold, ...]:
     for row, folded in enumerate(combinations):
         start[row, folding] = np.where(np.isin(np.arange(len(folding)), folded), places.folded, places.opened)
     aimed = rest(many, start, fixed=folding.tolist()).position
-    found = rest(many, aimed)
-    sheet, _, _ = sheet_energy(many.sheet, found.position)
+    result = rest(many, aimed)
+    sheet, _, _ = sheet_energy(many.sheet, result.position)
     soft, states, independent = soft_stiffness(structures), [], _independent(structures.structure, folding.tolist())
     for row, folded in enumerate(combinations):
-        angles = found.position[row, folding]
+        angles = result.position[row, folding]
         stays = tuple(np.flatnonzero(places.senses * (angles - places.top) < 0).tolist())
         states.append(
             PartialFold(
                 folded=folded,
-                stable=bool(found.rests[row] and found.stiffness[row] > -soft) and stays == folded,
+                stable=bool(result.rests[row] and result.stiffness[row] > -soft) and stays == folded,
                 stays_folded=stays,
                 angles=angles,
-                tendon_energy=float(found.energy[row] - sheet[row]),
+                tendon_energy=float(result.energy[row] - sheet[row]),
                 sheet_energy=float(sheet[row]),
                 independent_energy=None
                 if independent is None

@@ -270,9 +270,9 @@ def rest(
         if follow is not None:
             follow(cases, ties.angles(coordinates))
 
-    found = descend(tied_energy, ties.start(start), *ties.bounds(lower, upper), follow=follow_tied, **steps)
-    position = ties.angles(found.position)
-    return replace(found, position=position, slope=energy(position, np.arange(count))[1])
+    result = descend(tied_energy, ties.start(start), *ties.bounds(lower, upper), follow=follow_tied, **steps)
+    position = ties.angles(result.position)
+    return replace(result, position=position, slope=energy(position, np.arange(count))[1])
 
 
 def torque_scale(structures: Ensemble) -> float:
