@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from forficula.analysis import Outcome, Verdict, measure
-from forficula.analysis.margin import chained, transition_margins
+from forficula.analysis.margin import combined_margin, transition_margins
 from forficula.design import Design, load_design, with_values
 from forficula.errors import InputError
 from forficula.study.running.runs import run_each
@@ -96,9 +96,9 @@ def try_advice(designs: Sequence[Design], threads: int = 1) -> list[Trial]:
 
 
 def _helped(before: Outcome, margin: float, after: Outcome, new_margin: float) -> bool:
-    if not after.verdict.tells:
+    if not after.verdict.conclusive:
         return False
-    return _good(after) or new_margin > margin or not before.verdict.tells
+    return _good(after) or new_margin > margin or not before.verdict.conclusive
 
 
 def _good(outcome: Outcome) -> bool:
@@ -111,7 +111,7 @@ def _run(designs: Sequence[Design], threads: int) -> list[tuple[Outcome, float] 
     for number, record in run_each(designs, threads, sparse=True):
         if not isinstance(record, InputError):
             outcome = measure(record)
-            results[number] = outcome, chained(list(transition_margins(record, outcome).values()))
+            results[number] = outcome, combined_margin(list(transition_margins(record, outcome).values()))
     return results
 
 

@@ -18,8 +18,8 @@ from forficula.analysis.confirmation import same_ending
 from forficula.analysis.margin import transition_margins
 from forficula.design import Design
 from forficula.errors import InputError
-from forficula.goals.deviation import default_deviations, off_values
-from forficula.goals.share_interval import share_interval
+from forficula.goals.binomial_interval import binomial_interval
+from forficula.goals.deviation import default_deviations, deviating_values
 from forficula.study.running.evaluate import needs_confirmation
 from forficula.study.running.runs import check_of, half_step, run, run_each
 
@@ -30,7 +30,7 @@ def builds(name: str, count: int, seed: int) -> list[Design]:
     deviations, designs = default_deviations(base), []
     while len(designs) < count:
         try:
-            designs.append(base.with_values(off_values(base, deviations, 2 * rng.random(len(deviations)) - 1)))
+            designs.append(base.with_values(deviating_values(base, deviations, 2 * rng.random(len(deviations)) - 1)))
         except InputError:  # what does not fit together
             continue
     return designs
@@ -42,7 +42,7 @@ def calibrate(name: str, count: int, seed: int) -> None:
     rows = dict(run_each(designs, sparse=True))
     reliable = {}
     for number, record in rows.items():
-        if not isinstance(record, InputError) and (outcome := measure(record)).verdict.tells:
+        if not isinstance(record, InputError) and (outcome := measure(record)).verdict.conclusive:
             margins = transition_margins(record, outcome)
             reliable[number] = (outcome, needs_confirmation(record, outcome, margins))
     kinds = {"half the timestep": [half_step(designs[number]) for number in reliable]}
@@ -60,7 +60,7 @@ def calibrate(name: str, count: int, seed: int) -> None:
             if not same_ending(outcome.ending, other):
                 flips, caught = flips + 1, caught + chosen
                 words.append(f"{outcome.verdict.value} > {other.verdict}")
-        low, high = share_interval(caught, flips) if flips else (0.0, 1.0)
+        low, high = binomial_interval(caught, flips) if flips else (0.0, 1.0)
         share = f"{caught} of {flips} flips found (95 % interval {100 * low:.0f} to {100 * high:.0f} %)"
         print(f"  {kind}: {share}: {', '.join(f'{words.count(change)} {change}' for change in sorted(set(words)))}")
 

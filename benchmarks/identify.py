@@ -134,7 +134,7 @@ def stand_in_samples(form: Form, facts: Sequence[dict[str, Any]], observations: 
             assert isinstance(fact.bound, float)
             miss = value - fact.bound
             met = abs(miss) <= fact.tolerance
-            findings.append(Finding(value=value, miss=miss, distance=abs(miss), met=met, tells=True, untold=0))
+            findings.append(Finding(value=value, miss=miss, distance=abs(miss), met=met, conclusive=True, untold=0))
         point = values_at(observations.priors, shares)
         samples.append(Sample(number=number, shares=shares, values=point, findings=tuple(findings)))
     return samples

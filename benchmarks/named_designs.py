@@ -1,7 +1,7 @@
 """Run every named design and print verdict, times with their numerical uncertainty, and confirmation as a table.
 
 `python benchmarks/named_designs.py` takes minutes; names after it run these designs alone. The table of
-docs/model/trust.md is its output. Versions without confirmation print the first three columns.
+docs/model/reliability.md is its output. Versions without confirmation print the first three columns.
 """
 
 from __future__ import annotations

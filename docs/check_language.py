@@ -103,14 +103,14 @@ def faults(path: str, source: str) -> Iterator[tuple[int, str, str]]:
     else:
         texts = [(1, prose(source) if path.endswith(".md") else source)]
     for start, text in texts:
-        for found in _WORDS.finditer(text):
-            advice = next(to for word, to in WORDS.items() if re.fullmatch(word.replace(" ", _SPACE), found[0], re.I))
-            yield start + text.count("\n", 0, found.start()), found[0], advice
-        for found in _OUTSIDE.finditer(text):
-            yield start + text.count("\n", 0, found.start()), found[0], "a file of this repository"
-        for found in _MARKDOWN_FILE.finditer(text) if python and not path.startswith("docs/") else ():
-            if not (ROOT / found[0]).exists():
-                yield start + text.count("\n", 0, found.start()), found[0], "a file of this repository, with its path"
+        for result in _WORDS.finditer(text):
+            advice = next(to for word, to in WORDS.items() if re.fullmatch(word.replace(" ", _SPACE), result[0], re.I))
+            yield start + text.count("\n", 0, result.start()), result[0], advice
+        for result in _OUTSIDE.finditer(text):
+            yield start + text.count("\n", 0, result.start()), result[0], "a file of this repository"
+        for result in _MARKDOWN_FILE.finditer(text) if python and not path.startswith("docs/") else ():
+            if not (ROOT / result[0]).exists():
+                yield start + text.count("\n", 0, result.start()), result[0], "a file of this repository, with its path"
 
 
 def files() -> list[str]:

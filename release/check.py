@@ -48,10 +48,10 @@ def run(*command: str | Path, folder: Path = ROOT) -> str:
 
 def tool(name: str) -> str:
     """Return the path of a program beside this Python or on the path."""
-    found = shutil.which(name, path=f"{Path(sys.executable).parent}{os.pathsep}{os.environ.get('PATH', '')}")
-    if not found:
+    result = shutil.which(name, path=f"{Path(sys.executable).parent}{os.pathsep}{os.environ.get('PATH', '')}")
+    if not result:
         raise ReleaseError(f"{name} is missing: make install brings it")
-    return found
+    return result
 
 
 def tracked(*folders: str) -> set[str]:
@@ -89,9 +89,9 @@ def contents() -> str:
     with tarfile.open(only("*.tar.gz")) as archive:
         in_source = {name.partition("/")[2] for name in archive.getnames()} - {"PKG-INFO"}
     source = {name for name in tracked() if not name.startswith(NOT_IN_SOURCE)}
-    for where, found, expected in (("wheel", in_wheel, needed), ("source distribution", in_source, source)):
-        if found != expected:
-            more, less = sorted(found - expected), sorted(expected - found)
+    for where, result, expected in (("wheel", in_wheel, needed), ("source distribution", in_source, source)):
+        if result != expected:
+            more, less = sorted(result - expected), sorted(expected - result)
             raise ReleaseError(f"the {where} has too much: {more[:10]}; lacks: {less[:10]}")
     return f"{len(in_wheel)} files in the wheel, {len(in_source)} in the source distribution, as tracked"
 

@@ -20,7 +20,7 @@ from hypothesis import settings
 import forficula as ff
 from forficula.design import Design, with_values
 from forficula.dynamics import Model, Record, simulate
-from forficula.lock import held
+from forficula.lock import hold_lock
 from forficula.statics import EnergyLandscape, energy_landscape
 from forficula.structure.fans.veins import structure_of_veins
 from tests.landscapes import design_of
@@ -63,7 +63,7 @@ def once(tmp_path_factory):
     def shared(name: str, compute: Callable[[], T]) -> T:
         path = folder / f"once-{name}.pickle"
         # who waits for a lock says so, which tests of commands would read
-        with redirect_stderr(io.StringIO()), held(path.with_suffix(".lock")):
+        with redirect_stderr(io.StringIO()), hold_lock(path.with_suffix(".lock")):
             if path.exists():
                 return pickle.loads(path.read_bytes())
             computed = compute()

@@ -34,7 +34,9 @@ def test_an_argument_of_a_wrong_type_is_refused_with_what_is_accepted(name):
     function = FUNCTIONS[name]
     parameters = inspect.signature(function).parameters
     needed = [
-        key for key, each in parameters.items() if each.default is each.empty and each.kind is not each.VAR_KEYWORD
+        key
+        for key, parameter in parameters.items()
+        if parameter.default is parameter.empty and parameter.kind is not parameter.VAR_KEYWORD
     ]
     for key, values in arguments_of(name):
         assert values, f"{name}: {key}: takes anything"

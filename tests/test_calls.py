@@ -32,13 +32,13 @@ def test_every_example_is_true(tmp_path, monkeypatch, record):
     parts = ("designs", "goals", "patterns", "output", "progress", "runs", "studies")
     calls = [importlib.import_module(f"forficula.calls.{part}") for part in parts]
     modules = (*calls, forficula.results)
-    found = [each for module in modules for each in doctest.DocTestFinder().find(module, extraglobs=known)]
-    examples = [each for each in found if each.examples]
+    result = [item for module in modules for item in doctest.DocTestFinder().find(module, extraglobs=known)]
+    examples = [item for item in result if item.examples]
     runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
-    for each in examples:
-        runner.run(each)
+    for example in examples:
+        runner.run(example)
     assert runner.summarize(verbose=False).failed == 0
-    shown = {each.name.rpartition(".")[2] for each in examples}
+    shown = {example.name.rpartition(".")[2] for example in examples}
     functions = {name for name in forficula.calls.__all__ if name[0].islower()}
     assert functions <= shown
     # `collect` and `estimate` are methods of a study
@@ -160,9 +160,9 @@ def test_a_table_is_saved_with_the_files_that_its_command_writes(tmp_path, desig
 
 
 def test_a_study_is_built_without_a_file(design):
-    asked = ff.new_study(design, {"tendon.left.stiffness": "0.4..0.5 N/cm step 0.1"}, name="mine", source="own")
-    assert (asked.name, asked.source, len(asked.points)) == ("mine", "own", 2)
-    assert asked.base == design
+    requested = ff.new_study(design, {"tendon.left.stiffness": "0.4..0.5 N/cm step 0.1"}, name="mine", source="own")
+    assert (requested.name, requested.source, len(requested.points)) == ("mine", "own", 2)
+    assert requested.base == design
     with pytest.raises(ff.InputError, match='askk: unknown key, got "run"; did you mean ask'):
         ff.new_study(design, {"tendon.left.stiffness": ["0.4 N/cm"]}, askk="run")
 
@@ -215,8 +215,10 @@ def test_a_film_that_nobody_could_watch_is_refused(tmp_path, record, choice, val
 
 
 def test_a_study_varies_what_its_design_leaves_out():
-    asked = ff.new_study("binder2025", {"medium.density": ["0 kg/m^3", "1.2 kg/m^3"], "contact.friction": [0.0, 0.5]})
-    assert len(asked.points) == 4
+    requested = ff.new_study(
+        "binder2025", {"medium.density": ["0 kg/m^3", "1.2 kg/m^3"], "contact.friction": [0.0, 0.5]}
+    )
+    assert len(requested.points) == 4
     with pytest.raises(ff.InputError, match=r"tendon\.law\.linear_modulus: binder2025 has no tendon\.law"):
         ff.new_study("binder2025", {"tendon.law.linear_modulus": ["1 MPa"]})
 

@@ -168,8 +168,8 @@ def test_a_landscape_needs_no_simulation_and_one_of_plates_leaves_what_there_is(
     assert output.out.startswith("letter-fold: bistable (flat, closed); barrier ")
     assert "simulated" not in output.out + output.err
     figures = [name for kind in ("levels", "rests", "tendon") for name in figure_files(kind)]
-    found = everything_in(in_an_empty_folder / "there")
-    assert found == sorted(["design.toml", "figures", "landscape.json", "report.html", *figures])
+    result = everything_in(in_an_empty_folder / "there")
+    assert result == sorted(["design.toml", "figures", "landscape.json", "report.html", *figures])
     content = json.loads((in_an_empty_folder / "there" / "landscape.json").read_text())
     assert content["simulation"] is None
     assert ff.load_design(in_an_empty_folder / "there" / "design.toml").hash == ff.load_design("letter-fold").hash
@@ -194,11 +194,11 @@ def test_a_scaled_design_is_printed_as_one_and_the_groups_that_it_cannot_keep_be
     small = ff.load_design("small.toml")
     assert small.pattern.distal_length == pytest.approx(0.01, rel=1e-15)
     assert small.protocol.gravity == 9.81
-    first, *told = printed.err.splitlines()
+    first, *output = printed.err.splitlines()
     assert first == (
         "3 of 18 dimensionless groups of binder2025-x0.1 change, because gravity and materials are not scaled:"
     )
-    assert [line.partition(" (")[0] for line in told] == [
+    assert [line.partition(" (")[0] for line in output] == [
         "  gravity: 0.000386 -> 3.86e-05",
         "  Reynolds number, left out: 1.69e+05 -> 1.69e+04",
         "  relaxation of the membrane: 0.603 -> 6.03",
@@ -240,14 +240,14 @@ def test_the_named_designs_are_listed_with_their_sources(call):
 def test_a_pattern_is_described_where_no_file_is_to_be_written(call):
     fan = call("pattern", "binder2025").out.splitlines()
     assert fan[0] == "earwig fan, 1 unit, 3 veins: 9 vertices, 4 facets, 22.35 cm by 15.06 cm"
-    assert "Every vertex folds flat by itself; whether layers get into each other's way is not checked." in fan
+    assert "Every vertex folds flat by itself; whether layers collide is not checked." in fan
     freedoms = [line.split()[-2:] for line in fan if line.startswith("rigid facets")]
     assert freedoms == [["2", "1"], ["1", "0"]]
     call("pattern", "binder2025", "--out", "fan.fold")
     # residuals of a file's digits may differ from those of the design's
     assert call("pattern", "fan.fold").out.splitlines()[:3] == fan[:3]
     strip = call("pattern", "letter-fold").out
-    assert "No interior vertex: every crease folds on its own.\n" in strip
+    assert "No interior vertex: every crease folds independently.\n" in strip
 
 
 def test_a_file_without_a_unit_has_the_unit_of_the_option_or_a_chosen_size(in_an_empty_folder, call, refusal):
@@ -261,7 +261,7 @@ def test_a_file_without_a_unit_has_the_unit_of_the_option_or_a_chosen_size(in_an
     assert "[chosen]" in without.err
     assert "--unit" in without.err
     assert refusal("pattern", "sheet.fold", "--unit", "0 mm") == '--unit: need > 0, got "0 mm"'
-    said = '--unit: a design has units of its own, got "1 mm"'
+    said = '--unit: a design already has units, got "1 mm"'
     assert refusal("pattern", "letter-fold", "--unit", "1 mm") == said
 
 
@@ -367,9 +367,9 @@ def test_json_is_the_only_standard_output(in_an_empty_folder, call, refusal):
     # flags of the whole may stand before the command, too
     surveyed = call("--json", "landscape", "binder2025-joint", "--no-simulation", "--out", "energy").out
     assert json.loads(surveyed) == json.loads((in_an_empty_folder / "energy" / "landscape.json").read_text())
-    assert [each["name"] for each in json.loads(call("designs", "--json").out)] == list(ff.examples())
+    assert [load["name"] for load in json.loads(call("designs", "--json").out)] == list(ff.examples())
     assert {"key", "meaning", "allowed", "default"} == set(json.loads(call("keys", "guard", "--json").out)[0])
-    points = {each["name"]: each.get("points") for each in json.loads(call("studies", "--json").out)}
+    points = {load["name"]: load.get("points") for load in json.loads(call("studies", "--json").out)}
     assert points["binder2025-search"] == 60
     sizes = json.loads(call("size", "binder2025", "--material", "tpu-82a", "--stiffness", "10 N/cm", "--json").out)
     assert [row["length_m"] for row in sizes] == [0.06, 0.09]
@@ -678,8 +678,8 @@ def test_assumptions_leave_a_table_that_a_run_of_the_same_design_then_names(in_a
     done = call("assumptions", "flap.toml")
     assert "twice the damping of hinges" in done.out
     assert done.out.endswith("written to out/flap-assumptions; open out/flap-assumptions/report.html\n")
-    told = call("run", "flap.toml", "--no-confirm").out
-    assert "\nAssumptions: none of 8 changed assumptions changes the verdict (out/flap-assumptions).\n" in told
+    output = call("run", "flap.toml", "--no-confirm").out
+    assert "\nAssumptions: none of 8 changed assumptions changes the verdict (out/flap-assumptions).\n" in output
 
 
 def test_a_run_that_was_killed_while_it_was_replaced_is_restored(in_an_empty_folder, call):
@@ -1077,7 +1077,7 @@ def test_what_is_wrong_with_the_pattern_of_a_file_names_the_file(in_an_empty_fol
     places = [[math.cos(turn), math.sin(turn), turn % 2] for turn in range(6)]
     strip = tent | {"vertices_coords": places, "faces_vertices": faces, "edges_vertices": edges}
     (in_an_empty_folder / "strip.fold").write_text(json.dumps(strip | {"edges_assignment": ["U"] * len(edges)}))
-    assert refusal("run", "strip.fold").startswith("strip.fold: faces_vertices[3]: need a sheet of two sides")
+    assert refusal("run", "strip.fold").startswith("strip.fold: faces_vertices[3]: need a sheet with two sides")
 
 
 def test_new_names_its_files_and_where_options_go(in_an_empty_folder, call, refusal):

@@ -36,7 +36,7 @@ def everything_in(folder):
 
 
 def files_in(folder):
-    """What is there, hidden files too; a folder without files counts."""
+    """Content of a folder, with hidden files and empty folders."""
     return {
         path.relative_to(folder).as_posix(): None if path.is_dir() else path.read_text()
         for path in folder.rglob("*")
@@ -57,7 +57,7 @@ def write_new(folder):
 
 
 def refusal(folder):
-    """Why the new files could not be written, or None."""
+    """Return why the new files could not be written, or None."""
     try:
         write_new(folder)
     except InputError as error:
@@ -90,7 +90,7 @@ def test_bytes_are_written_as_they_are(tmp_path, content):
     assert (tmp_path / "a.nc").read_bytes() == b"\x00\r\n"
 
 
-def test_a_file_that_was_there_is_replaced_and_nothing_else_is_left(tmp_path):
+def test_an_existing_file_is_replaced_and_no_other_file_remains(tmp_path):
     (tmp_path / "a.txt").write_text("old and longer")
     write_text(tmp_path / "a.txt", "new")
     assert (tmp_path / "a.txt").read_text() == "new"
@@ -184,44 +184,44 @@ def test_nothing_is_put_in_place_where_a_file_has_the_name_of_a_folder(tmp_path)
 
 
 @pytest.mark.parametrize("lasting", [False, True])
-def test_where_any_file_cannot_be_replaced_the_old_ones_stand_as_they_stood(tmp_path, lasting):
-    # one number for every renaming that there is, the files written before the exchange among them
+def test_if_a_file_cannot_be_replaced_all_old_files_are_unchanged(tmp_path, lasting):
+    # one number for every rename, including the files written before the exchange
     for number in range(1, 100):
         folder = tmp_path / str(number)
         fill(folder)
         with pytest.MonkeyPatch.context() as patch:
             calls = fails_from(patch, number, 10**9 if lasting else number)
-            said = refusal(folder)
-        if said is None:
+            sentence = refusal(folder)
+        if sentence is None:
             break
-        assert "Operation not permitted" in said
-        assert len(said.splitlines()) == 1
+        assert "Operation not permitted" in sentence
+        assert len(sentence.splitlines()) == 1
         if lasting:
-            # nothing could be put back, either: the next run does
+            # nothing could be restored, either: the next run does that
             clear_leftovers(folder)
         assert files_in(folder) == OLD
     assert calls[0] == number - 1 > 12
     assert files_in(folder) == AFTER
 
 
-def test_a_file_that_cannot_be_changed_is_named_and_the_old_files_stand(tmp_path):
+def test_a_file_that_cannot_be_changed_is_named_and_old_files_are_unchanged(tmp_path):
     fill(tmp_path)
     attributes = shutil.which("chattr")
     command = [attributes or "", "+i", tmp_path / "b.txt"]
     if attributes is None or subprocess.run(command, capture_output=True, check=False).returncode:
         pytest.skip("no file can be made immutable here")
     try:
-        said = refusal(tmp_path)
+        sentence = refusal(tmp_path)
         assert files_in(tmp_path) == OLD
     finally:
         subprocess.run([attributes, "-i", tmp_path / "b.txt"], check=True)
     why = "Operation not permitted; the old files are unchanged"
-    assert said == f"{tmp_path}/b.txt: cannot be replaced: {why}"
+    assert sentence == f"{tmp_path}/b.txt: cannot be replaced: {why}"
     write_new(tmp_path)
     assert files_in(tmp_path) == AFTER
 
 
-# dies at every change of the disk in turn, and says what was there then and after the next one looked
+# exits at every disk operation in turn, and reports the content then and after the next run
 DIES = """
 import itertools, json, os, signal, sys
 from pathlib import Path
@@ -259,7 +259,7 @@ def test_killed_anywhere_a_run_leaves_the_old_files_or_the_new_ones_and_nothing_
     *killed, finished = [json.loads(line) for line in done.stdout.splitlines()]
     assert finished == AFTER
     assert len(killed) > 40
-    which = [{"old": OLD, "new": AFTER}["new" if "d.txt" in each else "old"] == each for each in killed]
+    which = [{"old": OLD, "new": AFTER}["new" if "d.txt" in item else "old"] == item for item in killed]
     assert all(which)
     assert OLD in killed
     assert AFTER in killed
@@ -298,7 +298,7 @@ def test_killed_at_any_time_all_files_are_of_one_writing(tmp_path):
         assert len(set(content.values())) == 1
 
 
-def test_of_processes_that_write_the_same_folder_at_once_the_last_has_all_its_files_there(tmp_path):
+def test_after_concurrent_writes_to_one_folder_all_files_are_of_the_last_process(tmp_path):
     children = [writer(tmp_path, name, 40) for name in ("one", "two", "three")]
     assert [child.communicate()[0] and child.returncode for child in children] == [0, 0, 0]
     content = files_in(tmp_path)
@@ -308,7 +308,7 @@ def test_of_processes_that_write_the_same_folder_at_once_the_last_has_all_its_fi
 
 
 @pytest.mark.parametrize("whole", [True, False])
-def test_what_a_killed_process_left_is_cleared_away_and_what_a_living_one_writes_is_not(tmp_path, whole):
+def test_temporary_files_of_killed_processes_are_removed_and_those_of_running_ones_are_not(tmp_path, whole):
     script = (
         "import sys, time\nfrom pathlib import Path\nfrom forficula.files import replacing, replacing_all\n"
         f"with {'replacing_all(Path(sys.argv[1]))' if whole else 'replacing(Path(sys.argv[1], chr(97)))'} as place:\n"
@@ -369,8 +369,8 @@ def test_lines_are_not_added_to_a_file_behind_a_link(tmp_path, there):
     (tmp_path / "a.jsonl").symlink_to(tmp_path / "elsewhere")
     with pytest.raises(InputError) as caught:
         open_to_append(tmp_path / "a.jsonl")
-    said = f"{tmp_path}/a.jsonl: need a file or nothing there, got a link to {tmp_path}/elsewhere; remove it"
-    assert str(caught.value) == said
+    sentence = f"{tmp_path}/a.jsonl: need a file or nothing there, got a link to {tmp_path}/elsewhere; remove it"
+    assert str(caught.value) == sentence
     assert (tmp_path / "elsewhere").exists() == there
 
 
@@ -403,14 +403,14 @@ def fill_by(write, folder):
 
 
 @pytest.mark.usefixtures("full_disk")
-def test_a_full_disk_is_told_of_the_file_that_was_to_be_written_and_leaves_nothing(tmp_path):
+def test_a_full_disk_is_reported_with_the_file_and_leaves_no_file(tmp_path):
     with pytest.raises(InputError) as caught:
         write_text(tmp_path / "page.html", "x" * 2000)
     assert str(caught.value) == f"{tmp_path / 'page.html'}: cannot be written: {os.strerror(errno.EFBIG)}"
     for write in (write_text, lambda path, text: path.write_text(text)):
         with pytest.raises(InputError) as caught:
             fill_by(write, tmp_path / "run")
-        # what Python writes by itself does not say where
+        # errors from Python itself do not name the file
         place = tmp_path / "run" / "figures" / "b.svg" if write is write_text else tmp_path / "run"
         assert str(caught.value) == f"{place}: cannot be written: {os.strerror(errno.EFBIG)}"
     assert everything_in(tmp_path) == []
@@ -418,7 +418,7 @@ def test_a_full_disk_is_told_of_the_file_that_was_to_be_written_and_leaves_nothi
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
 @pytest.mark.parametrize("name", ["d.toml", "d.fold", "d.svg", "d.dxf", "law.toml", "s.toml", "t.csv", "record.nc"])
-def test_a_named_pipe_is_refused_and_not_waited_for_whatever_it_should_describe(tmp_path, name):
+def test_a_named_pipe_is_refused_without_waiting(tmp_path, name):
     os.mkfifo(tmp_path / name)
     with pytest.raises(InputError, match=rf"{name}: need a regular file, got a named pipe$"):
         read_as_input(tmp_path / name)
@@ -426,7 +426,7 @@ def test_a_named_pipe_is_refused_and_not_waited_for_whatever_it_should_describe(
 
 @pytest.mark.skipif(not Path("/dev/zero").exists(), reason="there is no device without an end here")
 @pytest.mark.parametrize("name", ["d.toml", "d.fold", "d.svg", "d.dxf", "law.toml", "s.toml", "t.csv", "record.nc"])
-def test_a_device_without_an_end_is_refused_whatever_it_should_describe(tmp_path, name):
+def test_a_device_without_an_end_is_refused(tmp_path, name):
     (tmp_path / name).symlink_to("/dev/zero")
     with pytest.raises(InputError, match=rf"{name}: need a regular file, got a device$"):
         read_as_input(tmp_path / name)
@@ -459,7 +459,7 @@ def test_a_file_of_a_byte_more_than_the_limit_is_refused(tmp_path):
 
 
 def read_as_input(path):
-    """Read a file as a user gives it, by its name."""
+    """Read a file by its name, as a user does."""
     match path.name:
         case "law.toml":
             load_law(path)

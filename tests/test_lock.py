@@ -5,7 +5,7 @@ import time
 
 import pytest
 
-from forficula.lock import held
+from forficula.lock import hold_lock
 
 HOLD = """
 import sys, time
@@ -24,9 +24,9 @@ def another(path, seconds):
     return child
 
 
-def test_a_lock_that_another_process_holds_is_not_given(tmp_path):
+def test_a_lock_of_another_process_cannot_be_acquired(tmp_path):
     with another(tmp_path / "lock", 60) as child:
-        with held(tmp_path / "lock", wait=False) as taken:
+        with hold_lock(tmp_path / "lock", wait=False) as taken:
             assert taken is False
         child.kill()
 
@@ -35,16 +35,16 @@ def test_a_lock_dies_with_its_owner(tmp_path):
     with another(tmp_path / "lock", 60) as child:
         child.kill()
     assert (tmp_path / "lock").exists()
-    with held(tmp_path / "lock", wait=False) as taken:
+    with hold_lock(tmp_path / "lock", wait=False) as taken:
         assert taken is True
     assert list(tmp_path.iterdir()) == []
 
 
-def test_who_waits_gets_the_lock_when_it_is_free_and_says_so_where_that_takes_long(tmp_path, capsys, monkeypatch):
+def test_waiting_acquires_the_lock_and_reports_a_long_wait(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr("forficula.lock._SILENT_SECONDS", 0.2)
     with another(tmp_path / "lock", 0.5):
         start = time.monotonic()
-        with held(tmp_path / "lock") as taken:
+        with hold_lock(tmp_path / "lock") as taken:
             assert taken is True
             assert time.monotonic() - start > 0.2
     assert capsys.readouterr().err == f"waiting for another process that writes to {tmp_path}\n"
@@ -66,20 +66,20 @@ def test_only_one_holds_a_lock_at_a_time(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["number"]
 
 
-@pytest.mark.skipif(not hasattr(os, "O_NOFOLLOW"), reason="links cannot be told apart when they are opened")
-def test_a_planted_link_is_no_lock(tmp_path):
+@pytest.mark.skipif(not hasattr(os, "O_NOFOLLOW"), reason="links cannot be detected when they are opened")
+def test_a_symbolic_link_is_not_accepted_as_a_lock_file(tmp_path):
     (tmp_path / "lock").symlink_to(tmp_path / "elsewhere")
-    with pytest.raises(OSError, match="symbolic"), held(tmp_path / "lock"):
+    with pytest.raises(OSError, match="symbolic"), hold_lock(tmp_path / "lock"):
         pass
     assert not (tmp_path / "elsewhere").exists()
 
 
-def test_a_disk_that_knows_no_locks_says_so_and_nobody_waits(tmp_path, monkeypatch):
+def test_a_file_system_without_locks_is_reported_without_waiting(tmp_path, monkeypatch):
     fcntl = pytest.importorskip("fcntl")
 
     def fail(*_):
         raise OSError(38, "Function not implemented")
 
     monkeypatch.setattr(fcntl, "flock", fail)
-    with held(tmp_path / "lock") as first, held(tmp_path / "lock") as second:
+    with hold_lock(tmp_path / "lock") as first, hold_lock(tmp_path / "lock") as second:
         assert (first, second) == (None, None)

@@ -6,7 +6,7 @@ from forficula.names import listed, near_name, one_line, one_of, ordinal
 @pytest.mark.parametrize(
     ("number", "word"), [(0, "first"), (9, "tenth"), (10, "11th"), (20, "21st"), (21, "22nd"), (112, "113th")]
 )
-def test_numbers_from_0_are_told_as_people_count(number, word):
+def test_numbers_from_0_are_shown_counted_from_1(number, word):
     assert ordinal(number) == word
 
 
@@ -18,7 +18,7 @@ def test_words_are_listed_as_sentences_have_them(words, text):
     assert listed(words) == text.replace(" or ", " and ")
 
 
-def test_what_is_allowed_is_told_with_the_nearest_name():
+def test_allowed_names_are_listed_with_the_nearest_one():
     assert (
         one_of(["fold", "none"], "flod", ["a bound"]) == '"fold", "none" or a bound, got "flod"; did you mean "fold"?'
     )

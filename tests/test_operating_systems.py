@@ -17,7 +17,7 @@ import forficula.lock
 from forficula.cli import check_room_for_libraries
 from forficula.errors import InputError
 from forficula.files import open_to_append, read_bytes, read_text, write_text
-from forficula.make.files.lying import file_names
+from forficula.make.files.print_orientation import file_names
 from forficula.names import folder_name
 
 

@@ -87,9 +87,9 @@ MARKERS = {kind.name: kind.marker for kind in KINDS if kind.marker}
 
 def offered(command):
     """The options that the help of a command shows."""
-    with redirect_stdout(StringIO()) as told:
+    with redirect_stdout(StringIO()) as output:
         main([command, "--help"])
-    return re.findall(r"^│ [* ]*(--[a-z-]+)", told.getvalue(), re.M)
+    return re.findall(r"^│ [* ]*(--[a-z-]+)", output.getvalue(), re.M)
 
 
 @pytest.mark.parametrize("command", [name for name in app if not name.startswith("-")])

@@ -49,8 +49,8 @@ def test_every_call_reports_the_same_kind_of_progress(design):
         reports.clear()
         call()
         assert reports, name
-        assert {type(each) for each in reports} == {ff.Progress}
-        assert all(each.task and str(each).startswith(each.task) for each in reports)
+        assert {type(report) for report in reports} == {ff.Progress}
+        assert all(report.task and str(report).startswith(report.task) for report in reports)
 
 
 def test_nothing_is_shown_where_nobody_looks(design, capfd):

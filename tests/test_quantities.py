@@ -120,7 +120,7 @@ def test_a_whole_number_is_written_without_a_point(value, unit, text):
     [
         (8e-7, Unit(display="ms", si="s", example="0.2 ms"), "8e-07 s"),
         (8e-5, Unit(display="ms", si="s", example="0.2 ms"), "0.08 ms"),
-        (0.12345678901234567, LENGTH, "12.345678901234566 cm"),  # as long in m
+        (0.12345678901234567, LENGTH, "12.345678901234566 cm"),  # the same length in m
         (0.123456789012, LENGTH, "12.3456789012 cm"),
     ],
 )
@@ -141,7 +141,7 @@ def test_an_angular_speed_without_an_angle_is_refused(unit):
     assert refusal(f"1 {unit}", ANGULAR_SPEED) == message
 
 
-def test_a_unit_may_leave_out_an_angle_that_it_is_divided_by():
+def test_a_unit_can_omit_per_angle():
     unit = Unit(display="N m s/rad", si="N m s/rad", example="1e-3 N m s/rad")
     assert parse_quantity("2 N m s", unit) == parse_quantity("2 N m s/rad", unit) == 2.0
 
@@ -170,7 +170,7 @@ def test_values_read_well_in_a_unit_near_the_largest(unit, largest, name, factor
 
 
 @given(st.sampled_from(["J", "N m", "m", "s"]), st.floats(0, 1e3))
-def test_the_reading_unit_of_a_value_is_that_unit_of_it(unit, largest):
+def test_the_name_and_the_factor_of_a_reading_unit_match(unit, largest):
     name, factor = reading_unit(unit, largest)
     assert parse_quantity(f"1 {name}", Unit(display=unit, si=unit, example="")) == pytest.approx(1 / factor, rel=1e-12)
 
@@ -220,7 +220,7 @@ def test_the_display_the_si_unit_and_the_example_of_every_unit_are_of_its_kind(u
         ({"a": 1}, LENGTH, 'need text with a unit such as "12 cm", got {a = 1}'),
     ],
 )
-def test_what_is_no_quantity_is_refused_with_the_value_and_a_right_example(text, unit, message):
+def test_an_invalid_quantity_is_refused_with_the_value_and_an_example(text, unit, message):
     assert refusal(text, unit) == message
 
 

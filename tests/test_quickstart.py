@@ -24,4 +24,4 @@ def test_the_notebook_runs_and_its_stored_outputs_are_those_of_its_cells(tmp_pat
 
 def media(cell):
     """Kinds of the outputs of a cell; their last digits may differ between machines."""
-    return [(each["output_type"], sorted(each.get("data", {}))) for each in cell.get("outputs", [])]
+    return [(item["output_type"], sorted(item.get("data", {}))) for item in cell.get("outputs", [])]

@@ -102,10 +102,10 @@ def test_a_value_that_exists_only_sometimes_has_its_key_only_then():
     assert plain(swing(energy=2.0, note="slow"))["stored_J"] == 2.0
 
 
-def test_values_beside_the_fields_have_units_of_their_own_and_give_way_to_the_fields():
+def test_extra_values_have_separate_units_and_fields_take_precedence():
     others = {"torque": WithUnit(1.5, "N m"), "rest": WithUnit([0.0, math.pi], "rad"), "colour": WithUnit(1.0, "")}
-    told = plain(swing(others=others))
-    assert (told["torque_N_m"], told["rest_deg"], told["colour"]) == (1.5, [0.0, 180.0], "red")
+    content = plain(swing(others=others))
+    assert (content["torque_N_m"], content["rest_deg"], content["colour"]) == (1.5, [0.0, 180.0], "red")
 
 
 @pytest.mark.parametrize(
@@ -133,7 +133,7 @@ def test_numbers_that_do_not_exist_are_null():
 
 
 @pytest.mark.parametrize("value", [swing(), swing(energy=1.0, time=0.5, others={"torque": WithUnit(1.0, "N m")})])
-def test_a_schema_allows_what_is_written(value):
+def test_a_schema_accepts_written_results(value):
     schema = schema_of(Swing, "swing")
     jsonschema.Draft202012Validator.check_schema(schema)
     jsonschema.Draft202012Validator(schema).validate(json.loads(json_text(value)))
@@ -142,25 +142,25 @@ def test_a_schema_allows_what_is_written(value):
 @pytest.mark.parametrize(
     "wrong",
     [
-        lambda told: told.pop("angle_deg"),
-        lambda told: told.pop("part"),
-        lambda told: told.update(angle_deg="wide"),
-        lambda told: told.update(colour="green"),
-        lambda told: told.update(another="text"),
+        lambda content: content.pop("angle_deg"),
+        lambda content: content.pop("part"),
+        lambda content: content.update(angle_deg="wide"),
+        lambda content: content.update(colour="green"),
+        lambda content: content.update(another="text"),
     ],
 )
-def test_a_schema_refuses_what_is_not_written(wrong):
-    told = json.loads(json_text(swing()))
-    wrong(told)
+def test_a_schema_refuses_other_data(wrong):
+    content = json.loads(json_text(swing()))
+    wrong(content)
     with pytest.raises(jsonschema.ValidationError):
-        jsonschema.Draft202012Validator(schema_of(Swing, "swing")).validate(told)
+        jsonschema.Draft202012Validator(schema_of(Swing, "swing")).validate(content)
 
 
-def test_a_schema_says_what_keys_mean():
+def test_a_schema_describes_the_keys():
     schema = schema_of(Swing, "swing")
     assert schema["$id"] == "forficula-swing"
     assert schema["description"] == "One swing."
-    meanings = {key: each.get("description") for key, each in schema["properties"].items()}
+    meanings = {key: item.get("description") for key, item in schema["properties"].items()}
     assert meanings["lengths_m"] == "of the arms, one after another, m."
     assert meanings["half_deg"] == "Half the angle."
     assert meanings["part"] == "its name."

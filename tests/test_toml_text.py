@@ -19,7 +19,7 @@ from forficula.toml_text import parse_toml
         ("a = {b = 1, b = 2}\n", "Duplicate inline table key 'b' (at line 1, column 18)"),
     ],
 )
-def test_a_key_that_stands_twice_is_named_with_its_line(text, end):
+def test_a_repeated_key_is_reported_with_its_line(text, end):
     with pytest.raises(InputError) as caught:
         parse_toml(text, "a design")
     assert str(caught.value).startswith("not TOML: ")

@@ -25,7 +25,7 @@ def run_notebook(notebook: dict[str, Any]) -> None:
         notebook: content of the file, which is changed.
     """
     names: dict[str, Any] = {"__name__": "__main__"}
-    for number, cell in enumerate(each for each in notebook["cells"] if each["cell_type"] == "code"):
+    for number, cell in enumerate(item for item in notebook["cells"] if item["cell_type"] == "code"):
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
             value = evaluate("".join(cell["source"]), names)

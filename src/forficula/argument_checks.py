@@ -159,7 +159,7 @@ def _read(node: ast.expr) -> _Accepted:
         case ast.Subscript(value=ast.Name(id="Sequence" | "Iterable" as kind), slice=inner):
             return _list_of(_read(inner), lazy=kind == "Iterable")
         case ast.Subscript(value=ast.Name(id="Literal"), slice=ast.Tuple(elts=words)):
-            word = " or ".join(as_written(each.value) for each in words if isinstance(each, ast.Constant))
+            word = " or ".join(as_written(word.value) for word in words if isinstance(word, ast.Constant))
             return _accepted(word, word, _TEXT.holds)  # the function itself names the nearest word
         case ast.Subscript(value=ast.Name(id="tuple")):
             return _accepted("a list", "lists", _is_list)
@@ -184,12 +184,12 @@ def _named(name: str) -> _Accepted:
     if name in _KNOWN:
         return _KNOWN[name]
     article = "an" if name[0] in "AEIOU" else "a"
-    given = f" (as {_GIVEN_BY[name]} returns it)" if name in _GIVEN_BY else ""
+    provided = f" (as {_GIVEN_BY[name]} returns it)" if name in _GIVEN_BY else ""
     # by name, because importing the class may take a second
     return _accepted(
-        f"{article} {name}{given}",
-        f"objects of class {name}{given.replace(' it', ' them')}",
-        lambda value: any(each.__name__ == name for each in type(value).__mro__),
+        f"{article} {name}{provided}",
+        f"objects of class {name}{provided.replace(' it', ' them')}",
+        lambda value: any(item.__name__ == name for item in type(value).__mro__),
     )
 
 
@@ -202,12 +202,12 @@ def _alternatives(node: ast.expr) -> list[_Accepted]:
 
 def _any_of(every: list[_Accepted]) -> _Accepted:
     # a path may be text, and None need not be named
-    paths = any(each.word == _PATH.word for each in every)
-    named = [each for each in every if each.word and not (each is _TEXT and paths)]
+    paths = any(item.word == _PATH.word for item in every)
+    named = [item for item in every if item.word and not (item is _TEXT and paths)]
     words, many = (
-        list(dict.fromkeys(names)) for names in zip(*((each.word, each.many) for each in named), strict=True)
+        list(dict.fromkeys(names)) for names in zip(*((item.word, item.many) for item in named), strict=True)
     )
-    return _accepted(" or ".join(words), " or ".join(many), lambda value: any(each.holds(value) for each in every))
+    return _accepted(" or ".join(words), " or ".join(many), lambda value: any(item.holds(value) for item in every))
 
 
 def _list_of(entry: _Accepted, *, lazy: bool) -> _Accepted:
@@ -216,7 +216,7 @@ def _list_of(entry: _Accepted, *, lazy: bool) -> _Accepted:
     def holds(value: object) -> bool:
         if lazy and isinstance(value, Iterable) and not hasattr(value, "__len__"):
             return True
-        return _is_list(value) and all(entry.holds(each) or entry.holds(plain_value(each)) for each in value)  # type: ignore[attr-defined]
+        return _is_list(value) and all(entry.holds(item) or entry.holds(plain_value(item)) for item in value)  # type: ignore[attr-defined]
 
     of = f" of {entry.many}" if entry.many else ""
     return _accepted(f"a list{of}", f"lists{of}", holds)

@@ -253,7 +253,7 @@ def _launch(
 ) -> int | None:
     command, bound, _ = app.parse_args(tokens, exit_on_error=False, print_error=False)
     as_json = as_json or bound.arguments.get("as_json", False)
-    with_json = [each.name for each in _COMMANDS if each.has_json]
+    with_json = [command.name for command in _COMMANDS if command.has_json]
     if as_json and command.__name__ not in with_json:
         raise InputError(f"--json: need {listed(with_json, 'or')}, got {as_written(' '.join(tokens[:1]))}")
     check_room_for_libraries()

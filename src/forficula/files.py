@@ -16,7 +16,7 @@ from typing import IO, Any
 
 from forficula.allowed_files import check_may_read
 from forficula.errors import InputError, error_prefix
-from forficula.lock import held
+from forficula.lock import hold_lock
 from forficula.quantities import as_written
 from forficula.toml_text import parse_toml
 
@@ -116,7 +116,7 @@ def replacing_all(folder: Path, remove: Collection[str] = ()) -> Iterator[Path]:
             try:
                 new.mkdir(parents=True)
                 yield new
-                with held(folder / _TURN):
+                with hold_lock(folder / _TURN):
                     _clear(folder)
                     _exchange(folder, work, remove)
             finally:
@@ -185,7 +185,7 @@ def clear_leftovers(folder: Path) -> None:
     """
     with suppress(OSError):
         if _marks(folder) or os.path.lexists(folder / _TURN):
-            with held(folder / _TURN):
+            with hold_lock(folder / _TURN):
                 _clear(folder)
 
 
@@ -194,7 +194,7 @@ def _writing(folder: Path) -> Iterator[Path]:
     """Yield the beginning of the names of one writer's unfinished files, and hold its lock."""
     clear_leftovers(folder)
     mark = folder / f".forficula-{secrets.token_hex(6)}"
-    with held(_lock(mark)):
+    with hold_lock(_lock(mark)):
         yield mark
 
 
@@ -211,7 +211,7 @@ def _marks(folder: Path) -> list[Path]:
 def _clear(folder: Path) -> None:
     """Remove the leftovers of killed writers; the caller holds the lock of the folder."""
     for mark in _marks(folder):
-        with held(_lock(mark), wait=False) as dead:
+        with hold_lock(_lock(mark), wait=False) as dead:
             if not dead:
                 continue
             work = mark.with_name(f"{mark.name}-work")

@@ -20,7 +20,7 @@ _REMOVED_SECONDS = 1.0
 
 
 @contextmanager
-def held(path: Path, *, wait: bool = True) -> Iterator[bool | None]:
+def hold_lock(path: Path, *, wait: bool = True) -> Iterator[bool | None]:
     """Hold a lock on a file, which exists while the lock is held.
 
     After a crash the file remains until the next holder releases the lock. Waiting for longer than two seconds is
@@ -81,7 +81,7 @@ def _take(descriptor: int) -> bool | None:
 
 
 def _is_open(path: Path, descriptor: int) -> bool:
-    """Whether an open file is still the one at a path; Windows does not remove open files."""
+    """Return whether an open file is still the one at a path; Windows does not remove open files."""
     if sys.platform == "win32":
         return True
     try:

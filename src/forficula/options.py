@@ -57,7 +57,9 @@ Out = Annotated[Path, Parameter(converter=_read_out)]
 OutIfGiven = Annotated[Path | None, Parameter(converter=_read_out)]
 NoEngine = Annotated[
     bool,
-    Parameter(negative=(), help="Leave the simulator (3.5 MB) out of report.html, which then only plays."),
+    Parameter(
+        negative=(), help="Leave the simulator (3.5 MB) out of report.html, which then only plays recorded runs."
+    ),
 ]
 Tolerate = Annotated[
     bool,

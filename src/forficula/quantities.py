@@ -220,7 +220,7 @@ def plain_value(value: object) -> object:
 
 
 def is_whole(value: object, least: int, most: float = math.inf) -> TypeGuard[int]:
-    """Whether a value is a whole number between bounds; True and False are not."""
+    """Return whether a value is a whole number between bounds; True and False are not."""
     return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
 
 

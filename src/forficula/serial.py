@@ -206,7 +206,7 @@ def _reference(shape: Any, parts: dict[str, Any]) -> dict[str, Any]:
     """Return the reference to the schema of a data class, which is added to `parts`."""
     name = shape.__name__
     if name not in parts:
-        parts[name] = {}  # a data class may hold others of its own
+        parts[name] = {}  # a data class can contain others
         parts[name] |= _object(shape, parts)
     return {"$ref": f"#/$defs/{name}"}
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from forficula.analysis import Verdict, measure
-from forficula.analysis.margin import chained, transition_margins
+from forficula.analysis.margin import combined_margin, transition_margins
 from forficula.design import load_design, with_values
 from forficula.study.running.runs import run_each
 from tests.analysis.test_outcome import ENDS, planted
@@ -41,19 +41,19 @@ def joints():
 
 
 def outcomes(designs):
-    found = {}
+    result = {}
     for number, record in run_each(designs, sparse=True):
         outcome = measure(record)
-        found[number] = outcome, chained(list(transition_margins(record, outcome).values()))
-    return [found[number] for number in range(len(designs))]
+        result[number] = outcome, combined_margin(list(transition_margins(record, outcome).values()))
+    return [result[number] for number in range(len(designs))]
 
 
 @pytest.fixture(scope="module")
 def advised():
     """Return design, outcome and margin of the failing joints that have an advice."""
     designs = joints()
-    found = [(design, *each) for design, each in zip(designs, outcomes(designs), strict=True)]
-    return [each for each in found if each[1].advised.values]
+    result = [(design, *outcome) for design, outcome in zip(designs, outcomes(designs), strict=True)]
+    return [item for item in result if item[1].advised.values]
 
 
 def test_each_advice_helps_nine_of_ten_failing_joints(advised):
@@ -61,7 +61,7 @@ def test_each_advice_helps_nine_of_ten_failing_joints(advised):
     assert len({outcome.advised.kind for _, outcome, _ in advised}) >= 3
     again = outcomes([with_values(design, outcome.advised.values) for design, outcome, _ in advised])
     helped = [
-        new.verdict is Verdict.REACHED or (new.verdict.tells and better > margin)
+        new.verdict is Verdict.REACHED or (new.verdict.conclusive and better > margin)
         for (_, _, margin), (new, better) in zip(advised, again, strict=True)
     ]
     assert sum(helped) >= 0.9 * len(helped)

@@ -13,7 +13,7 @@ from tests.sheets import sheet_design
 
 def folded(sectors):
     """Return the run of a vertex of four creases whose rest angles grow until it is folded flat."""
-    pattern = vertex_pattern([math.radians(each) for each in sectors], 0.02, "MVMM")
+    pattern = vertex_pattern([math.radians(sector) for sector in sectors], 0.02, "MVMM")
     values = {
         "facet.youngs_modulus": 2e7,
         "facet.bend_stiffness": 0.05,
@@ -34,9 +34,9 @@ def test_a_vertex_with_a_missing_angle_names_the_creases_that_missed_their_targe
     record = folded((60, 120, 90, 90))
     missed = missed_targets(record)
     assert missed
-    assert abs(missed[0].angle - missed[0].target) == max(abs(each.angle - each.target) for each in missed)
-    (told,) = [text for text in run_warnings(record) if "did not reach their targets within" in text]
-    assert told.startswith(
+    assert abs(missed[0].angle - missed[0].target) == max(abs(item.angle - item.target) for item in missed)
+    (output,) = [text for text in run_warnings(record) if "did not reach their targets within" in text]
+    assert output.startswith(
         f"{len(missed)} of 4 creases did not reach their targets within 5 deg: {missed[0].label} at "
     )
     assert missed[0].target == pytest.approx(math.pi)

@@ -38,14 +38,14 @@ def test_half_the_timestep_gives_the_whole_first_order_error():
     limit, slope, h = 3.0, 40.0, 1e-3
     value = {name: (limit + slope * step,) for name, step in (("own", h), ("half", h / 2), ("twice", 2 * h))}
     for other, step in (("half", h / 2), ("twice", 2 * h)):
-        found = uncertainties({"x": value["own"]}, h, [check(step, x=value[other])])
-        assert found["x"][0] == pytest.approx(slope * h, rel=1e-12)
+        result = uncertainties({"x": value["own"]}, h, [check(step, x=value[other])])
+        assert result["x"][0] == pytest.approx(slope * h, rel=1e-12)
 
 
 def test_another_start_counts_once_and_a_time_is_known_to_a_timestep_at_best():
     start = replace(check(1e-3, **{"fold.time": (0.5,), "x": (2.0,)}), name=OTHER_START)
-    found = uncertainties({"fold.time": (0.5,), "x": (2.5,)}, 1e-3, [start])
-    assert (found["fold.time"], found["x"]) == ((1e-3,), (0.5,))
+    result = uncertainties({"fold.time": (0.5,), "x": (2.5,)}, 1e-3, [start])
+    assert (result["fold.time"], result["x"]) == ((1e-3,), (0.5,))
 
 
 def test_values_missing_in_a_second_run_have_no_uncertainty():
@@ -82,7 +82,7 @@ def test_an_uncertainty_that_the_four_digits_of_an_energy_do_not_show_is_left_ou
 def test_a_joint_is_confirmed_at_half_the_timestep_and_from_another_start(confirmed):
     outcome = measure(confirmed)
     assert outcome.verdict is Verdict.REACHED
-    assert [each.name for each in outcome.confirmation.checks] == [HALF_STEP, OTHER_START]
+    assert [item.name for item in outcome.confirmation.checks] == [HALF_STEP, OTHER_START]
     assert outcome.confirmation.agree
     assert 0 < outcome.confirmation.of("fold.time") < 0.01 * outcome.transitions["fold"].time
     assert outcome.confirmation.unsettled == ()
@@ -102,7 +102,7 @@ def test_a_saved_run_keeps_its_confirmation(confirmed, tmp_path):
 def by_hand():
     """Return the outcomes of the joint: as designed, at half the timestep, and from the other initial state."""
     half = with_values(JOINT, {"protocol.timestep": "0.05 ms"})
-    return [measure(run(each)) for each in (JOINT, half, JOINT.with_other_start())]
+    return [measure(run(item)) for item in (JOINT, half, JOINT.with_other_start())]
 
 
 @pytest.mark.parametrize(
@@ -119,19 +119,19 @@ def test_uncertainties_of_a_length_and_an_energy_are_differences_between_separat
     """Uncertainty: the larger of twice the difference at half the timestep and that from the other initial state."""
     states = summary(confirmed, measure(confirmed), {})["states"]
     for name in ("folded", "opened"):
-        own, half, other = (np.array(getattr(each.states[name], attribute)) for each in by_hand)
+        own, half, other = (np.array(getattr(item.states[name], attribute)) for item in by_hand)
         expected = np.maximum(2 * np.abs(own - half), np.abs(own - other))
         assert states[name][f"{key}_uncertainty_{unit}"] == pytest.approx(expected, rel=1e-9, abs=0)
     assert any(np.any(state["tendon_length_uncertainty_m"]) for state in states.values())
 
 
 def test_a_summary_with_uncertainties_follows_its_schema_and_one_without_second_runs_has_none(confirmed):
-    told = [
+    output = [
         summary(record, measure(record), {"forficula": ""}) for record in (confirmed, replace(confirmed, checks=()))
     ]
-    for each in told:
-        jsonschema.Draft202012Validator(json_schema("summary")).validate(json.loads(json.dumps(each)))
-    with_runs, alone = (each["states"]["folded"] for each in told)
+    for item in output:
+        jsonschema.Draft202012Validator(json_schema("summary")).validate(json.loads(json.dumps(item)))
+    with_runs, alone = (item["states"]["folded"] for item in output)
     assert "uncertainty" not in str(alone)
     assert {key: value for key, value in with_runs.items() if "_uncertainty_" not in key} == alone
 
@@ -139,26 +139,26 @@ def test_a_summary_with_uncertainties_follows_its_schema_and_one_without_second_
 def planted(own, half, h=1e-3):
     """Return the confirmation of a folded state by a run at half the timestep."""
     ending = Ending(verdict=Verdict.REACHED, transition=None)
-    values, others = ({f"folded.{name}": each for name, each in run.items()} for run in (own, half))
+    values, others = ({f"folded.{name}": item for name, item in run.items()} for run in (own, half))
     return confirm(ending, values, h, [check(h / 2, **others)])
 
 
 def test_opposite_errors_of_two_tendons_cancel_in_the_energy_that_both_store():
-    found = planted({"tendon.energy": (2.0, 3.0)}, {"tendon.energy": (2.1, 2.9)})
-    assert found.of_state("folded", lambda values: values["tendon.energy"]) == pytest.approx([0.2, 0.2])
-    assert found.of_state("folded", lambda values: values["tendon.energy"].sum()) == pytest.approx(0, abs=1e-12)
+    result = planted({"tendon.energy": (2.0, 3.0)}, {"tendon.energy": (2.1, 2.9)})
+    assert result.of_state("folded", lambda values: values["tendon.energy"]) == pytest.approx([0.2, 0.2])
+    assert result.of_state("folded", lambda values: values["tendon.energy"].sum()) == pytest.approx(0, abs=1e-12)
 
 
 def test_the_smallest_of_many_angles_has_its_own_uncertainty_and_not_the_smallest_one():
-    found = planted({"creases": (1.0, 2.0, 3.0)}, {"creases": (0.9, 2.0, 3.0)})
-    assert found.of_state("folded", lambda values: values["creases"].min()) == pytest.approx(0.2)
+    result = planted({"creases": (1.0, 2.0, 3.0)}, {"creases": (0.9, 2.0, 3.0)})
+    assert result.of_state("folded", lambda values: values["creases"].min()) == pytest.approx(0.2)
 
 
 def test_a_number_that_a_second_run_does_not_have_has_no_uncertainty():
-    found = planted({"tendon.energy": (2.0,), "creases": (1.0,)}, {"creases": (1.1,)})
-    assert found.of_state("folded", lambda values: values["tendon.energy"]) is None
-    assert found.of_state("opened", lambda values: values["creases"]) is None
-    assert found.of_state("folded", lambda values: values["creases"]) == pytest.approx([0.2])
+    result = planted({"tendon.energy": (2.0,), "creases": (1.0,)}, {"creases": (1.1,)})
+    assert result.of_state("folded", lambda values: values["tendon.energy"]) is None
+    assert result.of_state("opened", lambda values: values["creases"]) is None
+    assert result.of_state("folded", lambda values: values["creases"]) == pytest.approx([0.2])
 
 
 def lost(record):

@@ -38,7 +38,7 @@ def strip(letters, *angles):
 
 def names(record):
     """Return the names of the bodies whose plates cross, and from when."""
-    return [(*(name.replace(" ", "") for name in each.names), each.time) for each in facets_that_cross(record)]
+    return [(*(name.replace(" ", "") for name in facet.names), facet.time) for facet in facets_that_cross(record)]
 
 
 def test_two_plates_that_cross_are_named_with_the_first_time():
@@ -63,7 +63,7 @@ def test_a_plate_may_stand_in_the_gap_of_one_that_is_not_convex(place, crosses):
     bodies = [
         Body(name=f"facet{body}", role="facet", parent=GROUND, position=np.zeros(3), frame=np.eye(3)) for body in (0, 1)
     ]
-    points = [Point(name=f"p{k}", role="corner", body=int(k > 7), place=each) for k, each in enumerate(corners)]
+    points = [Point(name=f"p{k}", role="corner", body=int(k > 7), place=corner) for k, corner in enumerate(corners)]
     plates = [
         Plate(body=body, points=tuple(numbers), thickness=1e-3, density=1.0)
         for body, numbers in enumerate((range(8), range(8, 12)))

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 import forficula as ff
-from forficula.analysis.crossing_panels import PanelMesh, crossing_depths, panel_crossing, panel_places
+from forficula.analysis.crossing_panels import PanelMesh, crossing_depths, panel_crossing, panel_positions
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.summary import summary
 from forficula.quantities import show_value
@@ -23,7 +23,7 @@ def sheet(first, second, across=4, along=3):
     u, v = np.meshgrid(np.linspace(0, 1, along + 1), np.linspace(0, 1, across + 1), indexing="ij")
     nodes = u.ravel()[:, None] * np.asarray(first, float) + v.ravel()[:, None] * np.asarray(second, float)
     corners = np.arange(len(nodes)).reshape(u.shape)
-    a, b, c, d = (each.ravel() for each in (corners[:-1, :-1], corners[1:, :-1], corners[1:, 1:], corners[:-1, 1:]))
+    a, b, c, d = (item.ravel() for item in (corners[:-1, :-1], corners[1:, :-1], corners[1:, 1:], corners[:-1, 1:]))
     triangles = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
     return PanelMesh(name="sheet", triangles=triangles), nodes
 
@@ -34,10 +34,10 @@ def moved(nodes, by):
 
 def depth(one, here, other, there, turn=None):
     places = [nodes if turn is None else nodes @ turn.T for nodes in (here, there)]
-    found = [crossing_depths(one, places[0][None], other, places[1][None])[0]]
-    found.append(crossing_depths(other, places[1][None], one, places[0][None])[0])
-    assert found[0] == pytest.approx(found[1], abs=1e-12)
-    return found[0]
+    result = [crossing_depths(one, places[0][None], other, places[1][None])[0]]
+    result.append(crossing_depths(other, places[1][None], one, places[0][None])[0])
+    assert result[0] == pytest.approx(result[1], abs=1e-12)
+    return result[0]
 
 
 @settings(max_examples=25)
@@ -76,23 +76,23 @@ def test_plates_that_cross_in_the_middle_have_passed_by_the_part_that_reaches_le
     along = np.array([np.cos(np.pi / 6), 0, np.sin(np.pi / 6)])
     leaning, nodes = sheet(2 * along, [0, 1, 0])
     middle = nodes.mean(axis=0)
-    found = depth(floor, flat, leaning, nodes - middle + [2, 1, height])
-    assert found == pytest.approx(0.5 - abs(height), rel=1e-9)
+    result = depth(floor, flat, leaning, nodes - middle + [2, 1, height])
+    assert result == pytest.approx(0.5 - abs(height), rel=1e-9)
 
 
 def test_a_finer_mesh_gives_the_same_depth():
-    found = []
+    result = []
     for fine in (1, 3, 8):
         floor, flat = sheet([4, 0, 0], [0, 3, 0], across=fine, along=fine)
         blade, upright = sheet([1.1, 0.2, 0], [0, 0.3, 2], across=fine, along=fine)
-        found.append(depth(floor, flat, blade, moved(upright, [1.3, 1.1, -0.37])))
-    assert found == pytest.approx([0.37] * 3, rel=1e-9)
+        result.append(depth(floor, flat, blade, moved(upright, [1.3, 1.1, -0.37])))
+    assert result == pytest.approx([0.37] * 3, rel=1e-9)
 
 
 def test_nodes_of_panels_move_with_their_bodies(reference_run):
     """Nodes at the edges of margins and on the axis of the next vein belong to the membrane, too."""
     row = int(np.argmin(reference_run.angles("ring")[:, 1]))
-    proximal = panel_places(reference_run, [row])[0][0]
+    proximal = panel_positions(reference_run, [row])[0][0]
     recorded = reference_run.series["membrane_position"][row]
     np.testing.assert_allclose(proximal[[2, 3, 14, 15]], recorded[:4], atol=1e-12)
     sides = np.linalg.norm(np.diff(proximal[0::4], axis=0), axis=1)
@@ -100,13 +100,14 @@ def test_nodes_of_panels_move_with_their_bodies(reference_run):
 
 
 def test_the_reference_wing_passes_through_itself_and_gives_a_warning(reference_run, reference_outcome):
-    found = panel_crossing(reference_run)
+    result = panel_crossing(reference_run)
     # the paper's simulation has no contact either; its authors report self-penetration
-    assert 0.01 < found.depth < 0.03
-    assert summary(reference_run, reference_outcome, {})["crossing"]["depth_m"] == found.depth
-    told = [each for each in run_warnings(reference_run) if "pass through each other" in each]
-    assert told == [
-        f"{' and '.join(found.names)} pass through each other by {show_value(found.depth, 'm')} at {found.time:.3g} s:"
+    assert 0.01 < result.depth < 0.03
+    assert summary(reference_run, reference_outcome, {})["crossing"]["depth_m"] == result.depth
+    output = [warning for warning in run_warnings(reference_run) if "pass through each other" in warning]
+    assert output == [
+        f"{' and '.join(result.names)} pass through each other by {show_value(result.depth, 'm')}"
+        f" at {result.time:.3g} s:"
         " contact is switched off; protocol.contact = true keeps panels apart"
     ]
 
@@ -114,8 +115,10 @@ def test_the_reference_wing_passes_through_itself_and_gives_a_warning(reference_
 def test_thick_panels_that_contact_lets_through_give_a_warning(reference_run):
     """Their midplanes cross, so the depth grows with their thickness."""
     thick = replace(reference_run.structure, contact=Contact(thickness=0.03, stops=Stops(time_constant=4e-4)))
-    (told,) = (each for each in run_warnings(replace(reference_run, structure=thick)) if "pass through" in each)
-    assert "more than contact should allow" in told
+    (output,) = (
+        warning for warning in run_warnings(replace(reference_run, structure=thick)) if "pass through" in warning
+    )
+    assert "more than contact should allow" in output
 
 
 def test_structures_without_panels_and_diverged_runs_have_no_crossing():
@@ -126,8 +129,8 @@ def test_structures_without_panels_and_diverged_runs_have_no_crossing():
 
 
 def test_the_deepest_crossing_is_found_between_the_rows_of_the_first_search(reference_run):
-    found = panel_crossing(reference_run)
-    near = np.flatnonzero(np.abs(reference_run.time - found.time) < 5e-3)
-    assert found.depth == panel_crossing(reference_run, near.tolist()).depth
+    result = panel_crossing(reference_run)
+    near = np.flatnonzero(np.abs(reference_run.time - result.time) < 5e-3)
+    assert result.depth == panel_crossing(reference_run, near.tolist()).depth
     # docs/model/findings.md
-    assert found.depth == pytest.approx(0.0237, abs=5e-4)
+    assert result.depth == pytest.approx(0.0237, abs=5e-4)

@@ -38,8 +38,8 @@ def groups(design):
 
 
 def values(design):
-    found = groups(design)
-    return {} if found is None else {group.name: group.value for group in found.every}
+    result = groups(design)
+    return {} if result is None else {group.name: group.value for group in result.every}
 
 
 def test_the_groups_of_the_reference_equal_a_calculation_by_hand():
@@ -77,11 +77,11 @@ def test_the_groups_of_the_reference_equal_published_values():
         "medium_mass_left_out": 0.07,
         "drag_left_out": 0.20,
     }
-    found = values(REFERENCE)
+    result = values(REFERENCE)
     # the reference values have two or three digits
-    assert {name: round(found[name], len(str(value)) - 2) for name, value in known.items()} == known
-    assert f"{found['gravity_left_out']:.0e}" == "4e-04"
-    assert f"{found['reynolds_left_out']:.1e}" == "1.7e+05"
+    assert {name: round(result[name], len(str(value)) - 2) for name, value in known.items()} == known
+    assert f"{result['gravity_left_out']:.0e}" == "4e-04"
+    assert f"{result['reynolds_left_out']:.1e}" == "1.7e+05"
 
 
 def test_gravity_that_is_on_resists_and_is_that_of_the_run():
@@ -128,10 +128,10 @@ def test_a_plate_on_a_crease_has_the_inertia_of_a_plate_about_its_edge():
     panel = 1270.0 * 0.5e-3 * 0.099 * 0.21
     assert scale.moment == pytest.approx(2e-2 * 0.21, rel=ROUNDING)
     assert scale.inertia == pytest.approx(panel * (0.099**2 / 3 + 0.5e-3**2 / 12), rel=1e-9)
-    found = values(letter)
-    assert found["hinge_damping"] == pytest.approx(3e-2 / 2e-2 / scale.time, rel=1e-9)
-    assert found["gravity_left_out"] == pytest.approx(panel * 9.81 * 0.099 / 2 / scale.moment, rel=1e-9)
-    assert "armature" not in found
+    result = values(letter)
+    assert result["hinge_damping"] == pytest.approx(3e-2 / 2e-2 / scale.time, rel=1e-9)
+    assert result["gravity_left_out"] == pytest.approx(panel * 9.81 * 0.099 / 2 / scale.moment, rel=1e-9)
+    assert "armature" not in result
 
 
 def two_flaps(held=()):
@@ -179,10 +179,10 @@ def test_values_that_overflow_give_no_groups(stiffness):
 
 @pytest.mark.parametrize("name", [name for name in ff.examples() if name != "binder2025-thick"])
 def test_every_named_design_has_groups_that_json_can_hold(name):
-    found = groups(load_design(name))
-    assert json.dumps(plain(found), allow_nan=False)
-    assert len({group.name for group in found.every}) == len(found.every)
-    assert dominance(found).endswith(".")
+    result = groups(load_design(name))
+    assert json.dumps(plain(result), allow_nan=False)
+    assert len({group.name for group in result.every}) == len(result.every)
+    assert dominance(result).endswith(".")
 
 
 def test_tendons_across_two_ring_folds_have_no_groups():
@@ -200,7 +200,7 @@ def test_scaling_changes_only_groups_of_natural_constants(factor, name):
     before, after = values(given_one), values(scale_design(given_one, factor))
     weight = before.pop("gravity_left_out"), after.pop("gravity_left_out")
     if "reynolds_left_out" in before:
-        speeds = [each.pop("reynolds_left_out") for each in (before, after)]
+        speeds = [item.pop("reynolds_left_out") for item in (before, after)]
         assert speeds[1] == pytest.approx(factor * speeds[0], rel=1e-9)
     assert after == pytest.approx(before, rel=1e-9)
     # m g l / (k a b) scales as s^3 s / s^3
@@ -226,11 +226,11 @@ def test_the_sentence_on_groups_lists_the_largest_resistance_first():
         " stretch of the membrane is softer than the tendon (0.076)."
     )
     damped = with_values(REFERENCE, {"hinge.damping": 3e-2, "hinge.armature": 0.0, "membrane.youngs_modulus": 1e10})
-    told = dominance(groups(damped))
-    assert told.startswith(
+    output = dominance(groups(damped))
+    assert output.startswith(
         "The largest resistance is the hinge's damping (6), followed by the inertia of the part that turns (1)"
     )
-    assert "stretch of the membrane is far stiffer than the tendon (7.6e+02)" in told
+    assert "stretch of the membrane is far stiffer than the tendon (7.6e+02)" in output
 
 
 def test_the_summary_of_a_run_contains_its_groups():
@@ -243,7 +243,7 @@ def test_the_summary_of_a_run_contains_its_groups():
         },
     )
     record = ff.run(short, confirm=False)
-    told = summary(record, ff.measure(record), {})["groups"]
-    assert told["armature"] == pytest.approx(1e-5 / INERTIA, rel=ROUNDING)
-    assert told["measured_by"]["time_s"] == pytest.approx(TIME, rel=ROUNDING)
-    assert told["in_words"].startswith("The largest resistance is the armature")
+    output = summary(record, ff.measure(record), {})["groups"]
+    assert output["armature"] == pytest.approx(1e-5 / INERTIA, rel=ROUNDING)
+    assert output["measured_by"]["time_s"] == pytest.approx(TIME, rel=ROUNDING)
+    assert output["in_words"].startswith("The largest resistance is the armature")

@@ -44,7 +44,7 @@ def planted(
         for name, (dimensions, _, _) in VARIABLES.items()
     }
     # with its nodes as built the membrane is unstrained
-    arrays["membrane_position"][:] = np.concatenate([each.built for each in structure_of(design).membranes])
+    arrays["membrane_position"][:] = np.concatenate([membrane.built for membrane in structure_of(design).membranes])
     arrays["hinge_angle"][:, RINGS] = line(times, DEG * np.array(angles, dtype=float))
     for name, (at, values) in series.items():
         motor = name.removesuffix("_work")

@@ -24,13 +24,13 @@ def box(lengths):
 
 @given(sides, turns, st.floats(0, 0.1))
 def test_the_packaged_size_of_a_box_does_not_depend_on_its_orientation(lengths, turn, radius):
-    found = package_of(box(lengths) @ turn.T, radius)
+    result = package_of(box(lengths) @ turn.T, radius)
     low, middle, high = lengths
-    assert (found.height, found.width) == pytest.approx((low + 2 * radius, middle + 2 * radius), rel=1e-9)
-    assert found.length == pytest.approx(high + 2 * radius, rel=1e-9)
+    assert (result.height, result.width) == pytest.approx((low + 2 * radius, middle + 2 * radius), rel=1e-9)
+    assert result.length == pytest.approx(high + 2 * radius, rel=1e-9)
     # Steiner's formula for the outline of a rectangle with a margin
     outline = middle * high + 2 * radius * (middle + high) + math.pi * radius**2
-    assert found.area == pytest.approx(outline, rel=1e-9)
+    assert result.area == pytest.approx(outline, rel=1e-9)
 
 
 def test_a_tetrahedron_is_thinnest_between_two_edges():
@@ -41,24 +41,24 @@ def test_a_tetrahedron_is_thinnest_between_two_edges():
 
 def test_a_flat_sheet_is_as_high_as_its_bars():
     corners = np.array([[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0], [1, 0.5, 0]], dtype=float)
-    found = package_of(corners, 0.01)
-    assert found.height == pytest.approx(0.02)
-    assert abs(found.upwards[2]) == pytest.approx(1)
-    assert (found.width, found.length) == pytest.approx((1.02, 2.02))
+    result = package_of(corners, 0.01)
+    assert result.height == pytest.approx(0.02)
+    assert abs(result.upwards[2]) == pytest.approx(1)
+    assert (result.width, result.length) == pytest.approx((1.02, 2.02))
 
 
 def test_the_folded_wing_has_the_smallest_packaged_size_in_its_summary(reference_run, reference_outcome):
     name, time, package = smallest_package(reference_run)
     assert name == "folded"
     assert time == pytest.approx(reference_outcome.states["folded"].time, abs=2e-3)
-    found = packages(reference_run)
-    assert found["flat"][1].area_ratio == pytest.approx(1, abs=0.01)
+    result = packages(reference_run)
+    assert result["flat"][1].area_ratio == pytest.approx(1, abs=0.01)
     assert package.area_ratio == pytest.approx(package.area / open_package(reference_run).area)
     # thicker than three bars side by side, thinner than the wing's width
     assert 0.005 < package.height < package.width < package.length
-    told = summary(reference_run, reference_outcome, versions={})["package"]
-    assert (told["state"], told["height_m"]) == ("folded", package.height)
-    assert set(told["states"]) == {"flat", "folded", "opened"}
+    output = summary(reference_run, reference_outcome, versions={})["package"]
+    assert (output["state"], output["height_m"]) == ("folded", package.height)
+    assert set(output["states"]) == {"flat", "folded", "opened"}
 
 
 def wing_of(values):

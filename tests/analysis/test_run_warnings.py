@@ -106,7 +106,7 @@ def test_a_wing_of_the_papers_tpu_folds_far_faster_than_the_papers_machine_pulle
     speed = np.abs(np.diff(record.angles("ring"), axis=0)) / np.diff(record.time)[:, None]
     arms = wing.tendon.proximal_attachment + wing.tendon.distal_attachment
     assert 1e3 * tested < rate < speed.max() * arms / wing.tendon.rest_length
-    (said,) = [each for each in summary(record, measure(record), {})["warnings"] if "was measured" in each]
+    (said,) = [item for item in summary(record, measure(record), {})["warnings"] if "was measured" in item]
     assert said in run_warnings(record)
 
 
@@ -129,17 +129,17 @@ def test_energy_supplied_by_contacts_gives_a_warning_and_counts_as_missing():
     wing = load_design("binder2025", {"protocol.contact": True, "protocol.stages": [stage]})
     record = run(wing)
     assert not any("contacts supplied" in warning for warning in run_warnings(record))
-    given = {name: record.series[name].copy() for name in ("contact_work", "kinetic_energy")}
-    for values in given.values():
+    provided = {name: record.series[name].copy() for name in ("contact_work", "kinetic_energy")}
+    for values in provided.values():
         values[-1] += 1.0  # J
-    gifted = replace(record, series={**record.series, **given})
+    gifted = replace(record, series={**record.series, **provided})
     assert energy_balance(gifted).missing == pytest.approx(energy_balance(record).missing - 1.0, abs=1e-4)
     assert any(warning.startswith("contacts supplied 1 J, ") for warning in run_warnings(gifted))
 
 
 def test_membranes_beyond_linear_elasticity_give_a_warning_with_their_largest_strain(reference_run):
-    (warning,) = (each for each in run_warnings(reference_run) if "true strain" in each)
-    peak = max(membrane_peaks(reference_run), key=lambda each: each.strain)
+    (warning,) = (warning for warning in run_warnings(reference_run) if "true strain" in warning)
+    peak = max(membrane_peaks(reference_run), key=lambda item: item.strain)
     stretch = np.sqrt(1 + 2 * peak.strain)
     assert stretch > 2
     assert warning == (
@@ -169,4 +169,4 @@ def test_a_wing_that_only_settles_strains_its_membranes_too_little_for_a_warning
     settle = [{"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.1}]
     record = run(with_values(reference, {"protocol.stages": settle}))
     assert all(abs(peak.strain) < 0.05 for peak in membrane_peaks(record))
-    assert not any("true strain" in each for each in run_warnings(record))
+    assert not any("true strain" in warning for warning in run_warnings(record))

@@ -19,7 +19,7 @@ from forficula.structure import hinges_of, structure_of
 def snap_of(record):
     """Return the simulated snap of the hinge of an inner tendon."""
     crossed = crossed_hinges(record.structure, 2)
-    return simulated_snap(record, next(each for each in crossed if each.tendon == inner_tendon(record.structure)))
+    return simulated_snap(record, next(item for item in crossed if item.tendon == inner_tendon(record.structure)))
 
 
 def folding(record, angle):

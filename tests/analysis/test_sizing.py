@@ -6,7 +6,7 @@ from forficula.analysis.sizing import size_tendons
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.material.law.law_file import load_law
-from forficula.material.law.material_law import MaterialLaw, chosen
+from forficula.material.law.material_law import MaterialLaw, with_linear_modulus
 
 STIFFNESSES = [1000.0 * number for number in range(1, 7)]  # N/m
 
@@ -52,7 +52,7 @@ def test_a_tendon_that_the_flat_wing_leaves_slack_has_no_mean_stiffness(referenc
 def test_a_material_known_as_a_range_needs_a_choice(reference):
     with pytest.raises(InputError, match=r"modulus\.linear: known only as a range, 0\.4 to 1\.5 MPa"):
         size_tendons(reference, load_law("resilin"), [1000.0])
-    (sizes,) = size_tendons(reference, chosen(load_law("resilin"), 1e6), [1000.0])
+    (sizes,) = size_tendons(reference, with_linear_modulus(load_law("resilin"), 1e6), [1000.0])
     assert sizes.sizes[0].area == pytest.approx(1000 * 0.09 / 1e6)
     assert sizes.beyond is None
 
@@ -78,10 +78,10 @@ def test_without_tendons_there_is_nothing_to_size():
 def test_each_resting_length_is_stretched_by_the_tendons_that_have_it():
     vein = {"vein": 1, "proximal_attachment": "2.5 cm", "distal_attachment": "2.5 cm", "rest_length": "4 cm"}
     design = load_design("binder2025", {"tendon": [{"vein": 0}, vein, {"vein": 2}]})
-    strains = {each.length: each.flat_strain for each in size_tendons(design, load_law("tpu-82a"), [1000.0])}
+    strains = {tendon.length: tendon.flat_strain for tendon in size_tendons(design, load_law("tpu-82a"), [1000.0])}
     assert strains[0.04] == pytest.approx(0.240, abs=5e-4)
     # a rest length of 9 cm gives 11 cm or slightly less; none has the specimens' 6 cm, so the longest counts
     assert strains[0.09] == pytest.approx(0.11 / 0.09 - 1, rel=0.1)
     assert strains[0.06] == pytest.approx(0.11 / 0.06 - 1, rel=0.02)
-    (given, *_) = size_tendons(design, load_law("tpu-82a"), [1000.0], length=0.04)
-    assert given.flat_strain == pytest.approx(strains[0.04])
+    (provided, *_) = size_tendons(design, load_law("tpu-82a"), [1000.0], length=0.04)
+    assert provided.flat_strain == pytest.approx(strains[0.04])

@@ -47,7 +47,7 @@ def test_the_summary_has_every_stage_under_its_name(reference_run, reference_out
             "time_s": stage.time,
             "work_J": stage.work,
         }
-    assert sum(each["work_J"] for each in plain["stages"].values()) == pytest.approx(
+    assert sum(item["work_J"] for item in plain["stages"].values()) == pytest.approx(
         plain["energy_balance"]["work_J"], rel=1e-12
     )
 

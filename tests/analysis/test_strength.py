@@ -44,7 +44,7 @@ def planted(kind):
 def test_a_bar_along_the_pull_has_its_strain_and_the_stress_of_its_stiffness():
     record = planted("bars")
     (peak,) = strain_peaks(record)
-    spring = next(each for each in record.structure.springs if each.name == peak.part)
+    spring = next(spring for spring in record.structure.springs if spring.name == peak.part)
     start, end = (record.structure.bodies[point].position for point in spring.points)
     along = (end - start) / np.linalg.norm(end - start)
     expected = np.hypot(STRETCH * along[0], along[1]) - 1
@@ -101,8 +101,8 @@ def test_a_bar_with_a_stress_above_its_strength_gives_a_warning():
     design = with_values(load_design("miura-sheet"), values)
     (bars,) = (peak for peak in strain_peaks(ff.run(design, confirm=False)) if peak.kind == "bars")
     assert bars.withstood is None
-    for share, told in ((2.0, 0), (0.5, 1)):
+    for share, output in ((2.0, 0), (0.5, 1)):
         record = ff.run(with_values(design, {"facet.strength": share * abs(bars.stress)}), confirm=False)
-        assert sum("facet.strength" in text for text in run_warnings(record)) == told
+        assert sum("facet.strength" in text for text in run_warnings(record)) == output
         (row,) = (row for row in strength_rows(record) if row[0] == "bars")
         assert f"{100 / share:.3g} % of its strength" in row[2]

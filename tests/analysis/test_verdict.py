@@ -24,8 +24,8 @@ SHORT = [SETTLE.model_copy(update={"time_limit": 0.02}), FOLD.model_copy(update=
 
 
 def short(**values):
-    given = {key.replace("__", "."): value for key, value in values.items()}
-    return with_values(REFERENCE, {"protocol.stages": [stage.model_dump() for stage in SHORT], **given})
+    provided = {key.replace("__", "."): value for key, value in values.items()}
+    return with_values(REFERENCE, {"protocol.stages": [stage.model_dump() for stage in SHORT], **provided})
 
 
 def moving(record):
@@ -136,7 +136,7 @@ def test_every_verdict_has_its_sentence_its_word_and_its_advice(record, verdict,
     assert (outcome.status, ending_word(ending)) == (text, word)
     assert outcome.advice.startswith(advice)
     assert bool(outcome.advice) == bool(advice)
-    assert outcome.verdict.tells == (outcome.holds["folded"] is not None) == (outcome.holds["opened"] is not None)
+    assert outcome.verdict.conclusive == (outcome.holds["folded"] is not None) == (outcome.holds["opened"] is not None)
     plain = json.loads(json.dumps(summary(record, outcome, {}), allow_nan=False))
     assert (plain["verdict"], plain["status"]) == (verdict, text)
     assert (plain["folded"], plain["opened"]) == (outcome.holds["folded"], outcome.holds["opened"])
@@ -154,7 +154,7 @@ def test_the_limit_of_the_residual_is_a_setting():
         design = with_values(REFERENCE, {"protocol.residual_limit": limit})
         outcome = measure(missing(replace(WORKED, design=design), share * 2))
         assert outcome.ending.residual == pytest.approx(share, rel=1e-9)
-        assert outcome.verdict.tells is trusted
+        assert outcome.verdict.conclusive is trusted
 
 
 def test_a_run_with_a_residual_of_nan_is_unreliable():
@@ -241,9 +241,9 @@ def doubtful():
 
 
 def texts(figure):
-    found = [text.get_text() for axes in figure.axes for text in (*axes.texts, axes.title)]
-    found += [text.get_text() for item in figure.legends for text in item.get_texts()]
-    return " ".join(found)
+    result = [text.get_text() for axes in figure.axes for text in (*axes.texts, axes.title)]
+    result += [text.get_text() for item in figure.legends for text in item.get_texts()]
+    return " ".join(result)
 
 
 def test_a_state_with_a_hinge_at_79_deg_is_never_called_flat(bent, capsys):
@@ -251,8 +251,8 @@ def test_a_state_with_a_hinge_at_79_deg_is_never_called_flat(bent, capsys):
     assert np.degrees(outcome.states["flat"].readings["distal_angle"].mean).max() < -70
     assert outcome.state_names["flat"] == "not flat"
     print_outcome("bent", outcome)
-    page, told = run_page(record, outcome), capsys.readouterr().out
-    for text in (told, texts(run_drawings(record, outcome)["folding"](7.0))):
+    page, output = run_page(record, outcome), capsys.readouterr().out
+    for text in (output, texts(run_drawings(record, outcome)["folding"](7.0))):
         assert text.count("flat") == text.count("not flat") > 0
     assert '"not flat"' in page
     assert '"flat"' not in page.partition('id="data"')[2].partition("</script>")[0].replace('"not flat"', "")
@@ -267,9 +267,9 @@ def test_an_unreliable_run_is_marked_wherever_it_is_shown(doubtful, capsys):
     assert plain["fold"]["succeeded"] is False
     assert plain["residual"] > 0.005
     print_outcome("doubtful", outcome)
-    told = capsys.readouterr().out
-    assert said in told
-    assert "Take a timestep of about 0.1 ms" in told.replace("\n", " ")
+    output = capsys.readouterr().out
+    assert said in output
+    assert "Take a timestep of about 0.1 ms" in output.replace("\n", " ")
     page = run_page(record, outcome)
     assert said in page
     assert "Take a timestep of about 0.1 ms" in page

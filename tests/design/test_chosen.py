@@ -1,4 +1,4 @@
-"""Values that a design of a sheet leaves out: by which rules they are chosen, and how they are written."""
+"""Values that a design of a sheet leaves out: the rules that choose them, and their form in the file."""
 
 import math
 import tomllib
@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from forficula.design import design_from_text, design_text, in_units, load_design, scale_design, with_values
-from forficula.design.sheets.sheet_parts import Crease, FacetSection
+from forficula.design.sheets.sheet_sections import Crease, FacetSection
 from forficula.structure import structure_of
 
 MIURA = load_design("miura-sheet")
 CLASP = load_design("bistable-clasp")
-# a design of a Miura sheet that says nothing of its card, nor of its creases
+# a design of a Miura sheet without values for its card and its creases
 NOTHING = MIURA.model_copy(update={"facet": FacetSection(), "crease": Crease()})
 
 
@@ -20,7 +20,7 @@ def chosen(design):
     return {f"{choice.section}.{choice.key}": choice.value for choice in design.chosen}
 
 
-def test_what_is_given_is_not_chosen():
+def test_values_in_the_file_are_not_chosen():
     assert not {"facet.thickness", "facet.density", "crease.stiffness", "crease.damping"} & chosen(MIURA).keys()
     assert chosen(with_values(MIURA, {"facet.youngs_modulus": 1e9})).keys() < chosen(MIURA).keys()
     rigid = load_design("letter-fold")
@@ -38,7 +38,7 @@ def test_a_crease_is_as_soft_as_a_plate_of_a_hundred_thicknesses():
 
 
 def test_bars_are_stiff_beside_creases_of_a_given_stiffness():
-    """EA = 1e4 k, with the stiffness by length of the stiffest crease and the mean area of the bars by length."""
+    """EA = 1e4 k, with the stiffness per length of the stiffest crease and the mean area per length of the bars."""
     design = with_values(MIURA, {"crease.group": [{"of": "role:zigzag", "stiffness": 0.05}]})
     structure = structure_of(design)
     lengths = np.array([spring.rest_length for spring in structure.springs])
@@ -54,7 +54,7 @@ def test_chosen_values_are_marked_with_a_reason_and_read_back_to_the_bit():
     assert again == NOTHING.settled()
     assert again.hash == NOTHING.hash
     assert again.chosen == ()
-    # a value that is given is not marked
+    # a value of the file is not marked
     assert "[chosen]" not in design_text(again)
     assert tomllib.loads(text) == tomllib.loads(design_text(again))
 
@@ -65,14 +65,14 @@ def test_chosen_values_follow_those_that_they_follow_from():
     assert thick.hash != NOTHING.hash
 
 
-def test_chosen_values_go_to_other_units_as_given_ones_do():
-    there = in_units(NOTHING, length=1e-2, mass=1e-3, time=1e-2)
-    assert there.chosen == ()
-    assert there.facet.thickness == pytest.approx(100 * NOTHING.settled().facet.thickness)
+def test_chosen_values_convert_to_other_units():
+    present = in_units(NOTHING, length=1e-2, mass=1e-3, time=1e-2)
+    assert present.chosen == ()
+    assert present.facet.thickness == pytest.approx(100 * NOTHING.settled().facet.thickness)
 
 
-def test_a_sheet_twice_the_size_moves_alike():
-    """What is chosen for the small one is scaled with it: stiffness by length with the square of the size."""
+def test_a_sheet_of_twice_the_size_has_similar_motion():
+    """Chosen values scale with the sheet: stiffness per length with the square of the size."""
     large = scale_design(NOTHING, 2.0)
     assert large.crease.stiffness == pytest.approx(4 * NOTHING.settled().crease.stiffness)
     assert large.facet.youngs_modulus == pytest.approx(NOTHING.settled().facet.youngs_modulus)

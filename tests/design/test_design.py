@@ -23,7 +23,7 @@ def refusal(**values):
 
 
 def quantities(part, prefix=""):
-    """Every key with a unit, how it is read, and its value."""
+    """Every key with a unit, its quantity, and its value."""
     for name, field in type(part).model_fields.items():
         value, quantity = getattr(part, name), field_quantity(field)
         if quantity is not None:
@@ -74,7 +74,7 @@ QUANTITIES = [(key, quantity) for key, quantity, _ in quantities(REFERENCE)]
 
 
 @pytest.mark.parametrize(("key", "quantity"), QUANTITIES, ids=[key for key, _ in QUANTITIES])
-def test_every_quantity_keeps_to_its_bounds_and_says_which(key, quantity):
+def test_every_quantity_outside_its_bounds_is_refused_with_the_bounds(key, quantity):
     unit = quantity.unit.display
     too_little = parse_quantity(f"-1000 {unit}", quantity.unit)
     if quantity.above == 0 or quantity.at_least == 0:
@@ -91,7 +91,7 @@ def test_every_quantity_keeps_to_its_bounds_and_says_which(key, quantity):
     assert "need text with a unit" in refusal(**{key: True})
 
 
-def test_a_quantity_has_its_own_bounds_where_theory_asks_for_them():
+def test_some_quantities_have_tighter_bounds_from_theory():
     assert refusal(pattern__sector_angle=math.pi) == "pattern.sector_angle: need < 180 deg, got 180 deg"
     assert refusal(hinge__fold_limit=3.2) == "hinge.fold_limit: need <= 180 deg, got 183.3 deg"
     assert refusal(hinge__overbend=math.pi / 2) == "hinge.overbend: need < 90 deg, got 90 deg"
@@ -128,7 +128,7 @@ def test_a_fan_that_closes_on_itself_is_refused_with_the_most_units_it_can_have(
     assert changed(pattern__units=8).fan.vein_count == 17
 
 
-def test_a_hub_so_large_that_the_ring_fold_runs_along_the_veins_is_refused():
+def test_a_hub_so_large_that_the_ring_fold_is_along_the_veins_is_refused():
     # hub_radius < proximal_length / tan(sector_angle / 2) = 12 cm / tan(10 deg)
     assert refusal(pattern__hub_radius=0.69).startswith("pattern.hub_radius: need < 68.0554 cm")
 
@@ -192,7 +192,7 @@ def test_a_goal_beyond_the_stops_of_the_hinges_is_refused(key, degrees, allowed)
 
 
 @pytest.mark.parametrize("timestep", [1e-300, 6.2e-9, 6.4, 1e300])
-def test_a_timestep_that_no_run_can_take_is_refused_with_what_is_allowed(timestep):
+def test_an_unusable_timestep_is_refused_with_the_allowed_range(timestep):
     message = refusal(protocol__timestep=timestep)
     assert message.startswith("protocol.timestep: need >= 6.3e-06 ms and <= 6.3 s, so that all stages together, 6.3 s")
     assert changed(protocol__timestep=6.4e-9, protocol__sample_interval=1e-3).protocol.timestep == 6.4e-9
@@ -249,7 +249,7 @@ def test_rows_of_the_membrane_rise_between_0_and_1(rows):
         ("guard.stretch", math.inf, "need a finite number, got inf"),
     ],
 )
-def test_a_number_without_a_unit_keeps_to_its_bounds_and_is_no_text_or_switch(key, value, rule):
+def test_a_number_without_a_unit_has_bounds_and_cannot_be_text_or_boolean(key, value, rule):
     assert refusal(**{key: value}) == f"{key}: {rule}"
 
 

@@ -93,7 +93,7 @@ def test_a_saved_design_is_loaded_with_the_same_bits_and_hash(tmp_path_factory, 
     save_design(design, path)
     assert load_design(path) == design
     assert load_design(path).hash == design.hash
-    assert repr(design_from_text(design_text(design))) == repr(design)  # repr tells -0.0 from 0.0
+    assert repr(design_from_text(design_text(design))) == repr(design)  # repr distinguishes -0.0 from 0.0
 
 
 def test_a_saved_design_holds_every_value_and_rests_on_no_other_file(tmp_path):
@@ -157,7 +157,7 @@ def test_the_file_that_was_promised_to_users_is_the_reference(tmp_path):
     assert design.name == "my-wing"
 
 
-def test_a_file_changes_what_it_names_and_takes_the_rest_from_what_it_is_based_on(tmp_path):
+def test_a_file_changes_its_keys_and_inherits_the_others_from_its_base(tmp_path):
     (tmp_path / "base.toml").write_text(f'{BASED}[tendon]\nstiffness = "20 N/cm"\nrest_length = "7 cm"')
     (tmp_path / "deep").mkdir()
     (tmp_path / "deep" / "wing.TOML").write_text('based_on = "../base.toml"\n[tendon]\nrest_length = "5 cm"')
@@ -309,7 +309,7 @@ def test_an_unknown_key_is_answered_with_the_nearest_valid_one(refusal, text, me
     assert refusal(BASED + text) == f"wing.toml: {message}"
 
 
-def test_a_misspelt_key_is_named_rather_than_the_one_that_is_missing_for_it(refusal):
+def test_a_misspelt_key_is_reported_instead_of_the_missing_one(refusal):
     text = design_text(REFERENCE).replace("stiffness", "stifness")
     assert refusal(text) == 'wing.toml: tendon.stifness: unknown key, got "10 N/cm"; did you mean tendon.stiffness?'
 
@@ -329,7 +329,7 @@ def test_a_misspelt_key_is_named_rather_than_the_one_that_is_missing_for_it(refu
     ],
     ids=["empty file", "one value", "in a stage"],
 )
-def test_a_missing_key_is_named_with_the_way_out(refusal, text, message):
+def test_a_missing_key_is_reported_with_the_remedy(refusal, text, message):
     assert refusal(text) == f"wing.toml: {message}"
 
 
@@ -456,7 +456,7 @@ def test_a_number_too_long_for_a_computer_is_one_error(refusal):
         ("", f'"" is neither a named design nor a .toml file; the named designs are binder2025, {OTHERS}'),
     ],
 )
-def test_a_design_that_is_not_there_is_one_error(refusal, tmp_path, name, message):
+def test_a_missing_design_gives_a_single_error(refusal, tmp_path, name, message):
     (tmp_path / "folder.toml").mkdir()
     assert refusal(BASED, name) == message
 
@@ -472,7 +472,7 @@ def test_a_design_that_is_not_there_is_one_error(refusal, tmp_path, name, messag
         ('"folder/../wing.toml"', "folder/../wing.toml: is based on itself, directly or through other files"),
     ],
 )
-def test_a_base_that_cannot_be_had_is_an_error_of_based_on(refusal, tmp_path, base, message):
+def test_an_unreadable_base_is_an_error_of_the_key_based_on(refusal, tmp_path, base, message):
     (tmp_path / "folder").mkdir()
     assert refusal(f"based_on = {base}") == f"wing.toml: based_on: {message}"
 
@@ -512,7 +512,7 @@ def test_a_new_design_file_may_be_given_stages_by_removing_the_comment_signs(tmp
     assert load_design(tmp_path / "wing.toml").hash == REFERENCE.hash
 
 
-def test_a_new_design_file_replaces_nothing(tmp_path):
+def test_a_new_design_file_does_not_replace_an_existing_file(tmp_path):
     path = tmp_path / "wing.toml"
     path.write_text("mine")
     with pytest.raises(InputError, match=r"wing.toml: exists already; choose another name or remove it$"):
@@ -592,7 +592,7 @@ def test_every_key_with_a_unit_is_read_as_text_with_that_unit():
     check(REFERENCE, "")
 
 
-def test_a_key_missing_in_a_section_that_may_be_left_out_is_not_to_be_inherited(tmp_path):
+def test_a_key_missing_in_an_optional_section_is_not_inherited(tmp_path):
     (tmp_path / "tied.toml").write_text('based_on = "binder2025"\n[coupling]\n', "utf-8")
     with pytest.raises(InputError, match=r"coupling\.stiffness: is missing; give it, or leave out \[coupling\]"):
         load_design(tmp_path / "tied.toml")

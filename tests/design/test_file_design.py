@@ -1,4 +1,4 @@
-"""Designs of FOLD files and drawings alone."""
+"""Designs made from FOLD files and drawings without a design file."""
 
 from pathlib import Path
 
@@ -27,7 +27,7 @@ def test_a_file_of_others_is_a_design(name):
     assert np.array_equal(again.sheet.edges_fold_angle, sheet.edges_fold_angle, equal_nan=True)
 
 
-def test_creases_go_to_the_angles_that_a_file_gives(tmp_path):
+def test_creases_fold_to_the_angles_of_the_file(tmp_path):
     sheet = load_design("miura-sheet").sheet
     angles = sheet.edges_fold_angle / 3
     write_fold(type(sheet)(**{**vars(sheet), "edges_fold_angle": angles}), tmp_path / "third.fold")
@@ -50,10 +50,10 @@ def test_settings_hold_for_a_file_too():
     ("name", "unit", "message"),
     [
         ("none.fold", 0.05, "no such file"),
-        ("miura-sheet", 0.05, "unit: a design has units of its own, got 0.05 m"),
+        ("miura-sheet", 0.05, "unit: a design already has units, got 0.05 m"),
     ],
 )
-def test_a_missing_file_and_a_unit_for_a_design_are_refused(name, unit, message):
+def test_a_missing_file_or_unit_is_refused(name, unit, message):
     path = FILES / name if name.endswith(".fold") else name
     with pytest.raises(InputError, match=message):
         load_design(path, unit=unit)

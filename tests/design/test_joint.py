@@ -1,4 +1,4 @@
-"""A joint of two bars: what its design may hold, and what it comes to."""
+"""A joint of two bars: allowed values in its design, and the quantities that follow from them."""
 
 import re
 from importlib import resources
@@ -12,17 +12,17 @@ from forficula.structure import structure_of
 JOINT = "binder2025-joint"
 
 
-def test_every_value_of_the_printed_joint_says_where_it_is_from():
+def test_every_value_of_the_printed_joint_has_a_source():
     text = (resources.files("forficula.design") / "references" / f"{JOINT}.toml").read_text("utf-8")
     values = [line for line in text.splitlines() if re.search(r'= "?-?\d', line) and "time_limit" not in line]
     unmarked = [line for line in values if not re.search(r"\[(paper|derived|chosen)\]", line)]
-    # what is not given a mark is nothing
+    # keys without a mark are empty
     assert [line.partition("  #")[0] for line in unmarked] == ['armature = "0 kg m^2"', 'hold = "0 s"']
 
 
 def test_its_tendon_has_the_stiffness_that_the_paper_measured():
     tendon = structure_of(load_design(JOINT)).tendons[0]
-    # 4 N/cm, and the joint as built stretches it within what was measured
+    # 4 N/cm; the joint as built stretches the tendon within the measured range
     assert tendon.law.elastic.linear == pytest.approx(400.0, rel=1e-12)
     assert tendon.law.rest_length == 0.06
     assert tendon.material.largest_strain == 1.0
@@ -102,7 +102,7 @@ def test_what_no_joint_can_have_is_refused_by_its_key(settings, message):
     assert str(caught.value).startswith(message)
 
 
-def test_a_medium_is_told_to_do_nothing():
-    (said,) = load_design(JOINT, {"medium.density": "1.2 kg/m^3"}).idle
-    assert said.startswith("medium.density and medium.viscosity have no effect, because a joint has no panels")
+def test_a_medium_has_no_effect_and_there_is_a_warning():
+    (sentence,) = load_design(JOINT, {"medium.density": "1.2 kg/m^3"}).idle
+    assert sentence.startswith("medium.density and medium.viscosity have no effect, because a joint has no panels")
     assert load_design(JOINT).idle == ()

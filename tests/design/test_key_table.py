@@ -1,4 +1,4 @@
-"""Every key of a design is told, with what it may hold and what it means."""
+"""The table of design keys: every key with its allowed values and its meaning."""
 
 import pytest
 
@@ -10,7 +10,7 @@ from forficula.quantities import parse_quantity
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_every_key_of_a_kind_is_told_once_with_its_meaning(kind):
+def test_every_key_of_a_kind_is_listed_once_with_its_meaning(kind):
     facts = key_facts(model=KINDS[kind])
     assert len({fact.key for fact in facts}) == len(facts)
     assert all(fact.meaning and fact.allowed for fact in facts)
@@ -22,7 +22,7 @@ def _keys(tables, prefix=""):
         if isinstance(value, dict):
             yield from _keys(value, f"{prefix}{name}.")
         elif isinstance(value, list) and all(isinstance(entry, dict) for entry in value):
-            # an empty list of tables has no keys, and one of values none but its own
+            # an empty list of tables has no keys, and a list of values only its own key
             for entry in value:
                 yield from _keys(entry, f"{prefix}{name}.0.")
         else:
@@ -30,7 +30,7 @@ def _keys(tables, prefix=""):
 
 
 @pytest.mark.parametrize("name", [design.reference for design in KINDS.values() if design.reference])
-def test_every_key_of_a_written_design_is_among_those_that_are_told(name):
+def test_every_key_of_a_written_design_is_listed(name):
     design = ff.load_design(name)
     assert set(_keys(design.as_tables())) <= {fact.key for fact in key_facts(model=type(design))}
 
@@ -53,7 +53,7 @@ def test_what_a_key_may_be_has_its_unit_its_bounds_and_its_default(key, allowed,
     assert (fact.allowed, fact.default) == (allowed, default)
 
 
-def test_what_is_beyond_a_bound_that_is_told_is_refused():
+def test_values_beyond_the_listed_bounds_are_refused():
     design = ff.load_design("binder2025")
     for fact in key_facts():
         quantity = key_quantity(fact.key)
@@ -63,7 +63,7 @@ def test_what_is_beyond_a_bound_that_is_told_is_refused():
             with_values(design, {fact.key: parse_quantity(f"0 {quantity.unit.display}", quantity.unit)})
 
 
-def test_a_section_that_there_is_not_is_refused_with_the_nearest():
+def test_an_unknown_section_is_refused_with_the_nearest_name():
     assert [fact.key for fact in key_facts("guard")] == ["guard.stretch"]
     with pytest.raises(ff.InputError, match=r"tendn: unknown key; did you mean tendon\?"):
         key_facts("tendn")

@@ -1,4 +1,4 @@
-"""What a design may say of the medium around it."""
+"""The medium in a design."""
 
 import pytest
 
@@ -35,14 +35,14 @@ def test_sheets_may_weigh_in_air_and_not_in_water(name):
         with_values(sheet, {"medium.density": 1000.0})
 
 
-def test_a_size_keeps_the_medium_and_similarity_makes_it_another():
+def test_a_size_change_does_not_change_the_medium_but_similarity_does():
     air = load_design("binder2025-built")
     smaller = scale_design(air, 0.1, natural=True).medium
     assert smaller.viscosity == air.medium.viscosity
     assert smaller.density == pytest.approx(air.medium.density, rel=1e-12)
     similar = scale_design(air, 0.1).medium
     assert similar.density == pytest.approx(air.medium.density, rel=1e-12)
-    # at the same speed and a tenth of the size a tenth of it has the same Reynolds number
+    # at a tenth of the size and the same speed, a tenth of the viscosity gives the same Reynolds number
     assert similar.viscosity == pytest.approx(0.1 * air.medium.viscosity, rel=1e-12)
 
 

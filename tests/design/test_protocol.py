@@ -1,4 +1,4 @@
-"""What a protocol's stages may say: drives, goals and states by name, or goals as bounds."""
+"""Stages of a protocol: drives, goals and states by name, or goals as bounds."""
 
 import pytest
 
@@ -43,7 +43,7 @@ MEASURES = '"ring", "turn", "lift", "sweep" or "distal_angle"'
         ("turn > nan deg", 'need a finite number with a unit such as "15 deg", got "nan deg"'),
     ],
 )
-def test_a_goal_that_is_none_is_refused_with_its_key_what_is_allowed_and_what_is_near(until, message):
+def test_an_unknown_goal_is_refused_with_allowed_and_nearest_names(until, message):
     with pytest.raises(InputError) as caught:
         stage(1, until=until)
     assert str(caught.value).endswith(f"protocol.stages.1.until: {message}")
@@ -66,7 +66,7 @@ def test_a_goal_that_is_none_is_refused_with_its_key_what_is_allowed_and_what_is
         ),
     ],
 )
-def test_a_drive_that_there_is_not_or_that_comes_twice_is_refused(drive, message):
+def test_an_unknown_or_repeated_drive_is_refused(drive, message):
     with pytest.raises(InputError) as caught:
         stage(1, drive=drive)
     assert str(caught.value).endswith(f"protocol.stages.1.{message}")
@@ -78,7 +78,7 @@ def test_a_drive_that_there_is_not_or_that_comes_twice_is_refused(drive, message
 def test_a_stage_may_have_a_list_of_drives(drive, drives):
     design = stage(1, drive=drive)
     assert stage_drives(design.protocol.stages[1]) == drives
-    assert [each.stage for each in structure_of(design).transitions] == [1, 3]
+    assert [transition.stage for transition in structure_of(design).transitions] == [1, 3]
 
 
 @pytest.mark.parametrize(
@@ -109,7 +109,7 @@ BETWEEN = 'from the stage with drive = "fold" to the one with drive = "unfold"'
 
 def test_stages_may_name_the_states_at_their_ends_themselves():
     named = with_values(REFERENCE, {"protocol.stages.1.state": "folded", "protocol.stages.3.state": "opened"})
-    # what names any names all
+    # a protocol that names one state must name all
     assert structure_of(named).stage_states == ("", "folded", "", "opened", "")
     assert named.hash != REFERENCE.hash
 
@@ -120,14 +120,14 @@ def test_stages_may_name_the_states_at_their_ends_themselves():
         ({2: "fold"}, '2.state: need "flat", "folded" or "opened", got "fold"; did you mean "folded"?'),
         ({2: "sideways"}, '2.state: need "flat", "folded" or "opened", got "sideways"'),
         ({2: ""}, '2.state: need "flat", "folded" or "opened", got ""'),
-        ({1: "folded", 2: "folded"}, '2.state: need a name of its own, got "folded" again'),
+        ({1: "folded", 2: "folded"}, '2.state: need a name that is not used yet, got "folded" again'),
         ({0: "folded", 1: "flat"}, '0.state: need "flat" before the stage with drive = "fold", got "folded"'),
         ({1: "flat"}, f'1.state: need "folded" {BETWEEN}, got "flat"'),
         ({2: "opened"}, f'2.state: need "folded" {BETWEEN}, got "opened"'),
         ({3: "folded"}, '3.state: need "opened" from the stage with drive = "unfold" on, got "folded"'),
     ],
 )
-def test_a_state_that_a_fan_does_not_have_or_is_not_in_or_that_comes_twice_is_refused(values, message):
+def test_an_unknown_unreached_or_repeated_state_is_refused(values, message):
     with pytest.raises(InputError) as caught:
         with_values(REFERENCE, {f"protocol.stages.{number}.state": state for number, state in values.items()})
     assert str(caught.value).endswith(f"protocol.stages.{message}")

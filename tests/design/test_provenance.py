@@ -1,4 +1,4 @@
-"""A design of which some values are others says so, instead of claiming the source of the one that it came from."""
+"""A changed design lists its changes instead of claiming the source of its base."""
 
 import pytest
 
@@ -22,7 +22,7 @@ def test_the_same_values_keep_their_source(values):
     assert ff.load_design("binder2025", values).source == ff.load_design("binder2025").source
 
 
-def test_a_file_says_what_it_is_based_on(tmp_path):
+def test_a_file_names_the_design_that_it_is_based_on(tmp_path):
     (tmp_path / "wing.toml").write_text(f'{BASED}[tendon]\nrest_length = "7 cm"\n')
     wing = ff.load_design(tmp_path / "wing.toml")
     assert wing.source.startswith("binder2025 with other values of tendon.rest_length; ")
@@ -30,19 +30,19 @@ def test_a_file_says_what_it_is_based_on(tmp_path):
     assert ff.load_design(tmp_path / "own.toml").source == "our bench"
 
 
-def test_many_changes_are_not_all_told():
+def test_only_the_first_of_many_changes_are_listed():
     values = {f"pattern.{key}_length": "13 cm" for key in ("proximal", "distal")}
     values |= {f"hinge.{key}": 2e-3 for key in ("damping",)} | {"vein.density": 1.0, "vein.diameter": 1e-3}
     values |= {"membrane.thickness": 2e-4, "membrane.youngs_modulus": 2e6, "protocol.timestep": 1e-4}
-    assert "vein.density" not in (told := ff.load_design("binder2025").with_values(values).source)
-    assert " and more; binder2025: " in told
+    assert "vein.density" not in (source := ff.load_design("binder2025").with_values(values).source)
+    assert " and more; binder2025: " in source
 
 
-def test_a_scaled_design_says_by_how_much():
+def test_the_source_of_a_scaled_design_contains_the_factor():
     assert ff.scale_design("binder2025", 0.1).source.startswith("binder2025 at 0.1 times its size; binder2025: ")
 
 
-def test_what_differs_of_an_entry_with_a_name_is_told_by_it():
+def test_changes_of_a_named_entry_are_listed_under_its_name():
     letter = ff.load_design("letter-fold")
     stiffer = letter.with_values({"tendon.left.stiffness": "0.6 N/cm", "protocol.timestep": "0.1 ms"})
     assert differing_keys(letter, stiffer) == ["protocol.timestep", "tendon.left.stiffness"]

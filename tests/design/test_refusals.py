@@ -1,26 +1,26 @@
-"""Every refusal of a value in a design names key, value and what is allowed; words are tested once per rule."""
+"""Every refusal of a value in a design names the key, the value and the rule; wording is tested once per rule."""
 
 import re
 
 import pytest
 
 from forficula.design import load_design
-from forficula.design.files.held_keys import held_keys
+from forficula.design.files.design_keys import design_keys
 from forficula.errors import InputError
 
 ALLOWED = re.compile("need |write it such as |neither .* nor ")
 DESIGNS = {name: load_design(name) for name in ("binder2025", "letter-fold", "miura-sheet", "binder2025-joint")}
-# with values, but for those of parts whose kind decides which keys there are
+# with values, except sections whose kind determines their keys
 KEYS = [
-    (name, each.fact.key)
+    (name, key.fact.key)
     for name, design in DESIGNS.items()
-    for each in held_keys(design)
-    if each.value and not each.fact.key.startswith(("drive.", "measure.", "support.", "tendon.law."))
+    for key in design_keys(design)
+    if key.value and not key.fact.key.startswith(("drive.", "measure.", "support.", "tendon.law."))
 ]
 
 
 def refusal(name, key, value):
-    """The words with which a value is refused, or nothing."""
+    """Return the message with which a value is refused, or None."""
     try:
         load_design(name, {key: value})
     except InputError as error:
@@ -39,6 +39,6 @@ def test_every_refusal_names_the_key_the_value_and_what_is_allowed(value):
         # a contradiction with another key begins with the design's name; a missing name is reported where it is used
         section = "" if key.endswith(".name") else key.rpartition(".")[0]
         assert re.match(rf"(\S+: )?{re.escape(section)}[.\w]*: ", message), message
-        # as it was written, or as it is counted or converted
+        # as written, or counted or converted
         assert value in message or ", got " in message, message
     assert [message for message in refused.values() if not ALLOWED.search(message)] == []

@@ -1,4 +1,4 @@
-"""What a sheet of rigid facets is refused for, and why."""
+"""Refusals of sheets of rigid facets, and their reasons."""
 
 import math
 import re
@@ -53,7 +53,7 @@ def test_creases_that_may_bend_back_have_no_sense_to_fold_in():
     refused("0 degrees of freedom", vertex([90, 90, 90, 90], "MMMM"))
 
 
-def test_unassigned_creases_fold_both_ways():
+def test_unassigned_creases_fold_in_both_senses():
     structure = structure_of(plates(vertex([60, 90, 120, 90])))
     assert {(hinge.lower, hinge.upper) for hinge in structure.hinges} == {(-math.pi, math.pi)}
 
@@ -75,7 +75,7 @@ def test_starts_at_which_the_facets_do_not_meet_are_refused():
     )
 
 
-def test_a_sheet_that_is_built_folded_starts_as_it_is():
+def test_a_sheet_that_is_built_folded_starts_in_that_shape():
     assert [hinge.start for hinge in structure_of(plates(miura(2))).hinges] == [
         hinge.built for hinge in structure_of(plates(miura(2))).hinges
     ]
@@ -94,11 +94,11 @@ def test_a_loop_opens_somewhere_or_nowhere():
     refused("need a crease that opens in every loop, or in none", miura(3), more=group.replace("crease 0", "crease 4"))
 
 
-def test_of_facets_that_hang_together_one_is_held():
+def test_only_one_of_connected_facets_can_be_held():
     two = '[[support]]\nof = "facet 0"\n[[support]]\nof = "facet 1"'
     refused("support: need at most 1 entry for hinged rigid facets, got 2", pleats(3, "VM"), more=two)
     opening = f'{two}\n[[crease.group]]\nof = "crease 1"\n{OPENS}'
-    refused("support: facet 1 hangs together with another that is held", pleats(3, "VM"), more=opening)
+    refused("support: facet 1 is connected to another facet that is held", pleats(3, "VM"), more=opening)
     assert structure_of(plates(pleats(3, "VM"), crease=OPENS, more=two)).bodies[2].turns
 
 
@@ -126,6 +126,6 @@ def test_places_on_facets_lie_on_them_where_the_sheet_is_built_folded():
     tendon += 'stiffness = "1 N/cm"\nrest_length = "1 cm"'
     design = plates(miura(2, "80 deg"), more=tendon)
     sheet = design.sheet
-    # of parallelograms, the mean of the corners
+    # the mean of the corners of parallelograms
     one, other = (sheet.vertices_coords[list(sheet.faces_vertices[facet])].mean(axis=0) for facet in (0, 3))
     assert built_lengths(structure_of(design)) == pytest.approx([np.linalg.norm(other - one)], rel=1e-12)

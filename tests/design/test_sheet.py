@@ -1,4 +1,4 @@
-"""Designs of plates: files in and out, what is refused and how, and sheets of FOLD files."""
+"""Designs of plates: reading and writing files, refusals, and sheets from FOLD files."""
 
 import math
 import tomllib
@@ -68,20 +68,20 @@ def test_a_design_that_is_written_reads_the_same_to_the_bit():
     assert isinstance(again, SheetDesign)
 
 
-def test_every_number_goes_to_other_units_and_back():
-    there = in_units(LETTER, length=1e-2, mass=1e-3, time=1e-2)
-    assert there.pattern.panel_lengths == pytest.approx((9.9,))
-    assert there.drive[0].value == pytest.approx(3e-2 / (1e-3 * (1e-2 / 1e-2) ** 2))
+def test_every_number_converts_to_other_units_and_back():
+    present = in_units(LETTER, length=1e-2, mass=1e-3, time=1e-2)
+    assert present.pattern.panel_lengths == pytest.approx((9.9,))
+    assert present.drive[0].value == pytest.approx(3e-2 / (1e-3 * (1e-2 / 1e-2) ** 2))
     # N m/rad/m
-    assert there.crease.stiffness == pytest.approx(2e-2 / (1e-3 * 1e-2 / 1e-2**2))
-    assert there.crease.start == LETTER.crease.start
-    back = in_units(there, length=1e2, mass=1e3, time=1e2)
+    assert present.crease.stiffness == pytest.approx(2e-2 / (1e-3 * 1e-2 / 1e-2**2))
+    assert present.crease.start == LETTER.crease.start
+    back = in_units(present, length=1e2, mass=1e3, time=1e2)
     assert back.pattern.panel_lengths == pytest.approx(LETTER.pattern.panel_lengths, rel=1e-15)
-    assert np.ptp(design_pattern(there).vertices_coords[:, 0]) == pytest.approx(29.7)
+    assert np.ptp(design_pattern(present).vertices_coords[:, 0]) == pytest.approx(29.7)
 
 
 def test_a_scaled_strip_is_stiff_as_its_cube():
-    """Torque by angle of a crease: its stiffness by length times its length goes with the cube of the size."""
+    """The torque per angle of a crease, stiffness per length times length, scales with the cube of the size."""
     large = scale_design(LETTER, 2.0)
     width, other = LETTER.pattern.width, large.pattern.width
     assert other == pytest.approx(2 * width)
@@ -89,7 +89,7 @@ def test_a_scaled_strip_is_stiff_as_its_cube():
     assert large.drive[1].value == pytest.approx(8 * LETTER.drive[1].value)
 
 
-def test_entries_of_lists_go_by_number_or_by_name():
+def test_entries_of_lists_are_addressed_by_number_or_name():
     changed = with_values(LETTER, {"drive.open.value": -1.0, "tendon.1.stiffness": "7 N/cm"})
     assert [drive.value for drive in changed.drive] == [0.03, -1.0]
     assert key_value(changed, "tendon.right.stiffness") == key_value(changed, "tendon.1.stiffness") == 700
@@ -204,7 +204,7 @@ def test_every_key_that_a_file_has_is_known():
         ),
         (
             '[[measure]]\nname = "crease"\nkind = "fold-angle"\nof = "creases"',
-            'measure.0.name: need a name of its own, got "crease" again',
+            'measure.0.name: need a name that is not used yet, got "crease" again',
         ),
         (
             '[[measure]]\nname = "energy"\nkind = "fold-angle"\nof = "creases"',
@@ -244,7 +244,7 @@ AFTER_TENDON = "need one of 0 (left) or 1 (right) after tendon"
         ("support.1.of", "need 0 after support, such as support.0.of"),
     ],
 )
-def test_a_setting_that_plates_have_not_is_answered_with_its_whole_key_as_it_was_written(key, message):
+def test_an_unknown_setting_of_plates_is_refused_with_its_full_key(key, message):
     with pytest.raises(InputError) as caught:
         load_design("letter-fold", {key: "1"})
     assert str(caught.value) == f"{key}: {message}"
@@ -284,18 +284,18 @@ def test_a_goal_that_cannot_be_is_refused(refusal, until, message):
 
 
 def test_a_name_of_a_stage_or_of_a_state_is_given_once(refusal):
-    said = "need a name that no stage and no other state has, got"
+    sentence = "need a name that no stage and no other state has, got"
     one = stage("creases > 9 deg", 'state = "b"')
-    assert refusal(one + one.replace('"a"', '"c"')) == f'protocol.stages.1.state: {said} "b" again'
-    assert refusal(one + stage("rest")) == f'protocol.stages.1.name: {said} "a" again'
-    assert refusal(stage("creases > 9 deg", 'state = "a"')) == f'protocol.stages.0.state: {said} "a" again'
+    assert refusal(one + one.replace('"a"', '"c"')) == f'protocol.stages.1.state: {sentence} "b" again'
+    assert refusal(one + stage("rest")) == f'protocol.stages.1.name: {sentence} "a" again'
+    assert refusal(stage("creases > 9 deg", 'state = "a"')) == f'protocol.stages.0.state: {sentence} "a" again'
 
 
 @pytest.mark.parametrize("name", ["verdict", "stages", "residual"])
-def test_what_tables_have_for_something_else_is_no_name(refusal, name):
-    said = f'need a name that is not a column of tables, got "{name}"'
-    assert refusal(stage("rest", name=name)) == f"protocol.stages.0.name: {said}"
-    assert refusal(stage("rest", f'state = "{name}"')) == f"protocol.stages.0.state: {said}"
+def test_reserved_table_keys_are_not_accepted_as_names(refusal, name):
+    sentence = f'need a name that is not a column of tables, got "{name}"'
+    assert refusal(stage("rest", name=name)) == f"protocol.stages.0.name: {sentence}"
+    assert refusal(stage("rest", f'state = "{name}"')) == f"protocol.stages.0.state: {sentence}"
 
 
 def test_a_bound_on_a_mountain_by_a_measure_is_valley_positive():
@@ -318,7 +318,7 @@ def test_a_tendon_must_cross_something(refusal):
     )
 
 
-def test_a_design_of_another_kind_is_no_base(tmp_path):
+def test_a_design_of_another_kind_cannot_be_the_base(tmp_path):
     path = tmp_path / "a.toml"
     path.write_text('based_on = "binder2025"\n[pattern]\nkind = "pleats"\n')
     with pytest.raises(InputError, match=r'of kind earwig-fan; begin with based_on = "letter-fold"$'):
@@ -342,17 +342,17 @@ def test_a_design_of_another_kind_is_no_base(tmp_path):
         ("facet 0 at 0,0", 0, (0, 0)),
     ],
 )
-def test_a_place_is_where_it_says(text, facet, place):
-    found = place_on(pleat_pattern([0.1, 0.2, 0.3], 0.2, "MV"), text)
-    assert found.facet == facet
-    assert found.position == pytest.approx([*place, 0], abs=1e-15)
+def test_a_place_has_the_described_position(text, facet, place):
+    result = place_on(pleat_pattern([0.1, 0.2, 0.3], 0.2, "MV"), text)
+    assert result.facet == facet
+    assert result.position == pytest.approx([*place, 0], abs=1e-15)
 
 
 @pytest.mark.parametrize(
     "text",
     ["", "vertex", "vertex 99", "vertex -1", "facet 1", "facet 9 at centre", "vertex 0 of facet 2", "edge 0 at 1.1"],
 )
-def test_what_is_no_place_is_refused(text):
+def test_an_invalid_place_is_refused(text):
     with pytest.raises(InputError):
         place_on(pleat_pattern([0.1, 0.2, 0.3], 0.2, "MV"), text)
 
@@ -368,7 +368,7 @@ def test_groups_of_creases():
     ]
 
 
-def test_a_sheet_of_a_file_is_kept_as_what_it_holds(tmp_path):
+def test_a_sheet_of_a_file_is_stored_with_its_content(tmp_path):
     sheet = pleat_pattern([0.1 / 3, 0.05, 0.07], 0.2, "MV")
     write_fold(sheet, tmp_path / "strip.fold")
     path = tmp_path / "design.toml"
@@ -426,7 +426,7 @@ def test_facets_around_a_loop_that_do_not_meet_at_the_start_are_refused(tmp_path
         ),
     ],
 )
-def test_a_sheet_that_is_none_is_refused(tmp_path, text, message):
+def test_an_invalid_sheet_is_refused(tmp_path, text, message):
     path = tmp_path / "a.toml"
     path.write_text(f'{BASED}[pattern]\nkind = "fold-file"\n{text}\n')
     with pytest.raises(InputError) as caught:
@@ -434,11 +434,11 @@ def test_a_sheet_that_is_none_is_refused(tmp_path, text, message):
     assert str(caught.value) == f"{path}: {message.format(folder=tmp_path)}"
 
 
-def test_a_new_file_describes_every_key_and_is_the_design_it_began_with(tmp_path):
+def test_a_new_file_describes_every_key_and_gives_the_same_design(tmp_path):
     path = tmp_path / "letter.toml"
     write_new_design(path, "pleats")
     assert load_design(path).hash == LETTER.hash
-    # with the comment signs of all tables taken away, too
+    # also with the comment signs of all tables removed
     lines, inside = [], False
     for line in path.read_text().splitlines():
         inside = line.startswith("# [[") or (inside and line.startswith("# "))
@@ -448,13 +448,13 @@ def test_a_new_file_describes_every_key_and_is_the_design_it_began_with(tmp_path
     assert "\n[[tendon]]" in path.read_text()
     design = load_design(path)
     (group,) = design.crease.group
-    # its angles are those of letter-fold, so that every goal lies within its stops
+    # with the angles of letter-fold, so that every goal lies within its stops
     angles = ("rest_angle", "fold_limit", "back_limit", "start")
     assert [getattr(group, key) for key in angles] == [getattr(LETTER.crease, key) for key in angles]
     assert put(design, "crease.group", ()).hash == LETTER.hash
 
 
-def test_a_new_file_of_a_fold_file_takes_any_sheet(tmp_path):
+def test_a_new_file_for_a_fold_file_has_no_values_of_a_particular_sheet(tmp_path):
     path = tmp_path / "new.toml"
     write_new_design(path, "fold-file")
     with pytest.raises(InputError, match=r"pattern\.path: .*sheet\.fold: no such file"):
@@ -475,7 +475,7 @@ def test_a_new_file_of_a_fold_file_takes_any_sheet(tmp_path):
     ],
 )
 def test_a_tendon_that_nothing_stretches_is_refused(tmp_path, start, end, why):
-    """Facets 0 and 1 are one plate, for the edge between them is flat; a place on an axis stays where it turns."""
+    """Facets 0 and 1 are one plate, because the edge between them is flat; a point on an axis does not move."""
     path = tmp_path / "strip.fold"
     write_fold(pleat_pattern([0.1, 0.1, 0.1], 0.2, "VV"), path)
     path.write_text(path.read_text().replace('"V"', '"F"', 1).replace("180.0", "0.0", 1))
@@ -528,7 +528,7 @@ MIURA = {
         ({"crease.group": [{"name": "a and b", "of": "crease 1"}]}, "crease.group.0.name: need a name that has no oth"),
     ],
 )
-def test_a_sheet_of_nodes_that_cannot_be_what_it_says_is_refused(values, why):
+def test_a_sheet_of_nodes_with_contradictory_values_is_refused(values, why):
     whole = MIURA | {"tendon": [TENDON], "measure": [WIDTH]}
     assert load_design("miura-sheet", whole)
     with pytest.raises(InputError) as caught:
@@ -544,13 +544,13 @@ def test_a_sheet_whose_vertices_are_all_held_along_some_axes_can_move():
 
 @pytest.mark.parametrize(("key", "value", "got"), [("time_constant", "3 ms", "3 ms"), ("damping_ratio", 0.5, "0.5")])
 def test_stops_of_bodies_are_refused_where_facets_bend_and_their_creases_have_springs(key, value, got):
-    said = f"stops.{key}: is for stops of rigid bodies; where facets bend, .* crease.stop_stiffness; got {got}$"
-    with pytest.raises(InputError, match=said):
+    sentence = f"stops.{key}: is for stops of rigid bodies; where facets bend, .* crease.stop_stiffness; got {got}$"
+    with pytest.raises(InputError, match=sentence):
         load_design("miura-sheet", {f"stops.{key}": value})
     assert getattr(load_design("letter-fold", {f"stops.{key}": value}).stops, key) != getattr(StopSection(), key)
 
 
-def test_a_scaled_sheet_whose_facets_bend_keeps_the_stops_that_it_does_not_have(tmp_path):
+def test_the_stops_of_a_scaled_sheet_with_bending_facets_are_unchanged(tmp_path):
     small = scale_design("miura-sheet", 0.5)
     save_design(small, tmp_path / "small.toml")
     assert load_design(tmp_path / "small.toml").stops == load_design("miura-sheet").stops

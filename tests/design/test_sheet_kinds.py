@@ -1,4 +1,4 @@
-"""Designs of sheets of every kind: written and read, scaled, and what their sections refuse."""
+"""Designs of sheets of every kind: writing, reading, scaling, and refusals of their sections."""
 
 import pytest
 
@@ -25,7 +25,7 @@ def test_a_sheet_of_every_kind_is_built_and_reads_back_to_the_bit(kind):
     design = load_design("miura-sheet", BARE | {"pattern": {"kind": kind, **PATTERNS[kind]}})
     structure = structure_of(design)
     assert len(structure.bodies) == len(design.sheet.vertices_coords)
-    # as built nothing is strained
+    # nothing is strained as built
     assert [hinge.rest_angle for hinge in structure.hinges] == [hinge.start for hinge in structure.hinges]
     again = design_from_text(design_text(design))
     assert (again.hash, again.sheet.vertices_coords.tobytes()) == (design.hash, design.sheet.vertices_coords.tobytes())
@@ -65,6 +65,6 @@ def test_a_base_of_a_waterbomb_has_two_shapes():
     assert down.vertices_coords[2, 2] > down.vertices_coords[0, 2]
 
 
-def test_a_kind_without_a_pattern_of_its_own_is_told_what_is_missing():
+def test_a_kind_without_a_pattern_is_refused_with_the_missing_key():
     with pytest.raises(InputError, match=r"pattern\.sides: is missing"):
         with_values(load_design("miura-sheet"), {"pattern.kind": "kresling"})

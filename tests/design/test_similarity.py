@@ -56,7 +56,7 @@ def test_every_value_of_a_scaled_wing_goes_with_the_power_that_dimensional_analy
         assert after.hold == pytest.approx(factor * before.hold, rel=ROUNDING)
 
 
-def test_what_has_no_dimension_stays_as_it_is():
+def test_dimensionless_values_are_unchanged():
     original = with_values(REFERENCE, {"protocol.timestep": "auto", "membrane.distal_rows": [0.5], "pattern.units": 2})
     scaled = scale_design(original, 0.1)
     assert scaled.protocol.timestep == "auto"
@@ -64,7 +64,7 @@ def test_what_has_no_dimension_stays_as_it_is():
     assert (scaled.pattern.units, scaled.pattern.tangent) == (2, "right")
 
 
-def test_a_scaled_wing_says_so_in_its_name():
+def test_the_name_of_a_scaled_wing_contains_the_scale():
     assert scale_design(REFERENCE, 0.1).name == "binder2025-x0.1"
 
 
@@ -90,7 +90,7 @@ def test_a_design_can_be_written_in_other_units():
     assert value(in_centimetres_grams_and_milliseconds, "hinge.overbend") == math.radians(3)
 
 
-def test_what_no_size_changes_stays_as_it_is():
+def test_values_that_do_not_depend_on_size_are_unchanged():
     heavy = with_values(REFERENCE, {"protocol.gravity": 9.81})
     scaled, similar = scale_design(heavy, 0.1, natural=True), scale_design(heavy, 0.1)
     assert scaled.protocol.gravity == 9.81
@@ -99,14 +99,14 @@ def test_what_no_size_changes_stays_as_it_is():
     assert with_values(scaled, kept).hash == similar.hash
 
 
-def test_a_tendon_of_a_material_keeps_it_at_any_size():
+def test_a_tendon_has_the_same_material_at_any_size():
     made = load_design("binder2025", {"tendon.law": "tpu-82a", "tendon.area": "12.5 mm^2"})
     scaled = scale_design(made, 0.1, natural=True)
     assert scaled.tendon.law == made.tendon.law
     assert scaled.tendon.area == pytest.approx(made.tendon.area / 100, rel=ROUNDING)
 
 
-def test_relaxation_that_is_given_stays_and_that_which_a_rule_chooses_goes_with_the_size():
+def test_given_relaxation_is_unchanged_and_chosen_relaxation_scales_with_size():
     given_one, chosen = load_design("kresling-cell"), load_design("miura-sheet")
     assert scale_design(given_one, 0.1, natural=True).facet.stretch_damping == given_one.facet.stretch_damping
     small = scale_design(chosen, 0.1, natural=True)

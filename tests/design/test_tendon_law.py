@@ -1,4 +1,4 @@
-"""A material in a design: read from where it is named, kept whole, and what follows from it."""
+"""A material in a design: reading it by name or file, storing it, and the values that follow from it."""
 
 import math
 
@@ -156,7 +156,7 @@ def test_values_of_a_law_count_whatever_the_order_of_the_settings():
     assert load_design("binder2025", last).tendon.law.linear_modulus == 2e6
 
 
-def test_a_material_that_is_known_as_a_range_takes_a_choice(tmp_path, monkeypatch):
+def test_a_material_with_a_range_of_values_needs_a_choice(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     resilin = AREA | {"tendon.law": "resilin"}
     assert refusal(resilin).startswith(
@@ -209,8 +209,8 @@ def test_a_material_may_be_written_by_hand():
         (AREA | {"tendon.law": "none.toml"}, "tendon.law: none.toml: no such file"),
         (
             AREA | {"tendon.law": "petg"},
-            "tendon.law: petg: no tendon can be made of it: it is what stiff bars are printed of; its sources give no"
-            " law for stretching",
+            "tendon.law: petg: no tendon can be made of it: it is a material for stiff printed bars, and its sources"
+            " give no law for stretching",
         ),
         (
             {"tendon.law": 3},
@@ -263,7 +263,7 @@ def test_a_material_may_be_written_by_hand():
         (TPU | {"tendon.area": "-5 mm^2"}, "tendon.area: need > 0, got -5 mm^2"),
     ],
 )
-def test_what_a_law_does_not_allow_is_named_with_what_it_does(settings, message):
+def test_settings_that_a_law_does_not_allow_are_refused_with_the_reason(settings, message):
     assert refusal(settings) == message
 
 
@@ -280,7 +280,7 @@ def test_stiffness_and_law_in_one_file_must_agree(tmp_path, monkeypatch):
     text = f'{BASED}[tendon]\nlaw = "tpu-82a"\narea = "12.5 mm^2"\nrest_length = "6 cm"\nstiffness = "%s"'
     (tmp_path / "wing.toml").write_text(text % "10 N/cm")
     design = load_design("wing.toml")
-    # the law alone is kept and written
+    # only the law is stored and written
     assert (design.tendon.stiffness, design.tendon.damping) == (None, None)
     assert "stiffness =" not in design_text(design)
     assert tendon_law(design.tendon).stiffness[0] == pytest.approx(1000)
@@ -290,7 +290,7 @@ def test_stiffness_and_law_in_one_file_must_agree(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("settings", [{"tendon.law": "none"}, {"tendon": {"law": "none"}}])
-def test_a_law_that_is_taken_off_leaves_its_spring_at_small_extension(tmp_path, monkeypatch, law_file, settings):
+def test_removing_a_law_leaves_its_spring_at_small_extension(tmp_path, monkeypatch, law_file, settings):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "wing.toml").write_text(f'{BASED}[tendon]\nlaw = "{law_file}"\narea = "12.5 mm^2"')
     tendon = load_design("wing.toml", settings).tendon
@@ -303,18 +303,18 @@ def test_a_law_that_is_taken_off_leaves_its_spring_at_small_extension(tmp_path, 
     assert load_design("wing.toml", stiffer).tendon.stiffness == 2000
 
 
-def test_a_design_without_a_law_has_none_to_take_off():
+def test_a_design_without_a_law_has_no_law_to_remove():
     plain = load_design("binder2025")
     assert load_design("binder2025", {"tendon.law": "none"}) == plain
     assert with_values(plain, {"tendon.law": "none"}) == plain
 
 
-def test_a_stiffness_takes_the_law_off_and_a_law_the_stiffness(law_file):
+def test_setting_a_stiffness_removes_the_law_and_setting_a_law_the_stiffness(law_file):
     for with_law in (load_design("binder2025", AREA | {"tendon.law": law_file}), load_design("binder2025", TPU)):
         law = tendon_law(with_law.tendon)
         tendon = with_values(with_law, {"tendon.stiffness": 500.0}).tendon
         assert (tendon.law, tendon.area, tendon.stiffness) == (None, None, 500.0)
-        # the damping stays what it was at small extension
+        # the damping is unchanged at small extension
         assert tendon.damping == (0.0 if law.damping is None else law.damping[0])
         again = with_values(
             with_values(with_law, {"tendon.stiffness": 500.0}), {"tendon.law": "tpu-82a", "tendon.area": 1e-5}
@@ -322,7 +322,7 @@ def test_a_stiffness_takes_the_law_off_and_a_law_the_stiffness(law_file):
         assert (again.tendon.stiffness, again.tendon.damping) == (None, None)
 
 
-def test_a_file_takes_off_what_it_is_based_on(tmp_path, monkeypatch):
+def test_a_file_can_remove_the_law_of_its_base(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "law.toml").write_text(f'{BASED}[tendon]\nlaw = "tpu-82a"\narea = "12.5 mm^2"')
     (tmp_path / "spring.toml").write_text('based_on = "law.toml"\n[tendon]\nstiffness = "7 N/cm"')
@@ -331,18 +331,18 @@ def test_a_file_takes_off_what_it_is_based_on(tmp_path, monkeypatch):
     assert load_design("spring.toml").tendon.stiffness == 700.0
 
 
-def test_a_design_that_was_written_with_what_follows_from_its_law_is_the_same_design():
+def test_writing_values_that_follow_from_the_law_gives_the_same_design():
     design = load_design("binder2025", TPU)
     was = design_text(design).replace("[tendon]", '[tendon]\nstiffness = "666.6666666666666 N/m"\ndamping = "0 N s/m"')
     assert design_from_text(was) == design
-    # and so is one without the keys that it did not have
+    # and so is a design without the keys that it did not have
     lines = [
         line for line in was.splitlines() if not line.startswith(("proximal_offset", "distal_offset", "proximal_as"))
     ]
     assert design_from_text("\n".join(lines)).hash == design.hash
 
 
-def test_a_law_that_is_read_keeps_its_range_where_a_value_goes_inside_it(law_file):
+def test_a_law_has_its_measured_range_after_a_value_inside_it_changes(law_file):
     law = load_design("binder2025", AREA | {"tendon.law": law_file, "tendon.law.branches.1.time": "4 s"}).tendon.law
     assert [branch.time for branch in law.branches] == [0.12, 4.0]
     assert law.name == "mine"
@@ -367,7 +367,7 @@ def test_a_factor_of_a_study_may_be_a_value_of_the_law():
         assert tendon_law(with_values(base, {key: value}).tendon).stiffness[0] == pytest.approx(stiffness, rel=1e-12)
 
 
-def test_keys_see_through_what_may_be_absent():
+def test_keys_of_optional_sections_are_found():
     assert {"tendon.area", "tendon.law.linear_modulus", "tendon.law.branches.0.time", "tendon.law.softening.m"} <= set(
         known_keys()
     )

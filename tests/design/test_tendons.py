@@ -1,4 +1,4 @@
-"""Tendons one for all, or each its own."""
+"""Tendons that are the same for all veins, or set for every vein."""
 
 import math
 
@@ -37,22 +37,22 @@ def wing(tmp_path, monkeypatch):
 
 
 def of(design, name="stiffness"):
-    """A value of the tendons by vein; None where there is no tendon."""
+    """Return a value of the tendons by vein; None where there is no tendon."""
     return [None if tendon is None else getattr(tendon, name) for tendon in design.tendons]
 
 
-def test_one_table_stands_for_every_vein():
+def test_one_table_applies_to_every_vein():
     assert of(REFERENCE) == [1000.0] * 3
     assert REFERENCE.tendons[1] is REFERENCE.tendon
 
 
-def test_entries_take_what_they_leave_out_from_the_table_that_they_are_based_on(wing):
+def test_entries_inherit_missing_values_from_the_table_that_they_are_based_on(wing):
     design = wing(BASED + TWO)
     assert of(design) == [1000.0, None, 2000.0]
     assert of(design, "rest_length") == [0.08, None, 0.09]
 
 
-def test_entries_over_entries_take_it_from_that_of_their_vein(wing, tmp_path):
+def test_entries_based_on_entries_inherit_from_the_entry_of_their_vein(wing, tmp_path):
     (tmp_path / "base.toml").write_text(BASED + TWO)
     design = wing('based_on = "base.toml"\n[[tendon]]\nvein = 2\nrest_length = "7 cm"')
     assert (of(design), of(design, "rest_length")) == ([None, None, 2000.0], [None, None, 0.07])
@@ -129,7 +129,7 @@ def test_the_hash_tells_tendons_apart_and_not_how_they_are_written(wing):
     design = wing(BASED + TWO)
     assert design.hash != REFERENCE.hash
     assert (
-        design.hash == wing(BASED + "".join(f"[[tendon]]{each}" for each in reversed(TWO.split("[[tendon]]")[1:]))).hash
+        design.hash == wing(BASED + "".join(f"[[tendon]]{item}" for item in reversed(TWO.split("[[tendon]]")[1:]))).hash
     )
     assert with_values(design, {"tendon.2.rest_length": math.nextafter(0.09, 1)}).hash != design.hash
     assert wing(f"{BASED}tendon = []").hash not in (design.hash, REFERENCE.hash)
@@ -140,8 +140,8 @@ def test_the_hash_tells_tendons_apart_and_not_how_they_are_written(wing):
         assert with_values(REFERENCE, {f"tendon.{key}": 0.0}).hash == REFERENCE.hash
 
 
-def test_the_hash_of_the_reference_is_what_it_was():
-    # journals and kept runs go by it
+def test_the_hash_of_the_reference_is_unchanged():
+    # journals and stored runs depend on the hash
     assert REFERENCE.hash == "57a4c0dec71b70c0"
     with_law = load_design("binder2025", {"tendon.law": "tpu-82a", "tendon.area": "12.5 mm^2"})
     assert with_law.hash == "395b5e618f8d19f5"
@@ -173,7 +173,7 @@ def test_keys_are_of_all_tendons_or_of_one(wing):
     design = wing(BASED + TWO)
     assert key_value(REFERENCE, "tendon.2.stiffness") == key_value(REFERENCE, "tendon.stiffness") == 1000.0
     assert [key_value(design, f"tendon.{vein}.stiffness") for vein in (0, 2)] == [1000.0, 2000.0]
-    # what they have in common, and nothing where they differ
+    # the common value, and None where they differ
     assert key_value(design, "tendon.damping") == 0.1
     assert key_value(design, "tendon.stiffness") is None
     with pytest.raises(InputError, match=r"^tendon\.1\.stiffness: wing has no tendon\.1$"):
@@ -191,7 +191,7 @@ def test_values_are_put_on_all_tendons_or_on_one(wing):
     assert put(REFERENCE, "protocol.stages.1.hold", 0.5).protocol.stages[1].hold == 0.5
 
 
-def test_a_new_design_file_says_how_a_tendon_of_one_vein_is_given(tmp_path):
+def test_a_new_design_file_explains_how_to_set_the_tendon_of_one_vein(tmp_path):
     write_new_design(tmp_path / "wing.toml")
     text = (tmp_path / "wing.toml").read_text()
     assert "# [[tendon]] with vein = 0" in text
@@ -246,7 +246,7 @@ def test_what_tendons_do_not_allow_is_an_error_of_the_file(wing, text, message):
     assert str(caught.value) == f"wing.toml: {message}"
 
 
-def test_what_an_entry_needs_is_asked_for(wing):
+def test_an_entry_without_a_required_key_is_refused(wing):
     text = "\n".join(line for line in design_text(REFERENCE).splitlines() if not line.startswith("rest_length"))
     with pytest.raises(InputError, match=r"^wing\.toml: tendon\.1\.rest_length: is missing; give it, or begin "):
         wing(text.replace("[tendon]", "[[tendon]]\nvein = 1"))
@@ -274,13 +274,13 @@ def test_what_an_entry_needs_is_asked_for(wing):
         ),
     ],
 )
-def test_a_setting_of_tendons_that_are_not_there_is_answered_with_those_that_are(wing, settings, message):
+def test_setting_a_missing_tendon_lists_the_existing_ones(wing, settings, message):
     with pytest.raises(InputError) as caught:
         wing(BASED + TWO, settings)
     assert str(caught.value).startswith(message)
 
 
-def test_an_error_names_the_file_that_the_value_stands_in(wing, tmp_path):
+def test_an_error_names_the_file_that_contains_the_value(wing, tmp_path):
     (tmp_path / "base.toml").write_text(f'{BASED}[tendon]\nstiffness = "10"')
     with pytest.raises(InputError, match=r"^base\.toml: tendon\.1\.stiffness: the unit is missing"):
         wing('based_on = "base.toml"\n[[tendon]]\nvein = 1')

@@ -30,7 +30,7 @@ def rubbing(wing):
     spec = wing.spec.copy()
     spec.option.cone = mujoco.mjtCone.mjCONE_PYRAMIDAL
     spec.delete(spec.flex("panels"))
-    for capsule in (each for each in spec.geoms if each.contype):
+    for capsule in (geom for geom in spec.geoms if geom.contype):
         proximal = capsule.parent.name.startswith("proximal")
         capsule.contype, capsule.conaffinity = (1, 2) if proximal else (2, 3)
         capsule.condim, capsule.friction = 3, [1, 0, 0]
@@ -51,7 +51,7 @@ def solved(engine, state):
 
 def touching_states(wing, engine):
     """Return states in which bars or panels touch while the fan folds."""
-    data, found = mujoco.MjData(engine), []
+    data, result = mujoco.MjData(engine), []
     data.qpos[:] = [hinge.sense * hinge.start for hinge in wing.in_units.hinges]
     data.ctrl[:] = np.array(drive_of(wing.in_units, "fold").strengths)[wing.motors]
     for _ in range(STEPS):
@@ -59,9 +59,9 @@ def touching_states(wing, engine):
         if data.ncon:
             state = np.empty(mujoco.mj_stateSize(engine, STATE))
             mujoco.mj_getState(engine, data, state, STATE)
-            found.append(state)
-    assert len(found) > 20
-    return found
+            result.append(state)
+    assert len(result) > 20
+    return result
 
 
 def test_where_bars_and_panels_touch_newton_finds_the_accelerations_in_a_few_steps(wing):

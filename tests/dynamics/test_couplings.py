@@ -38,11 +38,11 @@ def pendulums(one_hinge, starts, *, tie, ratio=1.0, springs=(STIFFNESS, STIFFNES
         for place, sense in enumerate(senses):
             vein = straight_vein(own)
             beside = place * np.array([0.0, own.pattern.proximal_length, 0.0])
-            veins.append(replace(vein, sense=sense, places=tuple(each + beside for each in vein.places)))
+            veins.append(replace(vein, sense=sense, places=tuple(place + beside for place in vein.places)))
         built = structure_of_veins(own, veins)
         hinges = tuple(
-            replace(each, stiffness=spring / units.energy, start=start, lower=-math.inf, upper=math.inf)
-            for each, spring, start in zip(built.hinges, springs, starts, strict=True)
+            replace(hinge, stiffness=spring / units.energy, start=start, lower=-math.inf, upper=math.inf)
+            for hinge, spring, start in zip(built.hinges, springs, starts, strict=True)
         )
         coupling = Coupling(name="tie", hinges=(0, 1), stiffness=tie / units.energy, ratio=ratio)
         return replace(built, hinges=hinges, couplings=(coupling,), membranes=(), limits=(), tendons=())

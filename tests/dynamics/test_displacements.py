@@ -7,7 +7,7 @@ from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate, stable_timestep
 from forficula.errors import InputError
 from forficula.statics.net.minimum import minimum
-from forficula.statics.net.net_course import drive_course, gone, reaction
+from forficula.statics.net.net_course import drive_course, drive_displacement, reaction
 from forficula.statics.net.net_of import net_of, start_shape
 from forficula.structure import structure_of
 
@@ -86,9 +86,9 @@ def test_a_sheet_that_is_taken_along_rests_where_it_does_by_statics():
     net = net_of(structure)
     course = drive_course(structure, net, minimum(net, start_shape(structure, net)), structure.drives[0], None)
     (record,) = simulate([compile_model(design)])
-    there = course.slow.points[-1].shape.positions
-    assert there[8, 2] - net.nodes[8, 2] == pytest.approx(4e-3)
-    apart = np.linalg.norm(record.series["point_position"][-1] - there, axis=1).max()
+    present = course.slow.points[-1].shape.positions
+    assert present[8, 2] - net.nodes[8, 2] == pytest.approx(4e-3)
+    apart = np.linalg.norm(record.series["point_position"][-1] - present, axis=1).max()
     assert apart < 1e-2 * 4e-3
     # it returns after its release
     assert course.rest.shape.positions == pytest.approx(net.nodes, abs=1e-5)
@@ -107,7 +107,7 @@ def test_the_work_of_a_displacement_is_force_times_travel_and_equals_that_of_sta
     # the stored energy changes by the force times the displacement
     points = course.slow.points
     forces = [reaction(structure, net, course.drive, point.shape) for point in points]
-    ways = [gone(structure, net, course.drive, point.shape) for point in points]
+    ways = [drive_displacement(structure, net, course.drive, point.shape) for point in points]
     stored = np.trapezoid(forces, ways)
     assert stored == pytest.approx(points[-1].energy - points[0].energy, rel=1e-3)
 

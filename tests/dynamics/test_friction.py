@@ -10,7 +10,7 @@ from forficula.dynamics import Record, energy_balance
 from forficula.dynamics.energies.stop_forces import friction_torques
 from forficula.dynamics.engine.model import compile_model
 from forficula.errors import InputError
-from forficula.show.run.stalled import needed_torque
+from forficula.show.run.missed_goal import needed_torque
 from forficula.statics import energy_landscape
 from forficula.structure.mass import inertia_about
 from forficula.study.running.runs import run
@@ -87,7 +87,7 @@ def test_friction_computed_from_the_motion_is_that_of_the_engine_where_stops_and
 
 
 def test_a_wing_with_dry_friction_folds_later_and_its_balance_has_a_row_for_it():
-    smooth, rough = (run(load_design("binder2025", {"hinge.friction": f"{each} N cm"})) for each in (0, 1))
+    smooth, rough = (run(load_design("binder2025", {"hinge.friction": f"{item} N cm"})) for item in (0, 1))
     balance = energy_balance(rough)
     assert energy_balance(smooth).friction is None
     path = sum(np.abs(np.diff(angle)).sum() for angle in rough.series["hinge_angle"].T)

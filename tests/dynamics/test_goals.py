@@ -34,7 +34,7 @@ def assert_same_bits(record, other):
     assert record.time.tobytes() == other.time.tobytes()
     for name, values in record.series.items():
         assert values.tobytes() == other.series[name].tobytes(), name
-    ends, others = ([replace(end, stage=None) for end in each.stages] for each in (record, other))
+    ends, others = ([replace(end, stage=None) for end in item.stages] for item in (record, other))
     assert ends == others
 
 
@@ -73,8 +73,8 @@ def test_a_stage_ends_where_all_hinges_of_a_role_have_passed_its_bound():
     assert (turned[rows].min(axis=1) < 10).all()
     assert turned[np.argmin(np.abs(record.time - fold.end))].min() >= 10
     assert fold.goal_time == pytest.approx(fold.end, abs=1e-12)
-    told = measure(record).stages[1]
-    assert (told.goal, told.reached, told.time) == ("turn > 10 deg", True, pytest.approx(fold.end - fold.start))
+    output = measure(record).stages[1]
+    assert (output.goal, output.reached, output.time) == ("turn > 10 deg", True, pytest.approx(fold.end - fold.start))
 
 
 def test_a_bound_that_is_never_met_is_a_goal_that_was_missed():
@@ -178,9 +178,9 @@ def test_a_state_reads_a_distance_as_a_length(watched):
     assert state.coordinates[-1] == pytest.approx(gap.mean(), rel=1e-12)
     assert state.within
     assert outcome.state_names == {"narrow": "narrow"}
-    told = summary(watched, outcome, {})["states"]["narrow"]
-    assert told["gap_m"] == pytest.approx([gap.mean()], rel=1e-12)
-    assert len(told["distal_angle_deg"]) == 3
+    output = summary(watched, outcome, {})["states"]["narrow"]
+    assert output["gap_m"] == pytest.approx([gap.mean()], rel=1e-12)
+    assert len(output["distal_angle_deg"]) == 3
 
 
 SLOW = {

@@ -21,12 +21,12 @@ def test_numbers_that_a_knob_changes_are_those_of_the_model_that_is_built_with_i
         value = knob.lowest + share * (knob.highest - knob.lowest)
         built = compile_model(with_values(model.design, {knob.key: value}))
         expected = model_numbers(built) | {"opt.gravity": np.array(built.engine.opt.gravity)}
-        found = {name: values.copy() for name, values in own.items()} | {"opt.gravity": np.zeros(3)}
+        result = {name: values.copy() for name, values in own.items()} | {"opt.gravity": np.zeros(3)}
         for change in knob.changes:
-            found[change.field][change.places] = change.low + change.slopes * (value - knob.lowest)
+            result[change.field][change.places] = change.low + change.slopes * (value - knob.lowest)
         for name, values in expected.items():
             sprung = np.repeat(built.engine.tendon_stiffness > 0, 2) if name == "tendon_lengthspring" else slice(None)
-            assert found[name][sprung] == pytest.approx(values[sprung], rel=1e-9, abs=1e-12), (knob.key, name)
+            assert result[name][sprung] == pytest.approx(values[sprung], rel=1e-9, abs=1e-12), (knob.key, name)
 
 
 def test_no_knob_changes_what_another_one_changes(model):
@@ -38,7 +38,7 @@ def test_no_knob_changes_what_another_one_changes(model):
 
 def test_a_range_ends_where_the_design_needs_a_shorter_timestep():
     design = load_design("binder2025", {"protocol.timestep": "0.5 ms"})
-    (knob,) = (each for each in knobs_of(compile_model(design)) if each.key == "membrane.youngs_modulus")
+    (knob,) = (knob for knob in knobs_of(compile_model(design)) if knob.key == "membrane.youngs_modulus")
     assert knob.value <= knob.highest < 5 * knob.value
     assert stable_timestep(with_values(design, {knob.key: knob.highest})) >= 5e-4
     assert stable_timestep(with_values(design, {knob.key: 5 * knob.value})) < 5e-4

@@ -89,8 +89,8 @@ YIELDING = {"tendon.area": "12.5 mm^2", "tendon.law": "tpu-95a", "tendon.law.yie
 @pytest.mark.parametrize(
     ("name", "keys", "viewers"),
     [
-        ("letter-fold", {}, "MuJoCo 3.9 on"),
-        ("binder2025-joint", {}, "MuJoCo 3.9 on"),
+        ("letter-fold", {}, "MuJoCo 3.9 or later"),
+        ("binder2025-joint", {}, "MuJoCo 3.9 or later"),
         ("binder2025", {}, "MuJoCo 4.0 or later: earlier versions stretch membranes differently"),
         ("binder2025-joint", YIELDING, "MuJoCo 4.0 or later: in earlier versions no tendon yields"),
         ("binder2025-built", {}, "layout only: creases or drag are updated outside the engine between steps"),

@@ -105,7 +105,7 @@ def test_the_energy_balance_with_motor_lines_closes_for_plates_in_loops():
     (record,) = simulate([compile_model(with_values(load_design("miura-sheet"), values))])
     free = with_values(record.design, {"drive.turn.no_load_speed": None})
     (unbraked,) = simulate([compile_model(free)])
-    balances = [energy_balance(each) for each in (record, unbraked)]
+    balances = [energy_balance(item) for item in (record, unbraked)]
     assert 0 < balances[0].work < 0.9 * balances[1].work
     assert balances[0].residual < 5e-4
 

@@ -90,8 +90,8 @@ def test_the_engine_pushes_nodes_by_the_moments_of_creases_and_in_no_other_way(s
     moments = rows.moments.law.moment(angles, rests)[0]
     step = 1e-6 * size
     gradient = [
-        (model.folds.angles(position + step * each) - model.folds.angles(position - step * each)) / (2 * step)
-        for each in np.eye(dof)
+        (model.folds.angles(position + step * item) - model.folds.angles(position - step * item)) / (2 * step)
+        for item in np.eye(dof)
     ]
     expected = -np.array(gradient)[:, model.folds.creases] @ moments
     assert data.qfrc_passive == pytest.approx(expected, abs=1e-7 * np.abs(expected).max())

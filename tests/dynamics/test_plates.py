@@ -271,7 +271,7 @@ def test_inertia_of_many_plates_is_that_of_the_engine_s_own_boxes():
     model = compile_model(strip(3, letters="VM"))
     unit = model.units
     box = '<geom type="box" size="{} {} {}" pos="{} {} 0" density="{}"/>'
-    length, width, thick = (each / 2 / unit.length for each in (LENGTH, WIDTH, THICK))
+    length, width, thick = (item / 2 / unit.length for item in (LENGTH, WIDTH, THICK))
     plate = box.format(length, width, thick, length, -width, DENSITY / unit.mass * unit.length**3)
     joint = '<joint axis="0 -1 0"/>'
     body = f'<body pos="{2 * length} 0 0">{joint}{plate}'

@@ -105,7 +105,7 @@ def test_wings_that_share_stages_have_the_same_numbers_up_to_the_first_differenc
     one, other = simulate([sharing(0.5, 0.2), sharing(0.5, 1.0)])
     assert one.stages[:3] == other.stages[:3]
     parting = one.stages[2].end
-    angles = [each.angles("ring")[each.time <= parting + 1e-9] for each in (one, other)]
+    angles = [item.angles("ring")[item.time <= parting + 1e-9] for item in (one, other)]
     assert np.array_equal(*angles)
     assert not np.array_equal(one.angles("ring")[-1], other.angles("ring")[-1])
 
@@ -140,7 +140,7 @@ def test_a_sparse_record_has_the_same_bits_for_what_it_keeps_and_for_what_is_mea
             same = np.flatnonzero(full.time == full.time[row])
             # costly series are computed at the start and the end only
             unknown = name in AT_ENDS and 0 < row < len(full.time) - 1 and np.isnan(kept)
-            assert unknown or any(kept.tobytes() == full.series[name][each].tobytes() for each in same), name
+            assert unknown or any(kept.tobytes() == full.series[name][item].tobytes() for item in same), name
         assert name not in AT_ENDS or np.isfinite(values_kept[[0, -1]]).all() or full.diverged_at is not None
     measured, expected = ff.measure(sparse), ff.measure(full)
     assert (measured.status, measured.holds, measured.stages) == (expected.status, expected.holds, expected.stages)
@@ -156,7 +156,7 @@ def test_a_sparse_record_has_the_same_bits_for_what_it_keeps_and_for_what_is_mea
             for name in ("coordinates", "tendon_length", "tendon_energy"):
                 assert getattr(ours, name).tobytes() == getattr(theirs, name).tobytes()
             for name in ("mean", "low", "high"):
-                readings = [getattr(each.readings["distal_angle"], name) for each in (ours, theirs)]
+                readings = [getattr(item.readings["distal_angle"], name) for item in (ours, theirs)]
                 assert readings[0].tobytes() == readings[1].tobytes()
 
 
@@ -174,7 +174,7 @@ def test_a_diverging_wing_ends_only_the_wings_that_follow_it():
     wild = compile_model(with_values(SHORT, {"protocol.timestep": 8e-3}))
     protocols = [wild.design.protocol.model_copy(update={"unfold_torque": torque}) for torque in (0.5, 1.0)]
     designs = [wild.design.model_copy(update={"protocol": protocol}) for protocol in protocols]
-    wilds = [on_protocol(wild, each) for each in designs]
+    wilds = [on_protocol(wild, design) for design in designs]
     records = simulate([wilds[0], WING, wilds[1]])
     assert records[0].diverged_at is not None
     assert records[2].diverged_at == records[0].diverged_at
@@ -218,9 +218,9 @@ def test_simulations_that_take_turns_are_silent_to_the_end_and_no_longer():
     mujoco.set_mju_user_warning(heard.append)
     try:
         turns = [simulate_each([wild, WING]), simulate_each([WING, wild])]
-        for each in turns:
-            next(each)
-        assert [sum(1 for _ in each) for each in turns] == [1, 1]
+        for turn in turns:
+            next(turn)
+        assert [sum(1 for _ in turn) for turn in turns] == [1, 1]
         assert mujoco.get_mju_user_warning() == heard.append
     finally:
         mujoco.set_mju_user_warning(None)

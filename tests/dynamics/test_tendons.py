@@ -64,10 +64,10 @@ def test_the_engine_has_the_law_scaled_by_length_and_area():
     for tendon in WING.tendons:
         spring = [engine.tendon_stiffness[tendon], *engine.tendon_stiffnesspoly[tendon]]
         damper = [engine.tendon_damping[tendon], *engine.tendon_dampingpoly[tendon]]
-        for power, (each, modulus, share) in enumerate(zip(spring, (4.8e6, -1e6, 1e6), by_length, strict=True), 1):
-            assert each * force / length**power == pytest.approx(modulus * share, rel=1e-12)
-        for power, (each, viscosity, share) in enumerate(zip(damper, (480.0, 2.0, 0.1), by_length, strict=True), 1):
-            assert each * force / (length / time) ** power == pytest.approx(viscosity * share, rel=1e-12)
+        for power, (item, modulus, share) in enumerate(zip(spring, (4.8e6, -1e6, 1e6), by_length, strict=True), 1):
+            assert item * force / length**power == pytest.approx(modulus * share, rel=1e-12)
+        for power, (item, viscosity, share) in enumerate(zip(damper, (480.0, 2.0, 0.1), by_length, strict=True), 1):
+            assert item * force / (length / time) ** power == pytest.approx(viscosity * share, rel=1e-12)
         assert engine.tendon_lengthspring[tendon] * length == pytest.approx([0, 0.09], rel=1e-12)
         assert engine.tendon_springyield[tendon] * length == pytest.approx(0.15 * 0.09, rel=1e-12)
 
@@ -231,10 +231,10 @@ def test_wings_with_other_numbers_of_branches_go_through_their_stages_side_by_si
 def test_a_law_that_cannot_be_kept_from_pushing_is_refused_until_the_design_allows_it():
     for law in ({"yield_strain": 0.2}, {"cubic_viscosity": 0.1}):
         values = {"linear_modulus": 4e6, "branches": [{"modulus": 1e6, "time": 0.002}]} | law
-        given = with_values(ff.load_design("binder2025"), SHORT | {"tendon.law": values})
+        provided = with_values(ff.load_design("binder2025"), SHORT | {"tendon.law": values})
         with pytest.raises(ff.InputError, match=r"tendon\.pushes_when_slack: need true to simulate a law that has a"):
-            compile_model(given)
-        assert not compile_model(with_values(given, {"tendon.pushes_when_slack": True})).lets_go.any()
+            compile_model(provided)
+        assert not compile_model(with_values(provided, {"tendon.pushes_when_slack": True})).lets_go.any()
 
 
 def test_a_slack_tendon_exerts_nothing_however_fast_its_ends_move():

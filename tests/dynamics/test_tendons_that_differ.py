@@ -155,7 +155,7 @@ def test_numbers_of_branches_may_differ_from_tendon_to_tendon(order):
 
 def test_only_pull_only_tendons_are_clamped():
     lets_go = of_law(branches=BRANCHES)
-    linear, holds = (with_values(each, {"tendon.pushes_when_slack": True}) for each in (LINEAR, lets_go))
+    linear, holds = (with_values(item, {"tendon.pushes_when_slack": True}) for item in (LINEAR, lets_go))
     models = [mixed(linear, holds, lets_go), mixed(linear, holds, holds), mixed(lets_go, lets_go, lets_go)]
     assert [model.lets_go.tolist() for model in models] == [
         [False, False, True],

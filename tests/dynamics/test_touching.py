@@ -249,15 +249,15 @@ def test_bars_touch_their_neighbours_from_the_membrane_on_without_friction():
     # the first vein is swept onto the next one, so the proximal bars coincide, too
     data.qpos[hinges_of(wing.structure, "sweep")[0]] = math.radians(12)
     mujoco.mj_forward(wing.engine, data)
-    touching = {tuple(sorted(wing.engine.geom_bodyid[list(each.geom)])) for each in data.contact if each.geom[0] >= 0}
+    touching = {tuple(sorted(wing.engine.geom_bodyid[list(item.geom)])) for item in data.contact if item.geom[0] >= 0}
     names = {tuple(wing.engine.body(number).name for number in pair) for pair in touching}
     assert ("proximal0", "proximal1") in names
-    assert {each.dim for each in data.contact} == {1}
+    assert {item.dim for item in data.contact} == {1}
     rubbing = compile_model(ff.load_design("binder2025", {"protocol.contact": True, "contact.friction": 0.3}))
     data = mujoco.MjData(rubbing.engine)
     data.qpos[hinges_of(wing.structure, "sweep")[0]] = math.radians(12)
     mujoco.mj_forward(rubbing.engine, data)
-    assert {(each.dim, each.friction[0]) for each in data.contact} == {(3, 0.3)}
+    assert {(item.dim, item.friction[0]) for item in data.contact} == {(3, 0.3)}
 
 
 @pytest.mark.parametrize("units", [1, 3])

@@ -96,7 +96,7 @@ def test_under_a_load_it_creeps_as_the_quasi_static_equation_says(one_hinge, sha
     assert angles(record)[-1] == pytest.approx(expected[-1], abs=3e-3 * abs(crept))
     end = record.stages[1]
     first = int(np.searchsorted(record.time, end.start))
-    change = {name: float((each[-1] - each[first]).sum()) for name, each in record.series.items()}
+    change = {name: float((sery[-1] - sery[first]).sum()) for name, sery in record.series.items()}
     stored = sum(change[f"{name}_energy"] for name in ("tendon", "branch", "gravitational", "kinetic"))
     done = sum(change[f"{name}_work"] for name in ("hinge_damping", "elastic_damping", "branch_damping", "stop"))
     assert stored == pytest.approx(done, abs=1e-3 * abs(done))
@@ -237,9 +237,9 @@ def test_a_month_folded_and_a_month_open_are_reported(stored_run, tmp_path):
     assert first.endswith("Then it opened again.")
     assert second.startswith("After 30 d opened its tendons pull ")
     assert energy_balance(stored_run).residual < 5e-3
-    told = summary(stored_run, outcome, {})
-    assert [each["wait_s"] for each in told["storage"]["waits"]] == [2592000.0, 2592000.0]
-    assert told["stages"]["store folded"]["waited_s"] > 2591990
+    output = summary(stored_run, outcome, {})
+    assert [item["wait_s"] for item in output["storage"]["waits"]] == [2592000.0, 2592000.0]
+    assert output["stages"]["store folded"]["waited_s"] > 2591990
     save_record(stored_run, tmp_path / "record.nc")
     again = load_record(tmp_path / "record.nc")
     assert again.stages == stored_run.stages
@@ -248,7 +248,7 @@ def test_a_month_folded_and_a_month_open_are_reported(stored_run, tmp_path):
 
 def test_bars_with_different_waits_give_the_same_bits_side_by_side(one_hinge):
     waits = [3.0 * TIME, 0.1 * TIME, 0.0]
-    models = [built(one_hinge, stage("store", wait=each)) for each in waits]
+    models = [built(one_hinge, stage("store", wait=wait)) for wait in waits]
     for record, model, wait in zip(simulate(models, threads=2), models, waits, strict=True):
         (alone,) = simulate([model])
         assert alone.stages == record.stages

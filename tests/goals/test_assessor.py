@@ -39,9 +39,9 @@ def test_a_design_that_cannot_be_built_has_a_row_with_the_reason(tmp_path):
 
 
 def test_least_torques_are_those_of_a_search(tmp_path):
-    given = {"close_torques": ["0.1 N cm", "3 N cm"], "open_torques": []}
+    provided = {"close_torques": ["0.1 N cm", "3 N cm"], "open_torques": []}
     with open_assessor(tmp_path, LETTER) as assess:
-        (row,) = assess([LETTER], ["search"], search=read_search("least-torques", given, LETTER))
+        (row,) = assess([LETTER], ["search"], search=read_search("least-torques", provided, LETTER))
     assert value_of(row, quantity_of(LETTER, "least_close_value"), LETTER) == pytest.approx(0.03)
 
 

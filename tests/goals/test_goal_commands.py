@@ -65,9 +65,9 @@ def called(tmp_path, monkeypatch, capsys):
     ],
 )
 def test_dry_run_reports_its_plan_as_data(called, tmp_path, arguments, says):
-    told = json.loads(called(*arguments, "--dry-run", "--json").out)
-    assert told.pop("time_s") >= 0
-    assert told == says
+    output = json.loads(called(*arguments, "--dry-run", "--json").out)
+    assert output.pop("time_s") >= 0
+    assert output == says
     assert not (tmp_path / "out").exists()
 
 
@@ -80,7 +80,7 @@ def test_result_of_another_goal_is_named_before_it_is_replaced(called):
 
 @pytest.mark.usefixtures("undrawn")
 def test_result_of_other_observations_is_named_before_it_is_replaced(called, tmp_path):
-    told = called("identify", "seen-one.toml", "--out", "there", "--json").out
-    assert json.loads((tmp_path / "there" / "identified.json").read_text("utf-8")) == json.loads(told)
+    output = called("identify", "seen-one.toml", "--out", "there", "--json").out
+    assert json.loads((tmp_path / "there" / "identified.json").read_text("utf-8")) == json.loads(output)
     said = called("identify", "seen-other.toml", "--out", "there").err
     assert "there: replaces the identification of seen-one; the rows are kept" in said

@@ -33,7 +33,7 @@ def test_named_goals_can_be_read(name):
 def test_an_upper_limit_on_a_least_torque_is_the_torque_of_the_run():
     goal = goal_of(TABLES)
     assert goal.base.protocol.fold_torque == pytest.approx(0.2)
-    assert [str(limit) for limit in goal.given] == ["least_fold_torque <= 20 N cm"]
+    assert [str(limit) for limit in goal.torque_limits] == ["least_fold_torque <= 20 N cm"]
     assert [str(limit) for limit in goal.limits] == [
         "holding_torque >= 1 N cm", "holding_torque <= 9 N cm", "vein.diameter <= 6 mm",
     ]  # fmt: skip
@@ -180,7 +180,7 @@ def test_of_several_limits_on_a_least_torque_the_strictest_counts(limits):
 
 def test_one_tolerance_overrides_all_under_either_name():
     tolerances = {"all": "10 %", "tendon.0.stiffness": "5 %", "tendon.1.stiffness": "none"}
-    sizes = {each.key: each.size for each in goal_of(LETTER | {"tolerances": tolerances}).deviations}
+    sizes = {deviation.key: deviation.size for deviation in goal_of(LETTER | {"tolerances": tolerances}).deviations}
     assert sizes["tendon.left.stiffness"] == 0.05
     assert "tendon.0.stiffness" not in sizes
     assert "tendon.right.stiffness" not in sizes

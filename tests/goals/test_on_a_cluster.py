@@ -74,6 +74,6 @@ def test_a_cluster_gives_the_same_rows_as_this_machine(answer, address, tmp_path
             chunks.append(len(designs))
             yield from cluster(designs, until_last)
 
-        there = answer(tmp_path / "there", counted)
+        present = answer(tmp_path / "there", counted)
     assert sum(chunks) >= 16
-    xarray.testing.assert_identical(there, answer(tmp_path / "here", None))
+    xarray.testing.assert_identical(present, answer(tmp_path / "here", None))

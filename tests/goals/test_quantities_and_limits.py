@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from forficula.design import load_design, with_values
 from forficula.errors import InputError
-from forficula.goals.deviation import default_deviations, off_values, read_deviations
+from forficula.goals.deviation import default_deviations, deviating_values, read_deviations
 from forficula.goals.limit import read_limit
 from forficula.goals.outcome_quantity import quantities_of, quantity_of
 from forficula.goals.parameter import read_parameter
@@ -130,11 +130,11 @@ def test_an_invalid_parameter_is_rejected(given_as, says):
 
 def test_default_tolerance_is_ten_per_cent_on_every_positive_number():
     deviations = default_deviations(WING)
-    keys = {each.key for each in deviations}
+    keys = {deviation.key for deviation in deviations}
     assert {"pattern.hub_radius", "tendon.stiffness", "hinge.armature", "membrane.margin"} <= keys
     assert not any(key.startswith(("protocol", "make")) for key in keys)
     assert "tendon.proximal_offset" not in keys  # this value is 0
-    off = WING.with_values(off_values(WING, deviations, [1.0] * len(deviations)))
+    off = WING.with_values(deviating_values(WING, deviations, [1.0] * len(deviations)))
     assert off.tendons[0].stiffness == pytest.approx(1.1 * 1000)
     assert off.hinge.fold_limit == WING.hinge.fold_limit  # limited by the bounds of the key
 
@@ -142,7 +142,7 @@ def test_default_tolerance_is_ten_per_cent_on_every_positive_number():
 @given(share=st.floats(0.01, 0.5), offsets=st.lists(st.floats(-1, 1), min_size=2, max_size=2))
 def test_built_values_lie_within_their_tolerance(share, offsets):
     deviations = read_deviations({"tendon.stiffness": f"{100 * share!r} %", "vein.diameter": "0.2 mm"}, WING)
-    off = WING.with_values(off_values(WING, deviations, offsets))
+    off = WING.with_values(deviating_values(WING, deviations, offsets))
     assert abs(off.tendons[0].stiffness / 1000 - 1) <= share * (1 + 1e-9)
     assert abs(off.vein.diameter - WING.vein.diameter) <= 0.2e-3 * (1 + 1e-9)
 
@@ -191,7 +191,7 @@ def test_a_tolerance_of_all_may_exclude_keys():
     every = read_deviations({"all": "5 %"}, WING)
     some = read_deviations({"all": "5 %", "tendon.stiffness": "none", "vein.diameter": "0.1 mm"}, WING)
     assert len(some) == len(every) - 1
-    assert {each.key: each.relative for each in some}["vein.diameter"] is False
+    assert {item.key: item.relative for item in some}["vein.diameter"] is False
 
 
 def test_energy_of_a_state_is_all_stored_energy_and_that_of_tendons_has_its_own_name():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from forficula.design import key_value
-from forficula.goals.deviation import off_values
+from forficula.goals.deviation import deviating_values
 from forficula.goals.goal_file import load_goal, named_goals
 from forficula.goals.optimise.candidate import neighbour_offsets
 from tests.validation.test_snap_forces_of_a_clasp_and_a_miura_cell import cell_forces, clasp_forces, snaps
@@ -15,7 +15,7 @@ EXAMPLES = ("clasp-5-to-8", "light-wing", "servo-wing", "two-heights")
 def neighbours(goal, design, count=64):
     """Designs within a goal's tolerances of a design."""
     offsets = neighbour_offsets(goal, count, seed=1)
-    return [design.with_values(off_values(design, goal.deviations, each.tolist())) for each in offsets]
+    return [design.with_values(deviating_values(design, goal.deviations, offset.tolist())) for offset in offsets]
 
 
 def test_the_examples_are_named():
@@ -40,13 +40,13 @@ def test_the_torque_speed_line_of_the_servo_is_in_every_tried_design():
 
 def test_clasp_of_the_example_holds_and_opens_within_its_tolerances_by_closed_form():
     goal = load_goal("clasp-5-to-8")
-    forces = [snaps(-clasp_forces(each)[1])[1] for each in neighbours(goal, goal.base)]
+    forces = [snaps(-clasp_forces(neighbour)[1])[1] for neighbour in neighbours(goal, goal.base)]
     assert min(forces) < 6.0 < 7.5 < max(forces)
     assert np.mean([5 <= force <= 8 for force in forces]) > 0.9
 
 
 def test_cell_of_the_example_holds_and_snaps_within_its_tolerances_by_closed_form():
     goal = load_goal("two-heights")
-    up, down = np.transpose([snaps(cell_forces(each)[1]) for each in neighbours(goal, goal.base)])
+    up, down = np.transpose([snaps(cell_forces(neighbour)[1]) for neighbour in neighbours(goal, goal.base)])
     assert np.all((up > 1) & (up < 3))
     assert np.mean((down > 5) & (down < 15)) > 0.9

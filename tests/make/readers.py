@@ -23,20 +23,23 @@ def read_three_mf(content):
 
 def meshes_of(model):
     """Every mesh object of a 3MF file."""
-    found = model.GetMeshObjects()
-    while found.MoveNext():
-        yield found.GetCurrentMeshObject()
+    result = model.GetMeshObjects()
+    while result.MoveNext():
+        yield result.GetCurrentMeshObject()
 
 
 def pieces_of(model):
     """Every piece on the bed of a 3MF file: its name, and its triangles in position, mm, (triangle, 3, 3)."""
-    found = model.GetBuildItems()
-    while found.MoveNext():
-        item = found.GetCurrent()
+    result = model.GetBuildItems()
+    while result.MoveNext():
+        item = result.GetCurrent()
         mesh = model.GetMeshObjectByID(item.GetObjectResource().GetResourceID())
         fields = np.array([list(row) for row in item.GetObjectTransform().Fields])
         points = np.array([list(point.Coordinates) for point in mesh.GetVertices()]) @ fields[:3] + fields[3]
-        yield mesh.GetName(), points[np.array([list(each.Indices) for each in mesh.GetTriangleIndices()])]
+        yield (
+            mesh.GetName(),
+            points[np.array([list(gettriangleindice.Indices) for gettriangleindice in mesh.GetTriangleIndices()])],
+        )
 
 
 def faults_of_three_mf(content):

@@ -44,13 +44,13 @@ def test_colliding_pegs_stop_a_joint_before_its_stop():
     assert -math.pi + math.radians(1) < lower < -math.radians(150)
     made = as_made(parts)
     assert made.hinge.fold_limit == pytest.approx(-lower, abs=math.radians(0.005))
-    assert [each.key for each in changes(parts, made) if each.group == "stops"] == ["hinge.fold_limit"]
+    assert [change.key for change in changes(parts, made) if change.group == "stops"] == ["hinge.fold_limit"]
 
 
 def test_parts_of_the_design_as_made_agree_with_it(made):
     parts = make_parts(made, "joint")
     # straps of whole layers have shorter pegs, which are lighter
-    assert {each.group for each in changes(parts, as_made(parts))} <= {"masses"}
+    assert {change.group for change in changes(parts, as_made(parts))} <= {"masses"}
 
 
 def test_parts_as_modelled_change_only_masses(joint_of):
@@ -58,12 +58,12 @@ def test_parts_as_modelled_change_only_masses(joint_of):
     values = {"tendon.stiffness": "9.84 N/cm", "tendon.proximal_offset": "3 mm", "tendon.distal_offset": "3 mm"}
     parts = joint_of(**values)
     changed = changes(parts, as_made(parts))
-    assert {each.group for each in changed} == {"masses"}
-    assert {each.key for each in changed} >= {"vein.density", "vein.added_mass", "tendon.density"}
+    assert {item.group for item in changed} == {"masses"}
+    assert {item.key for item in changed} >= {"vein.density", "vein.added_mass", "tendon.density"}
 
 
 def test_outer_halves_have_their_mass_and_inertia_about_the_hinge(made_joint, made):
-    rows = {(each.part, each.name): each for each in unkept(made_joint, made)}
+    rows = {(item.part, item.name): item for item in unkept(made_joint, made)}
     for name in ("mass", "inertia about its hinge"):
         row = rows["distal0", name]
         assert row.modelled == pytest.approx(row.real, rel=1e-5)
@@ -79,7 +79,7 @@ def test_mass_of_straps_is_included(made_joint, made):
 
 def test_some_groups_alone_are_taken_from_the_parts(made_joint):
     design = as_made(made_joint, ("offsets",))
-    assert {each.group for each in changes(made_joint, design)} == {"offsets"}
+    assert {change.group for change in changes(made_joint, design)} == {"offsets"}
     assert design.tendon.proximal_offset == pytest.approx(made_joint.joints[0].standoff)
 
 

@@ -9,11 +9,11 @@ import pytest
 from forficula.design import load_design
 from forficula.dynamics import Record, StageEnd
 from forficula.make.checks.motion_checks import built_checks, motion_checks, root_angles, root_moments
-from forficula.make.flat.touching import touches
+from forficula.make.flat.clearance import recorded_collisions
 from forficula.make.hinge.free_range import half
 from forficula.make.make_parts import make_parts
 from forficula.make.solid.mesh import placed
-from forficula.make.solid.poses import poses_of, telling_rows
+from forficula.make.solid.poses import different_rows, poses_of
 from forficula.pattern.rotation import rotation_about
 from forficula.structure import built_points
 
@@ -60,7 +60,7 @@ def test_poses_reproduce_positions_of_the_run(reference_run):
 
 
 def test_selected_rows_are_as_different_as_possible(reference_run):
-    rows, angles = telling_rows(reference_run, 20), reference_run.series["hinge_angle"]
+    rows, angles = different_rows(reference_run, 20), reference_run.series["hinge_angle"]
     apart = np.abs(angles[rows][:, None] - angles[rows][None]).max(axis=2) + 10 * np.eye(len(rows))
     left = np.abs(angles[:, None] - angles[rows][None]).max(axis=2).min(axis=1)
     assert len(set(rows)) == 20
@@ -69,7 +69,7 @@ def test_selected_rows_are_as_different_as_possible(reference_run):
 
 def test_a_planted_collision_is_found_when_it_happens(parts):
     record = record_of(parts, {"sweep0": math.radians(40)})
-    found = touches(parts, record)
+    result = recorded_collisions(parts, record)
     # without culling, pieces and steps: the whole vein against the others, row by row
     origin = parts.structure.bodies[0].position
     others = [half(parts, body) for body in (2, 3)]
@@ -77,25 +77,25 @@ def test_a_planted_collision_is_found_when_it_happens(parts):
 
     def touch(row):
         frame = rotation_about(np.array([0.0, 0.0, 1.0]), math.radians(40) * float(record.time[row]))
-        swept = [placed(each, frame, origin - frame @ origin) for each in moving]
-        return any((here ^ there).volume() > 1e-2 for here in swept for there in others)
+        swept = [placed(item, frame, origin - frame @ origin) for item in moving]
+        return any((current ^ present).volume() > 1e-2 for current in swept for present in others)
 
     low, high = 0, ROWS - 1
     while high - low > 1:
         middle = (low + high) // 2
         low, high = (low, middle) if touch(middle) else (middle, high)
-    assert found[0].time == pytest.approx(float(record.time[high]), abs=1e-9)
-    assert found[0].stage == "settle"
-    assert 0.1 < found[0].time < 0.9
+    assert result[0].time == pytest.approx(float(record.time[high]), abs=1e-9)
+    assert result[0].stage == "settle"
+    assert 0.1 < result[0].time < 0.9
     (check, *_) = motion_checks(parts, record, mend=False)
     assert check.ok is False
-    assert check.part == " and ".join(found[0].bodies)
+    assert check.part == " and ".join(result[0].bodies)
     assert check.value > check.limit
 
 
 def test_nothing_touches_where_nothing_moves(parts):
     record = record_of(parts, {})
-    assert touches(parts, record) == ()
+    assert recorded_collisions(parts, record) == ()
     checks = [check for check in motion_checks(parts, record) if check.name == "overlap in the recorded motion"]
     assert [check.ok for check in checks] == [True]
 

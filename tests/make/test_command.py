@@ -36,10 +36,10 @@ def call(capsys, tmp_path, monkeypatch):
 
 
 def test_a_folder_and_a_table_are_written(call, tmp_path):
-    told = call()
-    assert told.out.startswith("letter-fold: 1 piece, 1 cut\n")
-    assert "checks hold, 0 fail" in told.out
-    assert told.out.endswith("written to out/letter-fold-parts; open out/letter-fold-parts/parts.html\n")
+    output = call()
+    assert output.out.startswith("letter-fold: 1 piece, 1 cut\n")
+    assert "checks hold, 0 fail" in output.out
+    assert output.out.endswith("written to out/letter-fold-parts; open out/letter-fold-parts/parts.html\n")
     folder = tmp_path / "out" / "letter-fold-parts"
     files = {"bill.csv", "bill.json", "checks.json", "design.toml", "sheet.dxf", "sheet.svg"}
     assert {path.name for path in folder.iterdir()} >= files
@@ -47,11 +47,11 @@ def test_a_folder_and_a_table_are_written(call, tmp_path):
 
 
 def test_a_failed_check_is_reported_and_exits_with_2_by_default(call):
-    told = call(*NARROW, expected=2)
-    assert "fails" in told.out
-    assert "narrower ones burn away" in " ".join(told.out.split())
-    assert call(*NARROW, "--no-strict").out == told.out
-    assert call(*NARROW, "--strict", expected=2).out == told.out
+    output = call(*NARROW, expected=2)
+    assert "fails" in output.out
+    assert "narrower ones burn away" in " ".join(output.out.split())
+    assert call(*NARROW, "--no-strict").out == output.out
+    assert call(*NARROW, "--strict", expected=2).out == output.out
 
 
 def test_failures_are_red_on_the_terminal_in_the_figure_and_on_the_page(call, tmp_path):
@@ -77,9 +77,9 @@ def test_windows_that_meet_and_pieces_that_come_off_are_marked_on_the_sheet():
 
 
 def test_results_are_data(call):
-    told = json.loads(call("--part", "sheet", "--json").out)
-    assert (told["design"], [row["part"] for row in told["parts"]]) == ("letter-fold", ["sheet"])
-    assert {check["ok"] for check in told["checks"]} == {True}
+    output = json.loads(call("--part", "sheet", "--json").out)
+    assert (output["design"], [row["part"] for row in output["parts"]]) == ("letter-fold", ["sheet"])
+    assert {check["ok"] for check in output["checks"]} == {True}
 
 
 @pytest.mark.parametrize(
@@ -92,9 +92,9 @@ def test_results_are_data(call):
     ],
 )
 def test_invalid_input_exits_with_1_and_writes_nothing(call, tmp_path, arguments, message):
-    told = call(*arguments, expected=1)
-    assert told.err.startswith("forficula: ")
-    assert message in told.err
+    output = call(*arguments, expected=1)
+    assert output.err.startswith("forficula: ")
+    assert message in output.err
     assert list(tmp_path.iterdir()) == []
 
 

@@ -20,7 +20,7 @@ import forficula as ff
 from forficula.make.checks.check import Check
 from forficula.make.checks.check_parts import mesh_checks
 from forficula.make.files.bill import bill_json, bill_of
-from forficula.make.files.lying import file_names, lying_mesh, open_edges, printed_pieces
+from forficula.make.files.print_orientation import file_names, open_edges, print_mesh, printed_pieces
 from forficula.make.files.printing import print_files
 from forficula.make.files.three_mf import BED, GAP, places_on_bed
 from forficula.make.solid.mesh import Mesh
@@ -115,7 +115,7 @@ def test_pieces_lie_on_the_bed_beside_one_another(joint, folder):
         assert triangles.min(axis=(0, 1))[2] == 0
         volume = np.einsum("ti,ti->", triangles[:, 0], np.cross(triangles[:, 1], triangles[:, 2])) / 6
         assert volume == pytest.approx(volumes[name.partition(",")[0]], rel=ROUNDED)
-    boxes = [(each.min(axis=(0, 1))[:2], each.max(axis=(0, 1))[:2]) for _, each in pieces]
+    boxes = [(item.min(axis=(0, 1))[:2], item.max(axis=(0, 1))[:2]) for _, item in pieces]
     for (low, high), (least, most) in combinations(boxes, 2):
         assert (low >= most + GAP - 1e-3).any() or (least >= high + GAP - 1e-3).any()
 
@@ -158,7 +158,7 @@ def test_a_bill_has_masses_from_densities_with_sources(joint, folder):
     # a pin of 2 mm in a hinge 10 mm wide, steel
     assert rows["pin_fold0"]["size_mm"] == pytest.approx([10, 2, 2], abs=0.01)
     assert rows["pin_fold0"]["mass_g"] == pytest.approx(7.9 * np.pi / 4 * 0.2**2, rel=1e-5)
-    petg = next(each for each in bill["totals"] if each["material"] == "petg")
+    petg = next(item for item in bill["totals"] if item["material"] == "petg")
     assert petg["mass_g"] == pytest.approx(sum(1270e3 * part.volume for part in joint.parts[:2]), rel=1e-5)
     assert petg["density_source"] == "data sheets"
     assert bill["files"] == sorted(name for name in contents(folder) if name != "bill.json")
@@ -214,26 +214,26 @@ def test_names_of_files_are_plain_and_differ():
 
 def test_an_open_surface_is_detected(joint, monkeypatch):
     strap = joint.parts[3]
-    mesh = lying_mesh(strap)
+    mesh = print_mesh(strap)
     flipped = Mesh(points=mesh.points, triangles=np.vstack([mesh.triangles[:-1], mesh.triangles[-1:, ::-1]]))
     assert open_edges(mesh) == 0
     assert open_edges(flipped) > 0
     assert open_edges(Mesh(points=mesh.points, triangles=mesh.triangles[:-1])) == 3
     alone = replace(joint, parts=(strap,), joints=())
     assert [(check.name, check.ok) for check in mesh_checks(alone)] == [("closed surface", True)]
-    monkeypatch.setattr("forficula.make.checks.check_parts.lying_mesh", lambda _: flipped)
+    monkeypatch.setattr("forficula.make.checks.check_parts.print_mesh", lambda _: flipped)
     assert [check.ok for check in mesh_checks(alone)] == [False]
 
 
 def test_halves_printed_in_place_are_one_piece_and_fuse_if_too_close(joint_of, in_place):
     content = print_files(in_place)["stl/proximal0_and_distal0.stl"]
     assert trimesh.load(io.BytesIO(content), file_type="stl").body_count == 2
-    found = {}
+    result = {}
     for overbend in ("3 deg", "12 deg"):
         made = joint_of(**{"make.hinge": "print-in-place", "make.straps": 1, "hinge.overbend": overbend})
         assert [piece.name for piece in printed_pieces(made)] == ["proximal0 and distal0", "strap0"]
-        (found[overbend],) = (check for check in mesh_checks(made) if check.name == "apart as printed")
-    assert (found["3 deg"].ok, found["12 deg"].ok) == (False, True)
+        (result[overbend],) = (check for check in mesh_checks(made) if check.name == "apart as printed")
+    assert (result["3 deg"].ok, result["12 deg"].ok) == (False, True)
     # faces outside of the clearance around the knuckles, 3 deg apart
-    assert found["3 deg"].value == pytest.approx(3.4e-3 * np.sin(np.radians(3)), rel=0.05)
-    assert "they fuse" in found["3 deg"].text
+    assert result["3 deg"].value == pytest.approx(3.4e-3 * np.sin(np.radians(3)), rel=0.05)
+    assert "they fuse" in result["3 deg"].text

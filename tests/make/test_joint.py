@@ -109,7 +109,7 @@ def test_what_is_too_weak_or_too_thin_or_out_of_place_fails(joint_of, checks, va
 
 def test_a_check_without_a_strength_is_skipped_with_a_reason(joint_of):
     parts = joint_of(**{"make.strap_material": "tpu-82a"})
-    (check,) = (each for each in strength_checks(parts) if each.name == "straps tear")
+    (check,) = (check for check in strength_checks(parts) if check.name == "straps tear")
     assert check.ok is None
     assert "no source gives the strength" in check.text
 
@@ -125,7 +125,7 @@ def test_the_hinges_width_must_have_room_for_its_knuckles(joint_of):
 )
 def test_an_empty_part_is_rejected_and_named(joint_of, values, part):
     with pytest.raises(InputError, match=rf"^{part}: nothing is left of this part; it is too thin"):
-        _ = [each.shape for each in joint_of(**values).parts]
+        _ = [part.shape for part in joint_of(**values).parts]
 
 
 def test_a_strap_so_thin_that_it_is_wider_than_it_is_long_is_refused_before_anything_is_built(joint_of):
@@ -170,8 +170,8 @@ def test_a_slack_strap_keeps_its_length_and_its_ends(made_joint):
 
 
 def test_gussets_shorter_than_their_two_lugs_are_named():
-    told = {check.part: check.ok for check in lug_checks(make_parts("binder2025-thick", "section"))}
-    assert [part for part, ok in told.items() if not ok] == ["gusset0", "gusset1"]
+    output = {check.part: check.ok for check in lug_checks(make_parts("binder2025-thick", "section"))}
+    assert [part for part, ok in output.items() if not ok] == ["gusset0", "gusset1"]
 
 
 def test_first_joint_of_a_vein_with_two_folds_includes_all_joints_of_its_tendon():

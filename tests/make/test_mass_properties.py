@@ -20,22 +20,22 @@ def properties(solid):
 def test_a_box_has_the_inertia_of_its_closed_form_wherever_it_is():
     sides, frame = np.array([12e-3, 5e-3, 40e-3]), rotation_about(np.array([0.6, 0.0, 0.8]), 0.7)
     origin = np.array([0.3, -0.1, 0.05])
-    found = properties(box((0, 0, 0), tuple(sides), origin, frame))
+    result = properties(box((0, 0, 0), tuple(sides), origin, frame))
     mass = DENSITY * sides.prod()
     own = mass / 12 * np.diag((sides**2).sum() - sides**2)
-    assert found.mass == pytest.approx(mass, rel=1e-6)
-    assert found.centre == pytest.approx(origin + frame @ sides / 2, abs=1e-9)
-    assert found.inertia == pytest.approx(frame @ own @ frame.T, rel=1e-5, abs=1e-12)
+    assert result.mass == pytest.approx(mass, rel=1e-6)
+    assert result.centre == pytest.approx(origin + frame @ sides / 2, abs=1e-9)
+    assert result.inertia == pytest.approx(frame @ own @ frame.T, rel=1e-5, abs=1e-12)
 
 
 def test_a_rod_has_the_inertia_of_a_cylinder_about_its_end():
     diameter, length = 5e-3, 0.1
-    found = properties(Rod(start=np.zeros(3), end=np.array([0, 0, length]), diameter=diameter))
+    result = properties(Rod(start=np.zeros(3), end=np.array([0, 0, length]), diameter=diameter))
     mass = DENSITY * math.pi / 4 * diameter**2 * length
     across = mass * ((diameter / 2) ** 2 / 4 + length**2 / 3)
-    assert found.about(np.array([1.0, 0, 0]), np.zeros(3)) == pytest.approx(across, rel=1e-5)
+    assert result.about(np.array([1.0, 0, 0]), np.zeros(3)) == pytest.approx(across, rel=1e-5)
     # a polygon of the same area has a slightly larger second moment of area
-    assert found.about(np.array([0, 0, 1.0]), np.zeros(3)) == pytest.approx(mass * (diameter / 2) ** 2 / 2, rel=1e-5)
+    assert result.about(np.array([0, 0, 1.0]), np.zeros(3)) == pytest.approx(mass * (diameter / 2) ** 2 / 2, rel=1e-5)
 
 
 def test_a_half_of_a_joint_has_the_mass_and_inertia_that_trimesh_finds(made_joint):

@@ -32,7 +32,9 @@ def sheet_of(name, *values):
 def facets_area(pattern):
     """Area of facets in space, by triangles from their first corner, m^2; it must not change when laid flat."""
     corners = [pattern.vertices_coords[list(face)] for face in pattern.faces_vertices]
-    return sum(np.linalg.norm(np.cross(each[1:-1] - each[0], each[2:] - each[0]).sum(axis=0)) / 2 for each in corners)
+    return sum(
+        np.linalg.norm(np.cross(corner[1:-1] - corner[0], corner[2:] - corner[0]).sum(axis=0)) / 2 for corner in corners
+    )
 
 
 def offset_area(loop, distance):

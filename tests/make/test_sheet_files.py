@@ -80,9 +80,9 @@ def test_the_drawing_is_in_true_size_and_a_group_is_a_layer(name, values, tmp_pa
     # lines that are cut through are solid
     dashed = {shape.get("stroke-dasharray") for shape in shapes} - {None}
     assert bool(dashed) == (sheet.style == "score")
-    told = root.find(f"{SVG}desc").text
-    assert "lines compensate for a cutter 0.1 mm wide (kerf)" in told
-    assert all(f"layer {name}: " in told for name in groups)
+    output = root.find(f"{SVG}desc").text
+    assert "lines compensate for a cutter 0.1 mm wide (kerf)" in output
+    assert all(f"layer {name}: " in output for name in groups)
 
 
 def test_y_points_up_in_both(tmp_path):

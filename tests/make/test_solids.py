@@ -35,17 +35,17 @@ def test_volumes_of_union_difference_and_intersection_add_up():
     one = box((0, 0, 0), (0.02, 0.02, 0.02), np.zeros(3), np.eye(3))
     other = box((0.01, 0.01, 0.01), (0.03, 0.03, 0.03), np.zeros(3), np.eye(3))
     together, less, both = (
-        solid_of(each).volume()
-        for each in (Joined(solids=(one, other)), Cut(solid=one, taken=(other,)), Shared(solids=(one, other)))
+        solid_of(item).volume()
+        for item in (Joined(solids=(one, other)), Cut(solid=one, taken=(other,)), Shared(solids=(one, other)))
     )
     assert (together, less, both) == pytest.approx((15000, 7000, 1000))
 
 
 def test_a_solid_that_is_moved_is_the_same_elsewhere():
     whole = Cut(solid=Joined(solids=(rod(), box((0, 0, 0), (0.01,) * 3, AT, TURN))), taken=(rod(0.02, 0.002),))
-    there = solid_of(moved(whole, TURN, AT))
-    assert there.volume() == pytest.approx(solid_of(whole).volume(), rel=1e-9)
-    assert np.sort(there.bounding_box()) == pytest.approx(
+    present = solid_of(moved(whole, TURN, AT))
+    assert present.volume() == pytest.approx(solid_of(whole).volume(), rel=1e-9)
+    assert np.sort(present.bounding_box()) == pytest.approx(
         np.sort(solid_of(whole).transform(np.column_stack([TURN, 1e3 * AT])).bounding_box()), abs=2e-2
     )
 

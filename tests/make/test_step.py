@@ -66,5 +66,5 @@ def test_a_step_file_is_silent_has_name_material_and_mm_and_the_same_bytes(joint
     assert "PRODUCT('pin_fold0','pin_fold0'" in text
     assert "DESCRIPTIVE_REPRESENTATION_ITEM('steel','steel')" in text
     assert "SI_UNIT(.MILLI.,.METRE.)" in text
-    (radius,) = {float(each) for each in re.findall(r"CYLINDRICAL_SURFACE\('',#\d+,([\d.]+)\)", text)}
+    (radius,) = {float(item) for item in re.findall(r"CYLINDRICAL_SURFACE\('',#\d+,([\d.]+)\)", text)}
     assert radius == pytest.approx(1.0)

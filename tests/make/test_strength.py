@@ -35,11 +35,11 @@ def test_the_section_of_a_bar_with_a_flat_has_the_moments_of_its_polygon():
     middle = np.array([((x + ahead[0]) * cross).sum(), ((y + ahead[1]) * cross).sum()]) / (6 * area)
     along = ((x**2 + x * ahead[0] + ahead[0] ** 2) * cross).sum() / 12 - area * middle[0] ** 2
     across = ((y**2 + y * ahead[1] + ahead[1] ** 2) * cross).sum() / 12 - area * middle[1] ** 2
-    found = bar_section(5e-3)
-    assert found.area == pytest.approx(area, rel=1e-6)
+    result = bar_section(5e-3)
+    assert result.area == pytest.approx(area, rel=1e-6)
     # the flat is at the end of the first axis
-    assert found.centre == pytest.approx(middle[0], rel=1e-6)
-    assert (found.out_of_sheet, found.in_sheet) == pytest.approx((along, across), rel=1e-6)
+    assert result.centre == pytest.approx(middle[0], rel=1e-6)
+    assert (result.out_of_sheet, result.in_sheet) == pytest.approx((along, across), rel=1e-6)
 
 
 def test_a_flat_reduces_the_stiffness_of_a_bar_by_a_quarter():
@@ -128,18 +128,18 @@ def test_a_stop_takes_the_moment_that_the_tendon_has_there_in_closed_form(joint_
 
 def test_resultant_of_pull_and_stop_force_loads_the_pin(joint_of):
     parts = joint_of()
-    told = {check.name: check for check in strength_checks(parts)}
+    output = {check.name: check for check in strength_checks(parts)}
     load = stop_load(parts.structure, parts.joints[0], parts.straps[0], "overbend")
     assert load.on_pin == pytest.approx(load.force - load.pull)
-    assert f"up to {load.on_pin:.1f} N" in told["shear of the pin"].text
+    assert f"up to {load.on_pin:.1f} N" in output["shear of the pin"].text
 
 
 def test_straps_of_each_tendon_have_the_strength_of_their_material():
     own = {"tendon.0.law": "tpu-82a", "tendon.0.area": "8 mm^2"}
     parts = make_parts(load_design("binder2025").with_values(MADE | own), "section")
-    told = {check.part: check for check in strength_checks(parts) if check.name == "straps tear"}
+    output = {check.part: check for check in strength_checks(parts) if check.name == "straps tear"}
     # no source gives the strength of tpu-82a
-    assert {name: (check.ok, check.text.split()[5]) for name, check in told.items()} == {
+    assert {name: (check.ok, check.text.split()[5]) for name, check in output.items()} == {
         "fold0": (None, "tpu-82a"),
         "fold1": (True, "tpu-95a"),
         "fold2": (True, "tpu-95a"),

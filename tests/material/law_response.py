@@ -1,4 +1,4 @@
-"""The stress of a law over a whole strain history, out of the parts that a fit and a simulation are made of."""
+"""The stress of a law over a whole strain history, from the functions that fits and simulations use."""
 
 from dataclasses import dataclass
 
@@ -24,7 +24,7 @@ class StressHistory:
 
     @property
     def pull(self):
-        """What a testing machine sees of a specimen that gives way rather than push."""
+        """Stress of a specimen as a testing machine measures it; the specimen buckles instead of pushing."""
         return np.maximum(self.total, 0.0)
 
 

@@ -1,4 +1,4 @@
-"""Tensile tests whose law is known, and the files that testing machines would have written of them."""
+"""Simulated tensile tests with a known law, and their files in the formats of testing machines."""
 
 from itertools import pairwise
 
@@ -55,7 +55,7 @@ def bluehill_text(test, *, decimal=".", german=False, force_unit="N", properties
 
 
 def plain_text(test, *, delimiter=",", decimal=".", pattern="{name} [{unit}]"):
-    """A table with units in its names, and nothing else."""
+    """A table with units in its column names."""
     columns = [("time", "s", test.time), ("extension", "mm", test.extension * TO_MM), ("force", "N", test.force)]
     named = [(pattern.format(name=name, unit=unit), None, values) for name, unit, values in columns]
     return table(named, [], delimiter, decimal)
@@ -127,7 +127,7 @@ def viscoelastic_stress(knots, time, moduli, *, viscosity=0.0, branches=()):
         slope = (following - rate) / (end - begin)
         rates = rate + slope * since
         strains = reached + rate * since + slope * since**2 / 2
-        total = viscosity * rates + sum(each * strains ** (power + 1) for power, each in enumerate(moduli))
+        total = viscosity * rates + sum(item * strains ** (power + 1) for power, item in enumerate(moduli))
         for index, (modulus, relaxation) in enumerate(branches):
             steady = modulus * relaxation * (rates - slope * relaxation)
             first = modulus * relaxation * (rate - slope * relaxation)

@@ -27,9 +27,9 @@ def three_elastic():
     return characterise(tests, name="linear", source="made up", forms=family_forms("linear"))
 
 
-def test_a_planted_modulus_comes_out_within_its_interval_with_its_source(three_elastic):
+def test_a_known_modulus_is_recovered_within_its_interval(three_elastic):
     law = three_elastic.law
-    (bounds,) = [each for each in law.intervals if each.key == "modulus.linear"]
+    (bounds,) = [interval for interval in law.intervals if interval.key == "modulus.linear"]
     assert bounds.low < MODULUS < bounds.high
     # noise of 10 kPa in hundreds of points: about 0.1 %
     assert bounds.high - bounds.low < 0.01 * MODULUS
@@ -37,7 +37,7 @@ def test_a_planted_modulus_comes_out_within_its_interval_with_its_source(three_e
 
 
 def test_the_band_is_that_of_10_to_60_newtons_a_centimetre_at_the_specimens_size(three_elastic):
-    # k = E A / L (docs/model/theory.md, section "Tendon material")
+    # docs/model/theory.md, "Tendon material": k = E A / L
     low, high = three_elastic.simulated_moduli
     assert [low * AREA / LENGTH, high * AREA / LENGTH] == pytest.approx([1000, 6000])
 
@@ -45,23 +45,23 @@ def test_the_band_is_that_of_10_to_60_newtons_a_centimetre_at_the_specimens_size
 def test_a_law_keeps_the_length_of_its_specimens_through_its_file(three_elastic, tmp_path):
     save_law(three_elastic.law, tmp_path / "law.toml")
     assert known_length(load_law(tmp_path / "law.toml")) == pytest.approx(LENGTH)
-    assert known_length(load_law("tpu-82a")) == 0.06  # docs/model/theory.md, section "Values from the paper"
+    assert known_length(load_law("tpu-82a")) == 0.06  # docs/model/theory.md, "Values from the paper"
     assert known_length(load_law("resilin")) is None
 
 
 def test_specimens_that_differ_in_size_leave_no_length_behind():
     test = elastic()
     longer = replace(test, name="longer", length=2 * LENGTH, extension=2 * test.extension)
-    found = characterise([test, longer], forms=family_forms("linear"))
-    assert known_length(found.law) is None
-    assert any("differ in size" in remark for remark in found.remarks)
+    result = characterise([test, longer], forms=family_forms("linear"))
+    assert known_length(result.law) is None
+    assert any("differ in size" in remark for remark in result.remarks)
 
 
-def test_the_first_cycle_is_left_out_unless_it_is_kept():
+def test_the_first_cycle_is_left_out_by_default():
     dropped, kept = (characterise([tpu(1)], drop_first=drop, forms=family_forms("linear")) for drop in (True, False))
-    assert [each.number for each in dropped.cycles] == [2, 3, 4]
-    assert [each.number for each in kept.cycles] == [1, 2, 3, 4]
-    assert [each.number for each in dropped.specimens[0].left_out] == [1]
+    assert [cycle.number for cycle in dropped.cycles] == [2, 3, 4]
+    assert [cycle.number for cycle in kept.cycles] == [1, 2, 3, 4]
+    assert [item.number for item in dropped.specimens[0].left_out] == [1]
     assert kept.specimens[0].left_out == ()
 
 
@@ -83,35 +83,35 @@ def test_rows_with_the_same_time_count_once():
 
 
 def test_drift_is_that_which_was_planted():
-    found = characterise([tpu(seed, cycles=5) for seed in (1, 2, 3)], forms=family_forms("linear"))
+    result = characterise([tpu(seed, cycles=5) for seed in (1, 2, 3)], forms=family_forms("linear"))
     # stress falls by 5.5 % of ln N, so from cycle 2 to 5 by this factor
     planted = (1 - 0.055 * math.log(5)) / (1 - 0.055 * math.log(2))
-    factor, low, high = found.drifts["peak_stress"].change(5)
+    factor, low, high = result.drifts["peak_stress"].change(5)
     assert factor == pytest.approx(planted, rel=5e-3)  # a law linear in ln N, fitted as a power
     assert low < factor < high
-    assert found.drifts["residual_strain"].change(5)[0] > 0
+    assert result.drifts["residual_strain"].change(5)[0] > 0
 
 
-def test_without_a_law_the_rest_is_there_and_a_remark_says_why(monkeypatch):
+def test_without_a_law_other_results_exist_and_a_remark_gives_the_reason(monkeypatch):
     def refuse(*_, **__):
         raise InputError("no law can be determined: too few rows")
 
     monkeypatch.setattr(characterisation, "fit_law", refuse)
-    found = characterise([elastic()])
-    assert (found.law, found.fit) == (None, None)
-    assert "there is no law: no law can be determined: too few rows" in found.remarks
-    assert json.dumps(plain(found), allow_nan=False)
-    assert len(found.cycles) == 3
+    result = characterise([elastic()])
+    assert (result.law, result.fit) == (None, None)
+    assert "there is no law: no law can be determined: too few rows" in result.remarks
+    assert json.dumps(plain(result), allow_nan=False)
+    assert len(result.cycles) == 3
 
 
-def test_a_law_that_was_asked_for_and_cannot_be_told_is_an_error():
+def test_a_requested_law_that_cannot_be_fitted_is_an_error():
     with pytest.raises(InputError, match="no law can be determined"):
         characterise([elastic()], forms=family_forms("prony"))
 
 
-def test_one_specimen_is_told_to_be_few():
-    found = characterise([elastic()], forms=family_forms("linear"))
-    assert any(remark.startswith("one specimen: ") for remark in found.remarks)
+def test_one_specimen_gives_a_remark():
+    result = characterise([elastic()], forms=family_forms("linear"))
+    assert any(remark.startswith("one specimen: ") for remark in result.remarks)
 
 
 @pytest.mark.parametrize(
@@ -122,12 +122,12 @@ def test_one_specimen_is_told_to_be_few():
         ([few_rows()], "5 samples in half a class"),
     ],
 )
-def test_tests_that_tell_nothing_are_refused(tests, message):
+def test_tests_without_information_are_refused(tests, message):
     with pytest.raises(InputError, match=message):
         characterise(tests, forms=family_forms("linear"))
 
 
-def test_families_part_all_forms_but_those_without_a_name():
+def test_families_contain_all_forms_except_those_with_damper_and_branches():
     named = [form for name in FAMILIES for form in family_forms(name)]
     assert len(named) == len(set(named))
     assert {form for form in all_forms() if form not in named} == {
@@ -137,7 +137,7 @@ def test_families_part_all_forms_but_those_without_a_name():
         family_forms("kelvin")
 
 
-def test_the_summary_is_json_with_units_and_says_what_the_issue_asks(three_elastic):
+def test_the_summary_is_json_with_units_and_all_results(three_elastic):
     content = json.loads(json.dumps(plain(three_elastic), allow_nan=False))
     assert [entry["cycle"] for entry in content["cycles"]] == [2, 3, 4]
     for entry in content["cycles"]:
@@ -160,20 +160,20 @@ def test_the_summary_is_json_with_units_and_says_what_the_issue_asks(three_elast
     assert 0 < content["fit"]["amplitude_standard_deviation"] < 1e-3
 
 
-def test_specimens_that_scatter_are_told_in_the_law_and_its_file(tmp_path):
+def test_scatter_between_specimens_is_reported_in_the_law_and_its_file(tmp_path):
     modulus = {"a": 4.6e6, "b": 4.8e6, "c": 5.0e6}
     tests = [
         cyclic_test(lambda strain, _, own=own: own * strain, cycles=4, samples=100, noise=1e4, name=name)
         for name, own in modulus.items()
     ]
-    found = characterise(tests, forms=family_forms("linear"))
-    save_law(found.law, tmp_path / "law.toml")
+    result = characterise(tests, forms=family_forms("linear"))
+    save_law(result.law, tmp_path / "law.toml")
     law = load_law(tmp_path / "law.toml")
     # the standard deviation of their logarithms
     scatter = np.log(list(modulus.values())).std(ddof=1)
     (fact,) = [fact for fact in law.facts if "amplitudes" in fact.what]
     assert float(fact.value.removesuffix(" %")) == pytest.approx(100 * scatter, rel=0.02)
-    (bounds,) = [each for each in law.intervals if each.key == "modulus.linear"]
+    (bounds,) = [interval for interval in law.intervals if interval.key == "modulus.linear"]
     # Student's t of 2, by the square root of 3
     assert math.log(bounds.high / bounds.low) == pytest.approx(2 * 4.303 * scatter / math.sqrt(3), rel=0.05)
 
@@ -197,9 +197,9 @@ def test_what_a_cycle_does_not_have_is_null_in_the_summary():
 
 
 def test_the_zero_of_the_force_is_what_the_load_cell_shows_of_a_slack_specimen():
-    """0.01 N on 5 mm2, which the scatter of specimens would hide if it were fitted with the law."""
-    tests = [replace(each, force=each.force + 0.01) for each in (tpu(1), tpu(2), tpu(3))]
-    found = characterise(tests, forms=family_forms("polynomial"))
-    for residual in found.fit.residuals:
+    """An offset of 0.01 N on 5 mm2, less than the scatter of specimens would show if it were fitted with the law."""
+    tests = [replace(item, force=item.force + 0.01) for item in (tpu(1), tpu(2), tpu(3))]
+    result = characterise(tests, forms=family_forms("polynomial"))
+    for residual in result.fit.residuals:
         # 15 samples with a noise of 4 kPa
         assert residual.offset == pytest.approx(2e3, abs=3.5e3)

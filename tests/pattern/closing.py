@@ -1,4 +1,4 @@
-"""What must hold around a vertex whose panels meet, beside the closed forms: for any vertex, slow and plain."""
+"""Closure conditions of any vertex as a slow but simple reference for the closed forms."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _REACHABLE = 1e-12  # rounding allowed in the squared sine or cosine of half a f
 
 
 def closure_residual(sector_angles: ArrayLike, fold_angles: ArrayLike) -> float:
-    """Measure by how much the panels around a vertex fail to meet.
+    """Compute the closure error of the panels around a vertex.
 
     Walking once around a vertex, turning by every fold angle about its crease and by every sector in its panel, must
     lead back to the start (Kawasaki 1989; Belcastro and Hull 2002). This holds for any vertex, one with an angle
@@ -46,7 +46,7 @@ def closure_residual(sector_angles: ArrayLike, fold_angles: ArrayLike) -> float:
 
 
 def opposite_fold_angle(sector_angles: ArrayLike, fold_angle: float) -> float:
-    """Find how far the crease opposite to a given one folds at any vertex of four creases, flat or with angle deficit.
+    """Compute the size of the fold angle of the opposite crease at any vertex of four creases, flat or not.
 
     Both pairs of panels span the same angle between the two creases in the middle (spherical law of cosines):
     cos a1 cos a4 - sin a1 sin a4 cos rho1 = cos a2 cos a3 - sin a2 sin a3 cos rho3, here written with half angles,

@@ -1,4 +1,4 @@
-"""Drawings as other programs may write them."""
+"""Drawings in the forms that other programs write."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def rim(stroke: str = BLACK) -> str:
 
 
 def read(path: Path, *shapes: str, **choices: Any) -> tuple[CreasePattern, list[str]]:
-    """What a drawing with a rim is read as."""
+    """Read a drawing with a rim, and return the pattern."""
     return read_drawing(svg(path / "sheet.svg", rim(), *shapes), **choices)
 
 

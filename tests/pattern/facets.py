@@ -1,4 +1,4 @@
-"""What facets of a pattern measure, straight from their corners."""
+"""Sizes of facets of a pattern, computed directly from their corners."""
 
 import numpy as np
 
@@ -15,7 +15,7 @@ def corner_distances(pattern, coords=None):
 def vector_areas(pattern):
     """Half the sum of cross products around every facet, m2, shape (facets, 3)."""
     points = [pattern.vertices_coords[list(face)] for face in pattern.faces_vertices]
-    return np.array([np.cross(each, np.roll(each, -1, axis=0)).sum(axis=0) / 2 for each in points])
+    return np.array([np.cross(point, np.roll(point, -1, axis=0)).sum(axis=0) / 2 for point in points])
 
 
 def folding(pattern):

@@ -1,4 +1,4 @@
-"""FOLD files as other programs may write them."""
+"""FOLD files in the forms that other programs write."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SQUARE: dict[str, Any] = {
 
 
 def written(path: Path, changes: dict[str, Any] | None = None, without: tuple[str, ...] = ()) -> Path:
-    """A FOLD file of a square with a diagonal, 10 mm wide, as another program may write it."""
+    """A FOLD file of a square with a diagonal, 10 mm wide, as another program could write it."""
     document = {key: value for key, value in (SQUARE | (changes or {})).items() if key not in without}
     path.write_text(json.dumps(document), encoding="utf-8")
     return path
@@ -26,5 +26,5 @@ def written(path: Path, changes: dict[str, Any] | None = None, without: tuple[st
 def outcome(
     path: Path, changes: dict[str, Any] | None = None, without: tuple[str, ...] = (), **choices: Any
 ) -> tuple[CreasePattern, list[str]]:
-    """What the file of the square is read as, with remarks."""
+    """Read the file of the square, with remarks."""
     return fold_pattern(written(path / "square.fold", changes, without), **choices)

@@ -29,11 +29,11 @@ def test_triangles_around_a_place_are_split_and_no_others(place, triangles, edge
     assert len(added.pattern.edges_vertices) == len(split.pattern.edges_vertices) + edges
     assert (areas(added.pattern) > 0).all()
     assert areas(added.pattern).sum() == pytest.approx(0.04)
-    # of each facet as much as before
+    # the area of every facet is unchanged
     assert np.bincount(added.facets, areas(added.pattern)) == pytest.approx([0.02, 0.02])
 
 
-def test_both_parts_of_an_edge_are_of_it():
+def test_both_halves_of_a_split_edge_have_its_properties():
     crease = STRIP.edges_assignment.index("M")
     added = with_vertices(triangulated(STRIP), [(0, np.array([0.1, y, 0.0])) for y in (0.05, 0.15, 0.1)])
     parts = np.flatnonzero(added.sources == crease)
@@ -43,7 +43,7 @@ def test_both_parts_of_an_edge_are_of_it():
     assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) == pytest.approx([0.05] * 4)
 
 
-def test_a_place_on_a_cut_is_on_one_side_of_it():
+def test_a_point_on_a_cut_belongs_to_one_side():
     letters = tuple("C" if letter == "M" else letter for letter in STRIP.edges_assignment)
     cut = triangulated(dataclasses.replace(STRIP, edges_assignment=letters))
     added = with_vertices(cut, [(1, np.array([0.1, 0.05, 0.0]))])

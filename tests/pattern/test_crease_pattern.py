@@ -80,7 +80,7 @@ def test_the_smallest_sector_needs_one_mountain_and_one_valley(letters, count):
     assert big_little_big_residuals(star([0, 45, 165, 300], letters)).tolist() == [count]
 
 
-def test_equal_sectors_trap_nothing():
+def test_equal_sectors_count_no_trapped_sector():
     assert big_little_big_residuals(star([0, 90, 180, 270], "MMMV")).tolist() == [0]
 
 
@@ -155,7 +155,7 @@ def test_a_bent_sheet_has_no_sectors():
         ),
     ],
 )
-def test_a_pattern_that_is_none_is_refused_by_name(changes, message):
+def test_an_invalid_pattern_is_refused_with_the_name_of_the_field(changes, message):
     with pytest.raises(InputError, match=message) as refusal:
         star([0, 90, 180, 270], "MMMV", **changes)
     assert "\n" not in str(refusal.value)

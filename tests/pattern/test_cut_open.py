@@ -17,7 +17,7 @@ def with_letter(pattern, edge, letter):
     return dataclasses.replace(pattern, edges_assignment=tuple(letters), edges_fold_angle=angles)
 
 
-def test_a_sheet_without_cuts_stays_as_it_is():
+def test_a_sheet_without_cuts_is_unchanged():
     sheet = miura_pattern(2, 2, 0.02, 0.02, 1.0)
     opened = cut_open(sheet)
     assert opened.pattern is sheet
@@ -27,14 +27,14 @@ def test_a_sheet_without_cuts_stays_as_it_is():
 def test_a_cut_from_border_to_border_parts_the_sheet():
     sheet = with_letter(pleat_pattern([0.1, 0.1, 0.1], 0.2, "MV"), 0, "C")
     opened = cut_open(sheet)
-    # both ends of the cut are there twice, at one place
+    # both ends of the cut are duplicated at the same position
     assert len(opened.pattern.vertices_coords) == len(sheet.vertices_coords) + 2
     assert opened.vertices[-2:].tolist() == [1, 5]
     assert opened.pattern.vertices_coords.tolist() == sheet.vertices_coords[opened.vertices].tolist()
     assert not set(opened.pattern.faces_vertices[0]) & set(opened.pattern.faces_vertices[1])
-    # and so is its edge; the others keep their numbers
+    # and so is its edge; the other numbers are unchanged
     assert opened.pattern.edges_assignment == (*sheet.edges_assignment, "C")
-    assert [each.edge for each in shared_edges(opened.pattern)] == [1]
+    assert [edge.edge for edge in shared_edges(opened.pattern)] == [1]
 
 
 def test_a_cut_that_ends_inside_opens_at_the_border_only():
@@ -54,7 +54,7 @@ def test_a_cut_that_ends_inside_opens_at_the_border_only():
     assert opened.vertices.tolist() == [*range(9), 1]
     assert opened.pattern.faces_vertices == ((0, 1, 4, 3), (9, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7))
     assert opened.pattern.edges_vertices[-1].tolist() == [9, 4]
-    assert sorted(each.edge for each in shared_edges(opened.pattern)) == [1, 2, 3]
+    assert sorted(edge.edge for edge in shared_edges(opened.pattern)) == [1, 2, 3]
 
 
 def test_a_cut_that_reaches_no_border_stays_closed():

@@ -60,19 +60,21 @@ def test_lines_are_split_where_they_cross_and_touch(tmp_path):
     assert (pattern.edges_vertices == centre).any(axis=1).sum() == 5
 
 
-def test_gaps_within_the_tolerance_are_closed_and_told(tmp_path):
+def test_gaps_within_the_tolerance_are_closed_with_a_remark(tmp_path):
     gaps = line(20.004, 20, 50, 50), line(50.005, 50.001, 80, 79.997)
     pattern, remarks = read(tmp_path, *gaps)
     assert remarks[0] == "3 gaps between ends closed, the largest 5.099 µm wide; the tolerance is 6 µm"
     assert len(pattern.faces_vertices) == 2
-    with pytest.raises(InputError, match=r"line 1: need lines that go on .*; the nearest other line is 5\.099 µm away"):
+    with pytest.raises(
+        InputError, match=r"line 1: need lines that continue .*; the nearest other line is 5\.099 µm away"
+    ):
         read(tmp_path, *gaps, tolerance=2.5e-6)
 
 
 def test_a_line_that_stops_short_of_another_is_named_with_the_gap(tmp_path):
     with pytest.raises(
         InputError,
-        match=r"sheet\.svg: line 1 \(id \"a\"\): need lines that go on to others, got a free end 30 mm right of and"
+        match=r"sheet\.svg: line 1 \(id \"a\"\): need lines that continue to others, got a free end 30 mm right of and"
         r" 0\.5 mm above the .* corner; the nearest other line is 0\.5 mm away: draw it to there, or give a tolerance",
     ):
         read(tmp_path, line(50, 20, 50, 79.5, more='id="a"'))
@@ -112,11 +114,11 @@ def test_the_rim_becomes_border_whatever_its_colour(tmp_path):
     assert np.isnan(pattern.edges_fold_angle[np.array(pattern.edges_assignment) == "B"]).all()
 
 
-def test_border_inside_is_a_cut_and_what_it_encloses_alone_a_hole(tmp_path):
+def test_border_inside_is_a_cut_and_a_face_that_only_border_encloses_is_a_hole(tmp_path):
     window = '<polygon points="40,40 60,40 60,60 40,60" stroke="black"/>'
     creases = line(20, 20, 40, 40), line(80, 20, 60, 40), line(80, 80, 60, 60), line(20, 80, 40, 60)
     pattern, remarks = read(tmp_path, window, *creases)
-    assert "holes, which border and cuts alone enclose, 1" in remarks
+    assert "holes, which only border and cuts enclose, 1" in remarks
     assert len(pattern.faces_vertices) == 4
     assert sorted(pattern.edges_assignment) == sorted("BBBBBBBBMMMM")
     slit = line(20, 50, 40, 50, BLACK), line(40, 50, 60, 50, BLUE), line(60, 50, 80, 50, GREEN)
@@ -130,15 +132,15 @@ def test_border_inside_is_a_cut_and_what_it_encloses_alone_a_hole(tmp_path):
     [
         (
             [line(30, 30, 40, 30), line(40, 30, 40, 40), line(40, 40, 30, 30)],
-            "line 1: need lines that hang together, got 2",
+            "line 1: need lines that are connected, got 2",
         ),
         (
             [line(20, 20, 30, 30), line(30, 30, 40, 30), line(40, 30, 40, 40), line(40, 40, 30, 30)],
-            "line 1: need a face on either side that is another, got one face around it, 5 mm right of and 55 mm above",
+            "line 1: need different faces on both sides, got the same face around it, 5 mm right of and 55 mm above",
         ),
         (
             [line(20, 20, 30, 25), line(30, 25, 25, 30), line(25, 30, 20, 20)],
-            "need faces that lines go around once, got one that touches itself 0 mm right of and 60 mm above",
+            "need faces that are simple polygons, got one that touches itself 0 mm right of and 60 mm above",
         ),
         ([line(50, 20, 50, 80, GREEN)], "need faces with creases between them, got border and cuts only"),
         (['<line x1="50" y1="20" x2="50" y2="80"/>'], None),
@@ -159,9 +161,9 @@ def test_a_drawing_of_a_point_is_refused(tmp_path):
         read_drawing(svg(tmp_path / "point.svg", line(5, 5, 5, 5)))
 
 
-def test_lines_of_other_colours_are_told(tmp_path):
+def test_lines_of_other_colours_are_left_out_with_a_remark(tmp_path):
     _, remarks = read(tmp_path, line(50, 20, 50, 80, "cyan"), line(40, 20, 40, 80, "orange"), line(30, 20, 30, 80))
-    assert remarks[0] == "lines left out, as neither colour nor layer says what they are: 1 of cyan, 1 of orange"
+    assert remarks[0] == "lines left out, because neither colour nor layer defines their kind: 1 of cyan, 1 of orange"
     with pytest.raises(InputError, match=r"need lines in red \(mountain\), .*, got only 1 of cyan$"):
         read_drawing(svg(tmp_path / "other.svg", line(50, 20, 50, 80, "cyan")))
 
@@ -169,7 +171,7 @@ def test_lines_of_other_colours_are_told(tmp_path):
 def test_a_tolerance_that_joins_a_chain_of_points_is_refused(tmp_path):
     creases = [line(30 + 0.1 * k, 20, 30 + 0.1 * k, 80) for k in range(10)]
     with pytest.raises(
-        InputError, match=r"tolerance: need less .*, got 0\.2 mm, which joins points 0\.9 mm apart by way"
+        InputError, match=r"tolerance: need less .*, got 0\.2 mm, which joins points 0\.9 mm apart through others"
     ):
         read(tmp_path, *creases, tolerance=0.2e-3)
     assert len(read(tmp_path, *creases)[0].faces_vertices) == 11
@@ -178,7 +180,7 @@ def test_a_tolerance_that_joins_a_chain_of_points_is_refused(tmp_path):
             read(tmp_path, *creases, tolerance=tolerance)
 
 
-def test_a_unit_is_needed_where_the_file_has_none_and_refused_where_it_has_another(tmp_path):
+def test_a_unit_is_required_if_the_file_has_none_and_refused_if_it_contradicts(tmp_path):
     path = svg(tmp_path / "sheet.svg", rim(), line(50, 20, 50, 80), head='viewBox="0 0 100 100"')
     with pytest.raises(
         InputError, match=r'sheet\.svg: unit: need the length .* pattern\.unit = "1 mm", .* --unit "1 mm"'

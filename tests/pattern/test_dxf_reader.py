@@ -59,7 +59,7 @@ def test_colours_of_the_index_are_read_as_origami_programs_mean_them(tmp_path, i
     assert letter_of(tmp_path, crease((62, index))) == letter  # black within the sheet is a cut
 
 
-def test_layers_say_by_name_and_else_by_colour(tmp_path):
+def test_the_layer_name_defines_the_kind_and_otherwise_the_colour(tmp_path):
     assert letter_of(tmp_path, [(0, "LINE"), (8, "Valley"), (62, 1), *crease()[3:]]) == "V"
     assert letter_of(tmp_path, [(0, "LINE"), (8, "V"), *crease()[3:]], V=1) == "V"
     assert letter_of(tmp_path, [(0, "LINE"), (8, "k"), *crease()[3:]], k=5) == "V"
@@ -67,7 +67,7 @@ def test_layers_say_by_name_and_else_by_colour(tmp_path):
     assert letter_of(tmp_path, [(0, "LINE"), (8, "k"), (420, 0x0000FF), (62, 1), *crease()[3:]]) == "V"
 
 
-def test_layers_that_are_off_and_paper_are_left_out(tmp_path):
+def test_hidden_layers_and_paper_space_are_left_out(tmp_path):
     hidden = [(0, "LINE"), (8, "off"), *dxf_line(0, 0, 9, 500)[3:]]
     paper = dxf_line(0, 0, 9, 500, (67, 1))
     text = [(0, "TEXT"), (8, "0"), (10, 0), (20, 0), (1, "M")]
@@ -78,7 +78,7 @@ def test_layers_that_are_off_and_paper_are_left_out(tmp_path):
 
 
 @pytest.mark.parametrize(("units", "metres"), [(1, 0.0254), (4, 1e-3), (5, 1e-2), (6, 1.0)])
-def test_the_header_says_how_long_a_unit_is(tmp_path, units, metres):
+def test_the_header_defines_the_unit(tmp_path, units, metres):
     pattern, _ = read_drawing(dxf(tmp_path / "sheet.dxf", RIM, crease((62, 1)), units=units))
     assert np.ptp(pattern.vertices_coords[:, 0]) == pytest.approx(60 * metres)
 
@@ -91,7 +91,7 @@ def test_a_unit_is_needed_where_the_header_has_none(tmp_path):
 
 
 def test_a_polyline_seen_from_below_is_mirrored(tmp_path):
-    """Its corners are in a system of its own, with x the other way where its normal is -z (AutoCAD)."""
+    """Its corners are in a separate coordinate system, with x reversed where its normal is -z (AutoCAD)."""
     below = [(0, "LWPOLYLINE"), (8, "M"), (90, 2), (70, 0), (10, -130), (20, 100), (10, -130), (20, 160)]
     below += [(210, 0), (220, 0), (230, -1)]
     pattern, _ = read_drawing(dxf(tmp_path / "sheet.dxf", RIM, below))
@@ -117,7 +117,7 @@ def test_a_polyline_seen_from_below_is_mirrored(tmp_path):
         ),
     ],
 )
-def test_what_is_no_straight_line_is_refused_with_its_name(tmp_path, entity, message):
+def test_entities_other_than_straight_lines_are_refused_by_name(tmp_path, entity, message):
     with pytest.raises(InputError, match=rf"sheet\.dxf: {message}") as refusal:
         read_drawing(dxf(tmp_path / "sheet.dxf", RIM, entity))
     assert "\n" not in str(refusal.value)
@@ -149,19 +149,19 @@ def test_a_damaged_file_is_refused_with_its_line(tmp_path, entity, message):
         (b"0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n", "need lines in red .*, got none"),
     ],
 )
-def test_a_file_that_is_no_drawing_is_refused(tmp_path, content, message):
+def test_an_invalid_dxf_file_is_refused(tmp_path, content, message):
     (tmp_path / "sheet.dxf").write_bytes(content)
     with pytest.raises(InputError, match=rf"sheet\.dxf: {message}"):
         read_drawing(tmp_path / "sheet.dxf")
 
 
-def test_lines_of_other_colours_are_told(tmp_path):
+def test_lines_of_other_colours_are_left_out_with_a_remark(tmp_path):
     _, remarks = read_drawing(dxf(tmp_path / "sheet.dxf", RIM, crease((62, 1)), dxf_line(0, 0, 1, 1, (62, 4))))
-    assert remarks[0].endswith('are: 1 of layer "0", colour #00ffff')
+    assert remarks[0].endswith('kind: 1 of layer "0", colour #00ffff')
 
 
 @pytest.mark.parametrize("units", ["abc", "nan", "1e400", "5.7", "-1"])
-def test_a_unit_of_the_header_that_is_none_is_refused_with_its_line_and_name(tmp_path, units):
+def test_an_unknown_unit_in_the_header_is_refused_with_line_and_name(tmp_path, units):
     path = dxf(tmp_path / "sheet.dxf", RIM, units=units)
     with pytest.raises(InputError, match=rf'line 12: \$INSUNITS: need a whole number from 0 on, got "{units}"$'):
         read_drawing(path)
@@ -214,7 +214,7 @@ def test_polylines_of_later_releases_are_read_from_a_file_that_states_no_release
     assert sorted(pattern.edges_assignment) == sorted("BBBBBBM")
 
 
-def test_a_file_that_breaks_off_is_repaired_and_this_is_told(tmp_path, capfd):
+def test_a_truncated_file_is_repaired_with_a_remark(tmp_path, capfd):
     path = dxf(tmp_path / "sheet.dxf", OLD_RIM, crease((62, 1)))
     path.write_text(path.read_text().removesuffix("  0\nENDSEC\n  0\nEOF\n"))
     pattern, remarks = read_drawing(path)

@@ -83,7 +83,7 @@ def test_left_and_right_are_mirror_images():
         assert points(fan(tangent="right")) == pytest.approx(mirrored, abs=1e-16)
 
 
-def test_the_middle_ring_vertex_lies_on_x_and_the_fan_runs_counterclockwise():
+def test_the_middle_ring_vertex_is_on_x_and_veins_are_counterclockwise():
     ring = ring_vertices(fan(units=2))
     azimuths = np.degrees(np.arctan2(ring[:, 1], ring[:, 0]))
     assert azimuths == pytest.approx([-40, -20, 0, 20, 40])

@@ -1,4 +1,4 @@
-"""Faces of sheets in space that others wrote in any sense."""
+"""Faces of sheets in space with any orientation in the file."""
 
 import json
 
@@ -11,7 +11,7 @@ from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.pattern import read_fold
 from forficula.pattern.facts.pattern_facts import pattern_facts
-from forficula.pattern.files.fold_file import turned_alike
+from forficula.pattern.files.fold_file import oriented_faces
 
 FACES = [list(face) for face in load_design("miura-sheet").sheet.faces_vertices]
 
@@ -19,21 +19,21 @@ FACES = [list(face) for face in load_design("miura-sheet").sheet.faces_vertices]
 @given(st.sets(st.integers(0, len(FACES) - 1), max_size=len(FACES) // 2 - 1))
 def test_the_fewer_are_turned_back(over):
     mixed = [face[::-1] if number in over else face for number, face in enumerate(FACES)]
-    faces, turned = turned_alike(mixed)
+    faces, turned = oriented_faces(mixed)
     assert turned == sorted(over)
     assert faces == FACES
 
 
 def test_pieces_are_turned_by_themselves():
-    faces, turned = turned_alike([[0, 1, 2], [2, 1, 3], [4, 5, 6], [5, 6, 7]])
+    faces, turned = oriented_faces([[0, 1, 2], [2, 1, 3], [4, 5, 6], [5, 6, 7]])
     assert turned == [3]
     assert faces[3] == [7, 6, 5]
 
 
 def test_a_sheet_of_one_side_is_refused():
     strip = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 5], [4, 5, 1], [1, 5, 0]]
-    with pytest.raises(InputError, match="of one side only"):
-        turned_alike(strip)
+    with pytest.raises(InputError, match="with only one side"):
+        oriented_faces(strip)
 
 
 def test_a_folded_sheet_with_faces_in_any_sense_is_read(tmp_path):

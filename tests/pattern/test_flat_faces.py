@@ -24,7 +24,7 @@ RIM = SQUARE["edges_vertices"][:4]
         ),
         (
             {"vertices_coords": CENTRE, "edges_vertices": [*RIM, [0, 2], [1, 4]]},
-            r"edges_vertices\[5\]: need edges that go on to the next, got one that ends freely at vertex 4; lead it on",
+            r"edges_vertices\[5\]: need edges without a free end, got one with a free end at vertex 4; extend it",
         ),
         (
             {"vertices_coords": CENTRE, "edges_vertices": [*RIM, [0, 2], [1, 4], [4, 3]]},
@@ -35,7 +35,7 @@ RIM = SQUARE["edges_vertices"][:4]
                 "vertices_coords": [*SQUARE["vertices_coords"], [10, 0]],
                 "edges_vertices": [*RIM, [0, 2], [2, 4], [4, 0]],
             },
-            r"vertices_coords\[4\]: need every vertex of a flat sheet at a place of its own, got that of vertex 1",
+            r"vertices_coords\[4\]: need vertices of a flat sheet at different positions, got that of vertex 1",
         ),
         (
             {"edges_vertices": [[0, 1], [1, 3], [3, 2], [2, 0]], "faces_vertices": [[0, 1, 3, 2]]},
@@ -57,7 +57,7 @@ RIM = SQUARE["edges_vertices"][:4]
                 "edges_vertices": [*RIM, [0, 2], [4, 5], [5, 6], [6, 4]],
                 "faces_vertices": [[0, 1, 2], [0, 2, 3], [4, 5, 6]],
             },
-            r"faces_vertices\[0\]: need faces side by side, got vertex 4, of a part that does not hang together",
+            r"faces_vertices\[0\]: need faces side by side, got vertex 4, of a part that is not connected",
         ),
         (
             {
@@ -97,10 +97,10 @@ def test_a_grid_of_thousands_of_squares_without_faces_is_read_in_seconds(tmp_pat
     path = tmp_path / "grid.fold"
     path.write_text(json.dumps(document))
     before = process_time()
-    found = {frozenset(face) for face in read_fold(path, 0.01).faces_vertices}
+    result = {frozenset(face) for face in read_fold(path, 0.01).faces_vertices}
     assert process_time() - before < 6  # all pairs of edges took four times as long
     corners = (number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1])
-    assert found == {frozenset(face) for face in zip(*(each.flat for each in corners), strict=True)}
+    assert result == {frozenset(face) for face in zip(*(corner.flat for corner in corners), strict=True)}
 
 
 @pytest.mark.parametrize("corners", [[0, 2, 4, 1, 3], [0, 1, 3, 2, 4], [0, 3, 1, 4, 2]])

@@ -1,4 +1,4 @@
-"""Fold angles measured where the vertices lie."""
+"""Fold angles computed from the positions of the vertices."""
 
 import math
 from dataclasses import replace
@@ -15,9 +15,9 @@ from forficula.pattern import (
     earwig_pattern,
     fan_fold_angles,
     folded_coordinates,
-    kept_as_built,
     pleat_pattern,
     triangulated,
+    with_built_fold_angles,
 )
 
 FAN = EarwigFan(proximal_length=0.12, distal_length=0.1, hub_radius=0.015, sector_angle=0.3, units=2)
@@ -25,7 +25,7 @@ FAN = EarwigFan(proximal_length=0.12, distal_length=0.1, hub_radius=0.015, secto
 
 @settings(max_examples=50)
 @given(st.lists(st.floats(-math.pi, math.pi), min_size=3, max_size=3))
-def test_a_folded_strip_is_folded_by_the_angles_given(angles):
+def test_fold_angles_of_a_folded_strip_are_recovered(angles):
     strip = pleat_pattern([0.1, 0.2, 0.1, 0.3], 0.05, "".join("V" if angle >= 0 else "M" for angle in angles))
     given_angles = np.array([*angles, *[math.nan] * (len(strip.edges_vertices) - 3)])
     folded = replace(strip, vertices_coords=folded_coordinates(strip, given_angles))
@@ -81,12 +81,12 @@ def test_a_cut_has_no_fold_angle():
 
 
 @pytest.mark.parametrize(("angle", "letter"), [(0.5, "V"), (-0.5, "M"), (0.0, "F")])
-def test_an_unassigned_crease_gets_the_letter_of_how_it_is_built(angle, letter):
+def test_an_unassigned_crease_gets_the_letter_of_its_fold_angle_as_built(angle, letter):
     strip = pleat_pattern([0.1, 0.1], 0.1, "V")
     angles = np.array([angle, *[math.nan] * 6])
     folded = replace(
         strip, vertices_coords=folded_coordinates(strip, angles), edges_assignment=("U", *strip.edges_assignment[1:])
     )
-    kept = kept_as_built(folded)
+    kept = with_built_fold_angles(folded)
     assert kept.edges_assignment == (letter, *"B" * 6)
     assert kept.edges_fold_angle == pytest.approx(angles, abs=1e-15, nan_ok=True)

@@ -10,7 +10,7 @@ FOLDED = {"frame_classes": ["foldedForm"], "vertices_coords": [[0, 0], [10, 0], 
 
 
 def states(path, *frames, changes=None):
-    """The folded states in a file of the square, each coordinate and angle as numbers."""
+    """The folded states in a file of the square, as numbers."""
     read = read_folded_frames(written(path / "square.fold", {"file_frames": list(frames)} | (changes or {})))
     return [(title, coords.tolist(), folds.tolist()) for title, coords, folds in read]
 
@@ -25,14 +25,14 @@ def test_a_frame_inherits_edges_fold_angles_and_unit_along_its_parents(tmp_path)
     assert title == "same angles"
 
 
-def test_a_frame_may_hold_vertices_edges_and_unit_of_its_own(tmp_path):
+def test_a_frame_can_have_other_vertices_edges_and_unit_than_the_file(tmp_path):
     own = {"frame_classes": ["foldedForm"], "vertices_coords": [[0, 0], [1, 0]], "edges_vertices": [[0, 1]]}
     ((_, coords, _), (_, in_metres, _)) = states(tmp_path, own, own | {"frame_unit": "m"})
     assert coords == [[0, 0, 0], [1e-3, 0, 0]]
     assert in_metres == [[0, 0, 0], [1, 0, 0]]
 
 
-def test_frames_that_are_no_folded_states_are_left_out(tmp_path):
+def test_frames_without_the_class_folded_form_are_left_out(tmp_path):
     assert states(tmp_path, {"frame_title": "notes"}, {"frame_classes": ["graph"]}) == []
     assert read_folded_frames(written(tmp_path / "square.fold")) == []
 
@@ -51,7 +51,7 @@ def test_frames_that_are_no_folded_states_are_left_out(tmp_path):
         ({"frame_classes": "foldedForm", "frame_inherit": False}, "frame_classes: need a list, got str"),
     ],
 )
-def test_a_frame_that_is_no_folded_state_is_refused_with_its_number_and_key(tmp_path, changes, message):
+def test_an_invalid_folded_state_is_refused_with_its_number_and_key(tmp_path, changes, message):
     frame = {"frame_classes": ["foldedForm"], "frame_inherit": True, "vertices_coords": [[0, 0]]} | changes
     with pytest.raises(InputError, match=rf"square\.fold: file_frames\[0\]: {message}") as refusal:
         states(tmp_path, frame)
@@ -100,23 +100,23 @@ def test_frames_are_chosen_by_number_title_or_class(tmp_path):
         (True, "frame: need a number or a title, got true"),
     ],
 )
-def test_a_frame_that_is_not_there_is_refused(tmp_path, frame, message):
+def test_a_missing_frame_is_refused(tmp_path, frame, message):
     with pytest.raises(InputError, match=message):
         outcome(tmp_path, {"file_frames": [{"frame_title": "flat"}]}, frame=frame)
 
 
 def test_a_film_of_origami_simulator_begins_with_its_first_state(tmp_path):
-    """Its frames hold the vertices and name no parent, the key frame the rest."""
+    """Its frames contain the vertices and no parent; the key frame contains the rest."""
     state = {"frame_classes": ["foldedForm"], "frame_inherit": True, "frame_title": "film", "frame_unit": "unit"}
     flat = state | {"vertices_coords": [[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 1]]}
     bent = state | {"vertices_coords": [[0, 0, 0], [1, 0.5, 0], [1, 0, 1], [0, 0.5, 1]]}
     changes = {"file_frames": [flat, bent], "faces_vertices": [[0, 2, 1], [0, 3, 2]]}
     path = written(tmp_path / "film.fold", changes, without=("vertices_coords", "frame_unit"))
     pattern, remarks = fold_pattern(path, unit=0.01)
-    assert remarks[0] == 'file_frames[0]: taken, "film", for the key frame has no vertices'
+    assert remarks[0] == 'file_frames[0]: used, "film", because the key frame has no vertices'
     assert pattern.vertices_coords[2].tolist() == [0.01, -0.01, 0]
     ((_, coords, _),) = read_folded_frames(path, unit=0.01)
-    assert coords[1].tolist() == [0.01, 0, 0.005]  # turned as the sheet is: up was y
+    assert coords[1].tolist() == [0.01, 0, 0.005]  # rotated like the sheet: up was y
 
 
 @pytest.mark.parametrize(
@@ -131,13 +131,13 @@ def test_a_film_of_origami_simulator_begins_with_its_first_state(tmp_path):
         (b'{"frame_unit": "m", "vertices_coords": [[1e999, 0]]}', r"vertices_coords\[0\]: need a finite number"),
     ],
 )
-def test_a_file_that_is_no_fold_file_is_refused(tmp_path, content, message):
+def test_an_invalid_fold_file_is_refused(tmp_path, content, message):
     (tmp_path / "fan.fold").write_bytes(content)
     with pytest.raises(InputError, match=rf"fan\.fold: {message}") as refusal:
         read_fold(tmp_path / "fan.fold")
     assert "\n" not in str(refusal.value)
 
 
-def test_a_file_that_is_not_there_is_refused(tmp_path):
+def test_a_missing_file_is_refused(tmp_path):
     with pytest.raises(InputError, match=r"none\.fold: no such file"):
         read_fold(tmp_path / "none.fold")

@@ -35,13 +35,13 @@ def test_faces_found_from_the_edges_are_those_of_the_fan(tmp_path):
     document = json.loads(path.read_text(encoding="utf-8"))
     del document["faces_vertices"]
     path.write_text(json.dumps(document), encoding="utf-8")
-    found = read_fold(path)
+    result = read_fold(path)
 
     def from_lowest(face):
         first = face.index(min(face))
         return face[first:] + face[:first]
 
-    assert {from_lowest(face) for face in found.faces_vertices} == {
+    assert {from_lowest(face) for face in result.faces_vertices} == {
         from_lowest(face) for face in pattern.faces_vertices
     }
 
@@ -56,9 +56,9 @@ def test_clockwise_faces_are_turned(tmp_path):
     [
         (
             {"frame_unit": "unit"},
-            'frame_unit: need .*, one of m, .*, got "unit"; say .* pattern.unit = "1 cm", .* --unit "1 cm"$',
+            'frame_unit: need .*, one of m, .*, got "unit"; set .* pattern.unit = "1 cm", .* --unit "1 cm"$',
         ),
-        ({"frame_unit": None}, 'frame_unit: need a unit .* got no frame_unit; say how long .* --unit "1 cm"$'),
+        ({"frame_unit": None}, 'frame_unit: need a unit .* got no frame_unit; set the length .* --unit "1 cm"$'),
         ({"frame_unit": ["mm"]}, "frame_unit: need a unit of length"),
         ({"vertices_coords": []}, "vertices_coords: need at least one vertex, got none"),
         ({"vertices_coords": [[0]]}, r"vertices_coords\[0\]: need two or three numbers, got \[0\]"),
@@ -73,8 +73,11 @@ def test_clockwise_faces_are_turned(tmp_path):
         ({"edges_vertices": [[0, 1], [1, 2.5]]}, r"edges_vertices\[1\]: need whole numbers, got 2\.5"),
         ({"edges_vertices": [[0, 1], 4]}, r"edges_vertices\[1\]: need a list of vertices, got 4"),
         ({"edges_vertices": [[0, 1], [1, 0]]}, r"edges_vertices\[1\]: need every edge once"),
-        ({"edges_vertices": [[0, 1], [2, 3]]}, "faces_vertices: need the key in the file, .* hang together"),
-        ({"vertices_coords": [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]]}, "faces_vertices: .* got a solid shape"),
+        ({"edges_vertices": [[0, 1], [2, 3]]}, "faces_vertices: need the key in the file, .* connected"),
+        (
+            {"vertices_coords": [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]]},
+            "faces_vertices: .* got a shape that is not flat",
+        ),
         ({"edges_assignment": ["B"]}, "edges_assignment: need one letter for each of the 5 edges, got 1"),
         ({"edges_assignment": [[], 1, 2, 3, 4]}, r"edges_assignment\[0\]: need one of"),
         ({"edges_foldAngle": ["x", 0, 0, 0, 0]}, r"edges_foldAngle\[0\]: need a number, got 'x'"),
@@ -113,7 +116,7 @@ def test_a_missing_key_is_named(tmp_path, key):
 
 def test_a_base_of_origami_simulator_lies_flat_seen_from_above():
     pattern, remarks = fold_pattern(OTHERS / "squareBase.fold", unit=0.01)
-    assert remarks == ["vertices_coords: the sheet is turned into z = 0, up was along (0, 1, 0)"]
+    assert remarks == ["vertices_coords: the sheet is rotated into z = 0; in the file, up is along (0, 1, 0)"]
     assert not pattern.vertices_coords[:, 2].any()
     assert pattern.vertices_coords[1] == pytest.approx([0.00707106769, 0.00707106769, 0], rel=1e-9)  # far right in xz
     assert sorted(map(len, pattern.faces_vertices)) == [3] * 8
@@ -122,7 +125,7 @@ def test_a_base_of_origami_simulator_lies_flat_seen_from_above():
     assert np.degrees(pattern.edges_fold_angle[8:]).tolist() == [-180] * 4 + [180] * 2 + [0] * 2
 
 
-def test_a_folded_form_stays_as_it_lies():
+def test_a_folded_form_is_not_moved():
     pattern, remarks = fold_pattern(OTHERS / "simple.fold", unit=0.01)
     assert remarks == []
     np.testing.assert_array_equal(pattern.vertices_coords[4], pattern.vertices_coords[5])
@@ -134,7 +137,9 @@ def test_a_crease_pattern_of_an_editor_needs_a_unit_only():
     pattern = read_fold(OTHERS / "diagonal-cp.fold", unit=0.05)
     assert pattern.vertices_coords[2].tolist() == [0.05, 0.05, 0]
     assert pattern.title == "diagonal"
-    with pytest.raises(InputError, match=r"diagonal-cp\.fold: frame_unit: need a unit .*, got no frame_unit; say how"):
+    with pytest.raises(
+        InputError, match=r"diagonal-cp\.fold: frame_unit: need a unit .*, got no frame_unit; set the length"
+    ):
         read_fold(OTHERS / "diagonal-cp.fold")
 
 
@@ -170,7 +175,7 @@ def test_border_between_two_faces_is_a_cut(tmp_path):
 
 
 def test_flat_lines_that_end_in_a_face_and_lone_vertices_are_left_out(tmp_path):
-    """As Oriedita writes them: lines that only help to draw."""
+    """Auxiliary lines as Oriedita writes them."""
     loose = {
         "vertices_coords": [[50, 50], *SQUARE["vertices_coords"], [4, 2], [6, 3]],
         "edges_vertices": [[5, 6], [1, 2], [2, 3], [3, 4], [4, 1], [1, 3], [3, 5]],

@@ -19,14 +19,14 @@ def test_every_unit_of_length_is_converted_to_metres(tmp_path, unit, metres):
 
 
 @pytest.mark.parametrize("unit", ["unit", None, "ell"])
-def test_a_unit_is_taken_from_outside_where_the_file_has_none(tmp_path, unit):
+def test_the_unit_of_the_caller_applies_if_the_file_has_none(tmp_path, unit):
     pattern, _ = outcome(tmp_path, {"frame_unit": unit}, unit=0.01)
     assert pattern.vertices_coords[2].tolist() == [0.1, 0.1, 0]
 
 
 def test_two_units_that_differ_are_refused(tmp_path):
     with pytest.raises(
-        InputError, match='frame_unit: need no other unit beside that of the file, "mm", got 10 mm; leave'
+        InputError, match='frame_unit: need no unit that contradicts that of the file, "mm", got 10 mm; remove'
     ):
         outcome(tmp_path, unit=0.01)
     assert outcome(tmp_path, unit=1e-3)[0].vertices_coords[2].tolist() == [0.01, 0.01, 0]
@@ -63,7 +63,7 @@ def test_small_letters_words_and_null_are_understood(tmp_path):
     assert outcome(tmp_path, letters)[0].edges_assignment == tuple("BBBBU")
 
 
-def test_fold_1_0_calls_fold_angles_otherwise_and_origami_simulator_wrote_radians_there(tmp_path):
+def test_edges_fold_angles_of_fold_1_0_are_read_with_radians_of_origami_simulator(tmp_path):
     letters = {"edges_assignment": list("BBBBV"), "file_spec": 1}
     degrees = letters | {"edges_foldAngles": [0, 0, 0, 0, 3]}
     assert outcome(tmp_path, degrees)[0].edges_fold_angle[4] == math.radians(3)

@@ -86,7 +86,7 @@ def test_folded_states_are_read_back_with_the_bits_of_their_positions(tmp_path_f
         np.testing.assert_allclose(folds, written_folds, rtol=0, atol=1e-12)  # degrees in the file
 
 
-def test_a_folded_state_of_another_shape_leaves_the_old_file_alone(tmp_path):
+def test_a_folded_state_of_another_shape_does_not_change_the_old_file(tmp_path):
     pattern, path = earwig_pattern(FAN), tmp_path / "fan.fold"
     path.write_text("old", encoding="utf-8")
     with pytest.raises(InputError, match=r"frames\[0\]: need finite positions"):
@@ -130,7 +130,7 @@ def test_in_and_out_and_in_again_is_the_same(tmp_path_factory, angle, corners, l
     assert math.radians(angle) == first.edges_fold_angle[4]
 
 
-def test_own_values_stand_in_a_namespace_of_their_own(tmp_path):
+def test_own_values_are_written_in_the_namespace_forficula(tmp_path):
     pattern = earwig_pattern(FAN)
     own = {"edges_stiffness": [0.5] * len(pattern.edges_vertices), "faces_thickness": [None, 1e-4] * 4}
     write_fold(pattern, tmp_path / "fan.fold", own=own)
@@ -152,7 +152,7 @@ def test_own_values_stand_in_a_namespace_of_their_own(tmp_path):
         ),
     ],
 )
-def test_own_values_that_fit_nothing_are_refused(tmp_path, own, message):
+def test_own_values_of_another_number_are_refused(tmp_path, own, message):
     with pytest.raises(InputError, match=message):
         write_fold(earwig_pattern(FAN), tmp_path / "fan.fold", own=own)
     assert not list(tmp_path.iterdir())

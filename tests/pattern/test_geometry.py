@@ -6,10 +6,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from forficula.pattern.geometry import cross, dot, is_inside, polygon_normal, triangle_areas, triangle_normals
-from forficula.pattern.rotation import STILL, frame_along, rotation_about, turn_about
+from forficula.pattern.rotation import IDENTITY_MOTION, frame_along, rotation_about, turn_about
 
 ARROW = np.array([[0, 0, 0], [2, 0, 0], [1, 1, 0], [2, 2, 0], [0, 2, 0]], dtype=float)
-vectors = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda each: math.hypot(*each) > 0.1).map(np.array)
+vectors = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda item: math.hypot(*item) > 0.1).map(np.array)
 angles = st.floats(-math.pi, math.pi)
 
 
@@ -45,7 +45,7 @@ def test_turns_about_one_line_add_up_and_leave_the_line(origin, axis, one, other
     both = turn_about(origin, axis, one).after(turn_about(origin, axis, other))
     assert both.of(ARROW) == pytest.approx(turn_about(origin, axis, one + other).of(ARROW), abs=1e-12)
     assert both.of(origin + axis) == pytest.approx(origin + axis, abs=1e-12)
-    assert STILL.after(both).shift == pytest.approx(both.shift)
+    assert IDENTITY_MOTION.after(both).shift == pytest.approx(both.shift)
 
 
 @given(vectors)

@@ -1,4 +1,4 @@
-"""The sheet along two bars that a hinge joins."""
+"""The sheet around two bars that a hinge joins."""
 
 import math
 
@@ -52,7 +52,7 @@ def test_a_strip_folds_flat_with_its_bars_apart_by_the_difference_of_their_secto
     inwards, outwards = -bar(pattern, "proximal", folded), bar(pattern, "distal", folded)
     apart = math.acos(inwards @ outwards / np.linalg.norm(inwards) / np.linalg.norm(outwards))
     assert apart == pytest.approx(DISTAL - PROXIMAL, abs=1e-9)
-    # half way the valley stands up, the mountain hangs down
+    # half folded, the valley points up and the mountain down
     half = folded_coordinates(pattern, pattern.edges_fold_angle / 2)
     faces = [half[list(face), 2].mean() for face in pattern.faces_vertices]
     assert np.ptp(faces) > 0.01

@@ -25,7 +25,7 @@ REFERENCE = EarwigFan(
 
 
 @given(SECTORS, SECTORS, FOLDS, MODES)
-def test_the_closed_form_closes_the_vertex_in_both_modes_and_both_ways_around(alpha, beta, proximal, mode):
+def test_the_closed_form_closes_the_vertex_in_both_modes_and_orientations(alpha, beta, proximal, mode):
     next_first = degree4_fold_angles(alpha, beta, proximal, mode)
     assert closure_residual([alpha, math.pi - beta, math.pi - alpha, beta], next_first) < 1e-12
     previous_first = next_first[[0, 3, 2, 1]]
@@ -71,7 +71,7 @@ def test_the_ratio_of_the_half_tangents_is_that_of_the_fan():
         ((1.0, 1.0, 0.0, "moth"), "mode: need earwig or miura, got 'moth'"),
     ],
 )
-def test_a_vertex_that_is_none_is_refused(arguments, message):
+def test_an_invalid_vertex_is_refused(arguments, message):
     with pytest.raises(InputError, match=message):
         degree4_fold_angles(*arguments)
 
@@ -159,7 +159,7 @@ def test_a_flat_edge_needs_no_fold_angle_and_a_valley_does():
 @pytest.mark.parametrize(
     ("letter", "folds", "face", "message"),
     [
-        ("C", [0.0] * 7, 0, r"faces_vertices\[1\]: need a face that hangs together with face 0"),
+        ("C", [0.0] * 7, 0, r"faces_vertices\[1\]: need a face that is connected to face 0"),
         ("V", [0.0] * 6, 0, r"fold_angles: need shape \(7,\), got \(6,\)"),
         ("V", [0.0] * 7, 2, "fixed_face: need a face from 0 to 1, got 2"),
     ],

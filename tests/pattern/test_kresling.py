@@ -1,4 +1,4 @@
-"""Kresling towers as they stand, against the closed form of their creases."""
+"""Kresling towers as built, compared with the closed form of their crease lengths."""
 
 import math
 from collections import Counter
@@ -37,13 +37,13 @@ def towers(draw):
 
 
 def lengths_of(pattern, role):
-    ends = pattern.vertices_coords[pattern.edges_vertices[[each == role for each in pattern.edges_role]]]
+    ends = pattern.vertices_coords[pattern.edges_vertices[[edge == role for edge in pattern.edges_role]]]
     return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
 
 
 @settings(max_examples=40)
 @given(towers())
-def test_creases_are_as_long_as_the_closed_form_says(values):
+def test_crease_lengths_match_the_closed_form(values):
     pattern = kresling_pattern(**values)
     sides, radius = values["sides"], values["radius"]
     expected = kresling_lengths(sides, radius, values["height"], abs(values["twist"]))
@@ -74,7 +74,7 @@ def test_every_edge_joins_two_facets_but_the_rims_and_a_closed_tower_has_the_vol
     rims = 0 if values["end_plates"] else 2 * sides
     assert pattern.edges_assignment.count("B") == rims
     assert len(shared_edges(pattern)) == len(folding(pattern)) == sides * (3 * layers + 1) - rims
-    # the vector areas of a closed surface add up to nothing, those of an open one to its rims, which cancel here
+    # the vector areas of a closed surface add up to 0, those of an open one to the areas of its rims, which cancel
     assert np.abs(vector_areas(pattern).sum(axis=0)).max() < 1e-12
     if values["end_plates"]:
         split = triangulated(pattern).pattern
@@ -82,7 +82,7 @@ def test_every_edge_joins_two_facets_but_the_rims_and_a_closed_tower_has_the_vol
         assert np.linalg.det(corners).sum() > 0  # six times the volume: all face outwards
 
 
-def test_a_twist_the_other_way_is_the_mirror_image():
+def test_a_twist_in_the_opposite_sense_gives_the_mirror_image():
     one, other = (kresling_pattern(5, 2, 0.03, 0.02, twist) for twist in (0.6, -0.6))
     mirrored = {tuple(np.round(point * [1, -1, 1], 12)) for point in one.vertices_coords}
     assert mirrored == {tuple(np.round(point, 12)) for point in other.vertices_coords}
@@ -93,7 +93,7 @@ def test_layers_that_alternate_end_as_they_began():
     tower = kresling_pattern(6, 2, 0.03, 0.02, 0.6, alternating=True)
     assert tower.vertices_coords[12:, :2] == pytest.approx(tower.vertices_coords[:6, :2], abs=1e-15)
     assert tower.vertices_coords[12:, 2] == pytest.approx([0.04] * 6)
-    # a mirror plane lies in the polygon between: both sides of it lean alike
+    # the polygon between is a mirror plane: both sides have the same inclination
     assert Counter(tower.edges_role) == {"mountain": 12, "valley": 12, "polygon": 6, "border": 12}
 
 
@@ -109,7 +109,7 @@ def test_end_plates_are_polygons_that_face_outwards():
 @settings(max_examples=60)
 @given(towers())
 def test_the_other_state_has_the_same_creases(values):
-    """Held to the lengths, and to that a truss of bars has no energy in either."""
+    """Both states have the same crease lengths, so a truss of bars has no energy in either."""
     sides, radius, height, twist = (values[key] for key in ("sides", "radius", "height", "twist"))
     most = math.pi - 2 * math.pi / sides
     if height**2 < 4 * radius**2 * (math.sin((most - abs(twist)) / 2) ** 2 - math.sin(abs(twist) / 2) ** 2):
@@ -118,9 +118,9 @@ def test_the_other_state_has_the_same_creases(values):
         return
     other = kresling_other_state(sides, radius, height, twist)
     assert (other.twist > 0) == (twist > 0)
-    here = kresling_lengths(sides, radius, height, abs(twist))
-    there = kresling_lengths(sides, radius, other.height, abs(other.twist))
-    assert there == pytest.approx(here, rel=1e-12)
+    current = kresling_lengths(sides, radius, height, abs(twist))
+    present = kresling_lengths(sides, radius, other.height, abs(other.twist))
+    assert present == pytest.approx(current, rel=1e-12)
 
 
 def test_a_tower_in_both_states_has_congruent_facets_and_folds_from_one_to_the_other():
@@ -131,13 +131,13 @@ def test_a_tower_in_both_states_has_congruent_facets_and_folds_from_one_to_the_o
     for role in ("mountain", "valley", "border"):
         assert lengths_of(one, role) == pytest.approx(lengths_of(other, role), rel=1e-12)
     folds = built_fold_angles(other)
-    # lay the facets of one out and fold them up again as the other is folded: they close around the axis
+    # the unfolded facets of one state, folded by the angles of the other, close around the axis
     unrolled = folded_coordinates(one, folds - built_fold_angles(one))
     box = [np.linalg.norm(coords[:6] - coords[:6].mean(axis=0), axis=1) for coords in (unrolled, other.vertices_coords)]
     assert box[0] == pytest.approx(box[1], rel=1e-12)
 
 
-def test_lengths_come_in_the_shape_of_heights_and_twists():
+def test_lengths_have_the_shape_of_heights_and_twists():
     lengths = kresling_lengths(6, 0.03, np.zeros((3, 1)), np.linspace(0, 1, 4))
     assert lengths.mountain.shape == lengths.valley.shape == (3, 4)
     assert lengths.mountain[:, 0].tolist() == [0, 0, 0]
@@ -165,7 +165,7 @@ def test_a_tower_that_cannot_be_drawn_is_refused(changes, message):
     assert str(caught.value).startswith(message)
 
 
-def test_a_low_tower_has_no_second_state_and_is_told_from_which_height_on():
+def test_a_low_tower_has_no_second_state_and_the_error_names_the_least_height():
     with pytest.raises(InputError) as caught:
         kresling_other_state(6, 0.03, 0.01, math.radians(30))
     assert str(caught.value).startswith("pattern.height: need at least 3.94822 cm for a second state, got 1 cm")

@@ -1,4 +1,4 @@
-"""The Miura sheet as built, against the closed forms of its vertices and of its size."""
+"""The Miura sheet as built, compared with the closed forms of its vertices and its size."""
 
 import math
 
@@ -38,7 +38,7 @@ def sheet(**changes):
 
 @settings(max_examples=40)
 @given(st.fixed_dictionaries(SHEETS), FOLDS)
-def test_every_facet_is_the_parallelogram_asked_for_however_far_the_sheet_is_folded(values, fold):
+def test_every_facet_has_the_requested_shape_at_any_fold(values, fold):
     a, b, angle = values["long_side"], values["short_side"], values["acute_angle"]
     short, long = (math.sqrt(a * a + b * b - sign * 2 * a * b * math.cos(angle)) for sign in (1, -1))
     for distances in corner_distances(miura_pattern(**values, fold=fold)):
@@ -49,7 +49,7 @@ def test_every_facet_is_the_parallelogram_asked_for_however_far_the_sheet_is_fol
 @settings(max_examples=40)
 @given(st.fixed_dictionaries(SHEETS), FOLDS)
 def test_the_box_around_the_sheet_is_that_of_schenk_and_guest(values, fold):
-    """Against the formulas as Schenk and Guest 2013 print them, with tangents."""
+    """Compared with the formulas in the form of Schenk and Guest 2013, with tangents."""
     box = np.ptp(miura_pattern(**values, fold=fold).vertices_coords, axis=0)
     a, b, angle, theta = values["long_side"], values["short_side"], values["acute_angle"], fold / 2
     root = math.sqrt(1 + (math.cos(theta) * math.tan(angle)) ** 2)

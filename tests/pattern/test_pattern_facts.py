@@ -28,7 +28,7 @@ def test_a_sheet_is_counted():
     assert facts.flat
     assert "closes a loop" in facts.loop
     assert facts.freedoms.begins
-    assert all(each.folds and each.developable for each in facts.inside)
+    assert all(item.folds and item.developable for item in facts.inside)
 
 
 def test_a_strip_is_a_tree_of_facets():
@@ -37,7 +37,7 @@ def test_a_strip_is_a_tree_of_facets():
     assert facts.freedoms.folded.mechanisms == 3
 
 
-def test_a_folded_sheet_is_counted_as_it_lies_and_not_folded_again():
+def test_a_folded_sheet_is_counted_in_its_shape_and_not_folded_again():
     facts = pattern_facts(sheet(fold=0.5))
     assert not facts.flat
     assert (facts.freedoms.begins, facts.freedoms.folded, facts.freedoms.fold_range) == (None, None, None)
@@ -58,7 +58,7 @@ def test_holes_are_borders_beyond_the_first(pattern, holes):
     assert pattern_facts(pattern).holes == holes
 
 
-def test_pieces_are_what_cuts_leave():
+def test_cuts_divide_a_sheet_into_pieces():
     strip = pleat_pattern([0.1] * 3, 0.2, "VV")
     cut = dataclasses.replace(strip, edges_assignment=("C", *strip.edges_assignment[1:]))
     facts = pattern_facts(cut)
@@ -69,10 +69,10 @@ def test_a_sheet_that_cannot_begin_to_fold_is_not_looked_for_folded():
     facts = pattern_facts(star([0, 60, 180, 240], "MMMV"))
     assert facts.freedoms.begins is False
     assert facts.freedoms.folded is None
-    assert [each.folds for each in facts.inside] == [False]
+    assert [item.folds for item in facts.inside] == [False]
 
 
-def test_of_faces_that_run_both_ways_nothing_is_counted_and_it_is_said_why():
+def test_faces_of_both_orientations_are_not_counted_and_the_reason_is_given():
     coords = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]])
     facts = pattern_facts(
         CreasePattern(

@@ -6,7 +6,7 @@ from tests.pattern.drawings import dxf, dxf_line, line, rim, svg
 from tests.pattern.fold_files import written
 
 
-def test_the_ending_says_what_a_file_is(tmp_path):
+def test_the_ending_defines_the_format(tmp_path):
     square = [(0, 0, 10, 0), (10, 0, 10, 10), (10, 10, 0, 10), (0, 10, 0, 0)]
     lines = [dxf_line(*ends, (62, 7)) for ends in square]
     files = [
@@ -33,6 +33,6 @@ def test_the_ending_says_what_a_file_is(tmp_path):
         ("square.svg", {"frame": 1}, "frame: need none for a drawing, got 1"),
     ],
 )
-def test_what_no_reader_takes_is_refused(tmp_path, name, choices, message):
+def test_files_and_options_without_a_reader_are_refused(tmp_path, name, choices, message):
     with pytest.raises(InputError, match=rf"{name}: {message}"):
         read_pattern(tmp_path / name, **choices)

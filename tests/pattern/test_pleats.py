@@ -1,4 +1,4 @@
-"""Strips of panels, facets as trees, and what is said of a pattern."""
+"""Strips of panels, trees of facets, and the report about flat folding."""
 
 import math
 
@@ -106,7 +106,7 @@ def test_facets_are_listed_depth_first_from_any_of_them():
     assert [link.facet for link in facet_tree(cross())] == [0, 1, 2, 3, 4]
     links = facet_tree(cross(), root=3)
     assert [(link.facet, link.parent) for link in links] == [(3, None), (0, 3), (1, 0), (2, 0), (4, 0)]
-    # the parent lies to the left of its side
+    # the parent is on the left of its side
     assert [(link.tail, link.head) for link in links[1:3]] == [(0, 3), (1, 2)]
 
 
@@ -115,11 +115,11 @@ def test_creases_around_a_vertex_close_a_loop_at_the_one_that_the_tree_leaves_ou
     joined = {frozenset((link.facet, link.parent)) for link in links if link.parent is not None}
     assert joined == {frozenset(pair) for pair in [(0, 1), (1, 2), (2, 3), (3, 0)]}
     assert len([link for link in links if not link.closes]) == 4
-    # two away from the first, it hangs on one of its neighbours, and closes a loop with the other
+    # two away from the first facet, it is connected to one neighbour and closes a loop with the other
     assert [link.closes for link in links if 2 in (link.facet, link.parent)] in ([False, True], [True, False])
 
 
-def test_a_tree_takes_the_fewest_creases_from_its_root():
+def test_every_facet_is_reached_across_the_fewest_creases_from_the_root():
     sheet = miura_pattern(5, 5, 0.01, 0.01, math.radians(60))
     middle = central_facet(sheet)
     links = facet_tree(sheet, middle)
@@ -131,21 +131,21 @@ def test_a_tree_takes_the_fewest_creases_from_its_root():
     assert len(links) == len({link.edge for link in links}) == 1 + 2 * 5 * 4
 
 
-def test_flat_edges_may_close_a_loop_for_nothing_moves_there():
+def test_flat_edges_can_close_a_loop():
     assert len(facet_tree(star([0, 90, 180, 270], "FFFF"))) == 4
-    with pytest.raises(InputError, match="edge 3 lies between facets 3 and 2, which flat edges make one plate"):
+    with pytest.raises(InputError, match="edge 3 lies between facets 3 and 2, which flat edges join to one plate"):
         facet_tree(star([0, 90, 180, 270], "FFFV"))
 
 
-def test_creases_that_open_hold_nothing_together():
+def test_two_facets_of_one_piece_cannot_both_be_held():
     links = facet_tree(cross(), 0, apart=[0])
     assert [link.facet for link in links if link.parent is None] == [0, 1]
-    with pytest.raises(InputError, match="facet 2 hangs together with another that is held"):
+    with pytest.raises(InputError, match="facet 2 is connected to another facet that is held"):
         facet_tree(cross(), [0, 2], apart=[0])
 
 
-def test_facets_that_nothing_joins_are_refused():
-    with pytest.raises(InputError, match="facet 1 does not hang together with facet 0"):
+def test_facets_without_a_connection_are_refused():
+    with pytest.raises(InputError, match="facet 1 is not connected to facet 0"):
         facet_tree(cross(side0="C"))
 
 
@@ -154,26 +154,26 @@ def test_a_border_between_two_facets_is_refused():
         facet_tree(cross(side0="B"))
 
 
-def test_a_facet_that_is_not_there_holds_nothing():
+def test_a_missing_facet_cannot_be_held():
     with pytest.raises(InputError, match="need a facet from 0 to 4, got 5"):
         facet_tree(cross(), root=5)
 
 
-def test_a_fan_is_said_to_fold_flat():
+def test_a_fan_is_reported_to_fold_flat():
     fan = EarwigFan(proximal_length=0.12, distal_length=0.1, hub_radius=0.015, sector_angle=math.radians(20), units=2)
-    said = " ".join(flat_folding_text(earwig_pattern(fan)))
+    sentence = " ".join(flat_folding_text(earwig_pattern(fan)))
     for condition in ("Kawasaki", "Maekawa", "Big-little-big"):
-        assert f"{condition} holds" in said
-    assert "Every vertex folds flat by itself" in said
+        assert f"{condition} holds" in sentence
+    assert "Every vertex folds flat by itself" in sentence
     assert flat_folding_faults(earwig_pattern(fan)) == []
 
 
-def test_of_a_strip_it_is_said_that_every_crease_folds_on_its_own():
-    said = flat_folding_text(pleat_pattern([0.1, 0.1, 0.1], 0.2, "VV"))
-    assert said == ["No interior vertex: every crease folds on its own."]
+def test_the_report_of_a_strip_states_that_creases_fold_independently():
+    sentence = flat_folding_text(pleat_pattern([0.1, 0.1, 0.1], 0.2, "VV"))
+    assert sentence == ["No interior vertex: every crease folds independently."]
 
 
-def test_of_a_sheet_without_a_crease_it_is_said_that_there_is_none():
+def test_the_report_of_a_sheet_without_creases_states_that():
     one = CreasePattern(
         vertices_coords=np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]]),
         edges_vertices=np.array([[0, 1], [1, 2], [2, 0]]),
@@ -185,7 +185,7 @@ def test_of_a_sheet_without_a_crease_it_is_said_that_there_is_none():
 
 
 @pytest.mark.parametrize(
-    ("directions", "letters", "said"),
+    ("directions", "letters", "sentence"),
     [
         ([0, 46, 165, 300], "MMMV", "Kawasaki fails at vertex 0: the alternating sum of sectors is up to 2 deg"),
         ([0, 120, 240], "MMM", "an odd number of creases never folds flat, vertex 0 has 3 creases"),
@@ -193,16 +193,16 @@ def test_of_a_sheet_without_a_crease_it_is_said_that_there_is_none():
         ([0, 45, 165, 300], "MMMV", "Big-little-big fails at vertex 0"),
     ],
 )
-def test_what_keeps_a_vertex_from_folding_flat_is_said(directions, letters, said):
+def test_the_report_names_the_conditions_that_a_vertex_fails(directions, letters, sentence):
     pattern = star(directions, letters)
-    assert any(said in fault for fault in flat_folding_faults(pattern))
+    assert any(sentence in fault for fault in flat_folding_faults(pattern))
     assert flat_folding_text(pattern)[-1] == "It does not fold flat."
 
 
-def test_of_creases_without_a_sense_only_the_sectors_are_judged():
+def test_only_sectors_are_checked_where_creases_are_unassigned():
     pattern = star([0, 45, 165, 300], "UUUU")
     assert flat_folding_faults(pattern) == []
-    assert "Maekawa says nothing of vertex 0" in " ".join(flat_folding_text(pattern))
+    assert "Maekawa is not checked at vertex 0" in " ".join(flat_folding_text(pattern))
 
 
 def test_coordinates_of_a_file_with_seven_digits_pass():

@@ -39,7 +39,7 @@ def test_a_vertex_of_four_creases_leaves_the_flat_state_in_the_two_ways_of_its_l
     assume(sectors.max() < math.pi - 1e-3)
     directions = np.degrees(np.concatenate([[0.0], np.cumsum(sectors[:-1])])).tolist()
     possible = {letters for letters in map("".join, itertools.product("MV", repeat=4)) if folds(directions, letters)}
-    # straight creases fold alone, which takes both ways together
+    # straight creases fold alone, which combines both solutions
     assume(min(abs(sectors[0] + sectors[1] - math.pi), abs(sectors[1] + sectors[2] - math.pi)) > 1e-2)
     assert len(possible) == 4
     for way in (*degree4_closure(sectors, 1e-4), *degree4_closure(sectors, -1e-4)):
@@ -48,7 +48,7 @@ def test_a_vertex_of_four_creases_leaves_the_flat_state_in_the_two_ways_of_its_l
 
 
 def force_area(rates, directions):
-    """Second order of the walk around a flat vertex: the area that fold rates along their creases enclose in a row."""
+    """Second order of the closure of a flat vertex: the area that the fold rates along their creases enclose."""
     ends = np.cumsum(rates[:, None] * np.column_stack([np.cos(directions), np.sin(directions)]), axis=0)
     return float(np.sum(ends[:-1, 0] * ends[1:, 1] - ends[:-1, 1] * ends[1:, 0]))
 
@@ -91,7 +91,7 @@ def test_a_vertex_of_more_creases_folds_where_rates_exist_to_the_second_order(de
         ([0, 90, 180, 270], "FFFF", True),
     ],
 )
-def test_what_a_vertex_can_do_is_known_without_folding_it(directions, letters, expected):
+def test_the_condition_at_a_vertex_needs_no_folded_state(directions, letters, expected):
     assert folds(directions, letters) is expected
 
 
@@ -119,7 +119,7 @@ def test_sheets_of_rigid_facets_are_found_folded_in_their_sense(pattern):
     assert after == pytest.approx(before)
 
 
-def test_a_vertex_whose_creases_are_all_mountains_begins_but_does_not_fold():
+def test_a_vertex_of_mountains_only_has_first_order_motion_but_does_not_fold():
     pattern = star([0, 120, 240], "MMM")
     assert begins_as_assigned(pattern)
     assert folded_as_assigned(pattern) is None
@@ -135,7 +135,7 @@ def test_creases_without_a_sense_are_not_folded():
     assert folded_as_assigned(pattern) is None
 
 
-def test_a_sheet_with_a_slit_may_tear_and_is_then_not_said_to_fold():
+def test_a_sheet_that_would_tear_at_a_slit_is_not_reported_to_fold():
     pattern = miura_pattern(4, 4, 0.03, 0.02, math.radians(60))
     without = tuple(face for number, face in enumerate(pattern.faces_vertices) if number not in (5, 6, 9, 10))
     holed = dataclasses.replace(pattern, faces_vertices=without)

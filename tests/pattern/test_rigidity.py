@@ -38,7 +38,7 @@ def test_a_flat_crease_makes_one_plate_that_moves_where_facets_bend():
     assert counts(rigidity(strip, bending=True)) == (5, 0)
 
 
-def test_a_cut_leaves_two_parts_that_do_not_hold_one_another():
+def test_a_cut_leaves_two_pieces_that_move_independently():
     parts = rigidity(with_letter(pleat_pattern([0.1, 0.1, 0.1], 0.2, "VV"), 0, "C"))
     assert (parts.parts, *counts(parts)) == (2, 1, 0)
 
@@ -55,7 +55,7 @@ def test_a_flat_vertex_has_a_freedom_more_than_a_folded_one_and_can_be_stressed(
     assert counts(rigidity(flat, raised)) == (1, 0)
 
 
-def test_a_closed_tetrahedron_is_rigid_as_cauchy_says():
+def test_a_closed_tetrahedron_is_rigid():
     coords = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
     closed = CreasePattern(
         vertices_coords=coords,
@@ -79,7 +79,7 @@ def test_turning_and_scaling_a_sheet_changes_no_count(seed, scale, fold):
 
 @pytest.mark.parametrize("fold", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize("bending", [False, True])
-def test_counting_pivots_gives_what_singular_values_give(monkeypatch, fold, bending):
+def test_counting_pivots_and_singular_values_gives_the_same_rank(monkeypatch, fold, bending):
     pattern = sheet(6, 5, fold)
     dense = rigidity(pattern, bending=bending)
     # the package calls the function by the name of its module

@@ -47,7 +47,7 @@ def test_points_lie_on_lines_where_they_are_in_line_and_between_the_ends(drawn, 
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_boxes_that_meet_are_those_that_a_comparison_of_all_pairs_finds_in_the_same_order(seed):
+def test_meeting_boxes_match_a_comparison_of_all_pairs(seed):
     random = np.random.default_rng(seed)
     # points, lines along an axis, boxes of any size and places that are equal to the bit
     low = random.integers(0, [400, 30], (300, 2)) / 7
@@ -58,7 +58,7 @@ def test_boxes_that_meet_are_those_that_a_comparison_of_all_pairs_finds_in_the_s
     assert 300 < len(np.argwhere(meet.all(axis=2))) < meet.size / 4
 
 
-def test_boxes_beside_each_other_take_a_time_that_grows_as_their_number():
+def test_the_time_for_separate_boxes_is_proportional_to_their_number():
     low = np.stack(np.meshgrid(np.arange(200.0), np.arange(200.0)), axis=-1).reshape(-1, 2)
     before = process_time()
     pairs = boxes_that_meet(low, low + 0.5, low, low + 0.5)

@@ -9,7 +9,7 @@ from tests.pattern.fold_files import SQUARE, written
 
 
 def turned_square(turn):
-    """The square with its faces, carried into another plane by a rotation, and shifted."""
+    """The square with its faces, rotated into another plane and shifted."""
     coords = np.array([[x, y, 0] for x, y in SQUARE["vertices_coords"]]) @ turn.T + np.array([3, -4, 5])
     return {"vertices_coords": coords.tolist(), "faces_vertices": [[0, 1, 2], [0, 2, 3]]}
 

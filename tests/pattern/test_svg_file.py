@@ -67,7 +67,7 @@ def test_colours_are_those_that_origami_programs_read_and_dashes_differ(tmp_path
     assert len({line.get("stroke-dasharray") for line in lines}) == 6
 
 
-def test_opacity_is_the_fold_angle_where_there_is_one(tmp_path):
+def test_opacity_shows_the_fold_angle(tmp_path):
     lines = list(drawn(strip("MV", fold_angle=-math.pi / 4), tmp_path / "strip.svg").iter(f"{SVG}line"))
     assert [line.get("stroke-opacity") for line in lines[:3]] == ["0.25", "0.25", None]
     line = next(drawn(strip("M"), tmp_path / "strip.svg").iter(f"{SVG}line"))
@@ -88,22 +88,22 @@ def test_a_folded_sheet_is_not_drawn(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
-def test_tendons_end_at_dots_and_a_bar_tells_the_size_and_none_of_them_is_read_as_a_crease(tmp_path):
+def test_tendons_dots_and_the_scale_bar_are_not_read_as_creases(tmp_path):
     pattern = earwig_pattern(FAN)
     ends = np.array([[0.06, 0.01, 0.0], [0.15, -0.02, 0.0]])
     write_svg(pattern, tmp_path / "fan.svg", ends)
     root = ElementTree.parse(tmp_path / "fan.svg").getroot()
     lines, dots = list(root.iter(f"{SVG}line")), list(root.iter(f"{SVG}circle"))
-    # a place of a crease's end and its place in the drawing give where the dots belong
+    # the end of a crease in the sheet and in the drawing gives the positions of the dots
     tail = pattern.vertices_coords[pattern.edges_vertices[0, 0], :2]
     for end, dot in zip(ends, dots, strict=True):
         beside = 1e3 * (end[:2] - tail) * [1, -1]
         assert float(dot.get("cx")) - float(lines[0].get("x1")) == pytest.approx(beside[0], abs=1e-5)
         assert float(dot.get("cy")) - float(lines[0].get("y1")) == pytest.approx(beside[1], abs=1e-5)
-    (bar,), (told,) = root.iter(f"{SVG}rect"), root.iter(f"{SVG}text")
-    assert f"{float(bar.get('width')):g} mm" == told.text == "50 mm"
+    (bar,), (label,) = root.iter(f"{SVG}rect"), root.iter(f"{SVG}text")
+    assert f"{float(bar.get('width')):g} mm" == label.text == "50 mm"
     assert max(float(line.get(f"y{end}")) for line in lines for end in "12") < float(bar.get("y"))
-    assert {each.get("stroke") for each in (*dots, bar, told)} == {"none"}
+    assert {dot.get("stroke") for dot in (*dots, bar, label)} == {"none"}
     again, _ = read_drawing(tmp_path / "fan.svg")
     write_svg(pattern, tmp_path / "bare.svg")
     bare, _ = read_drawing(tmp_path / "bare.svg")

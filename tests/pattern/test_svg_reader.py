@@ -42,7 +42,7 @@ def crease(path, text):
 def test_colours_are_read_as_origami_programs_mean_them(tmp_path, stroke, letter):
     beside = line(35, 20, 35, 80, "orange", 'data-assignment="U"') + line(65, 20, 65, 80, "#f0f")
     pattern, _ = read(tmp_path, beside, f'<line {CREASE} stroke="{stroke}"/>')
-    assert next(each for each in reversed(pattern.edges_assignment) if each != "B") == letter
+    assert next(edge for edge in reversed(pattern.edges_assignment) if edge != "B") == letter
 
 
 @pytest.mark.parametrize(
@@ -71,7 +71,7 @@ def test_colours_are_read_as_origami_programs_mean_them(tmp_path, stroke, letter
         (f'<line {CREASE} stroke="#f0f" opacity=".5"/>', "U", math.nan),
     ],
 )
-def test_styles_groups_and_data_say_what_a_line_is(tmp_path, text, letter, angle):
+def test_styles_groups_and_data_define_the_kind_of_a_line(tmp_path, text, letter, angle):
     assert crease(tmp_path, text) == (letter, angle)
 
 
@@ -120,14 +120,14 @@ def test_every_way_to_draw_a_straight_line_gives_the_same_sheet(tmp_path, text):
         ("", 60 * 0.0254 / 96),
     ],
 )
-def test_the_page_says_how_long_a_unit_is(tmp_path, head, side):
+def test_the_page_size_defines_the_unit(tmp_path, head, side):
     pattern, remarks = read_drawing(svg(tmp_path / "sheet.svg", rim(), line(50, 20, 50, 80), head=head))
     assert np.ptp(pattern.vertices_coords, axis=0) == pytest.approx([side, side, 0], rel=1e-12)
-    assumed = "the file gives its size in pixels: taken as 96 an inch, if no unit is given"
+    assumed = "the file gives its size in pixels: taken as 1/96 inch, as no unit is given"
     assert (assumed in remarks) == ("px" in head or not head)
 
 
-def test_a_unit_goes_before_pixels(tmp_path):
+def test_a_given_unit_takes_precedence_over_pixels(tmp_path):
     path = svg(
         tmp_path / "sheet.svg", rim(), line(50, 20, 50, 80), head='width="100" height="100" viewBox="0 0 100 100"'
     )
@@ -161,7 +161,7 @@ def test_a_unit_goes_before_pixels(tmp_path):
         ),
     ],
 )
-def test_what_is_no_straight_line_is_refused_with_its_name(tmp_path, text, message):
+def test_elements_other_than_straight_lines_are_refused_by_name(tmp_path, text, message):
     with pytest.raises(InputError, match=rf"sheet\.svg: {message}") as refusal:
         read(tmp_path, text)
     assert "\n" not in str(refusal.value)
@@ -176,7 +176,7 @@ def test_what_is_no_straight_line_is_refused_with_its_name(tmp_path, text, messa
         ('<svg xmlns="http://www.w3.org/2000/svg"/>', "need lines in red .*, got none"),
     ],
 )
-def test_a_file_that_is_no_drawing_is_refused(tmp_path, content, message):
+def test_an_invalid_svg_file_is_refused(tmp_path, content, message):
     (tmp_path / "sheet.svg").write_text(content, encoding="utf-8")
     with pytest.raises(InputError, match=rf"sheet\.svg: {message}"):
         read_drawing(tmp_path / "sheet.svg")
@@ -217,7 +217,7 @@ def test_text_between_the_numbers_of_a_drawing_is_refused_and_not_left_out(tmp_p
         read(tmp_path, text)
 
 
-def test_numbers_may_stand_without_spaces_where_a_sign_or_a_point_parts_them(tmp_path):
+def test_numbers_need_no_space_before_a_sign_or_a_decimal_point(tmp_path):
     pattern, _ = read(tmp_path, '<path d="M50,20l0+60" stroke="red"/>')
     tight, _ = read(tmp_path, '<path d="M5e1 .2e2V80.0" stroke="red"/>')
     assert np.array_equal(pattern.vertices_coords, tight.vertices_coords)
@@ -235,7 +235,7 @@ def test_numbers_may_stand_without_spaces_where_a_sign_or_a_point_parts_them(tmp
         ('preserveAspectRatio="none" transform="rotate(90)"', 5, 10),
     ],
 )
-def test_a_drawing_fills_its_page_as_its_aspect_ratio_says(tmp_path, fit, width, height):
+def test_preserve_aspect_ratio_scales_the_drawing(tmp_path, fit, width, height):
     head = f'width="10cm" height="10cm" viewBox="0 0 100 200" {fit}'
     pattern, _ = read_drawing(svg(tmp_path / "sheet.svg", '<rect width="100" height="100" stroke="black"/>', head=head))
     assert np.ptp(pattern.vertices_coords, axis=0)[:2] * 100 == pytest.approx([width, height])
@@ -251,7 +251,7 @@ def test_a_drawing_fills_its_page_as_its_aspect_ratio_says(tmp_path, fit, width,
         ('viewBox="0 0 0 100"', "viewBox: need four numbers, the last two > 0, got"),
     ],
 )
-def test_a_page_that_is_none_is_refused(tmp_path, head, message):
+def test_an_invalid_page_size_is_refused(tmp_path, head, message):
     box = "" if "viewBox" in head else 'viewBox="0 0 100 200"'
     with pytest.raises(InputError, match=message):
         read_drawing(svg(tmp_path / "sheet.svg", rim(), head=f'width="10cm" height="10cm" {box} {head}'))
@@ -268,7 +268,7 @@ def test_a_page_that_is_none_is_refused(tmp_path, head, message):
         ('<g style="transform:matrix(2,0,0,1,0,0)" transform-origin="0 0">{}</g>', (20, 10)),
     ],
 )
-def test_a_transform_in_the_style_moves_as_browsers_move_it(tmp_path, text, size):
+def test_a_transform_in_the_style_acts_as_in_browsers(tmp_path, text, size):
     square = '<rect width="100" height="100" stroke="black"/>'
     head = 'width="10cm" height="10cm" viewBox="0 0 100 100"'
     pattern, _ = read_drawing(svg(tmp_path / "sheet.svg", text.format(square), head=head))
@@ -286,6 +286,6 @@ def test_a_transform_in_the_style_moves_as_browsers_move_it(tmp_path, text, size
         ("<style>g > rect{{transform:scale(2)}}</style>{}", "style: need a transform on the element itself, got one"),
     ],
 )
-def test_what_moves_an_element_and_is_not_worked_out_is_refused(tmp_path, text, message):
+def test_unsupported_css_that_moves_an_element_is_refused(tmp_path, text, message):
     with pytest.raises(InputError, match=message):
         read_drawing(svg(tmp_path / "sheet.svg", text.format('<rect width="9" height="9" stroke="black"/>')))

@@ -13,7 +13,7 @@ from tests.pattern.facets import vector_areas
 
 
 def polygon(points, turn=0.0):
-    """One facet, turned about an axis that is none of the coordinates'."""
+    """One facet, rotated about an axis that is not a coordinate axis."""
     points = np.array([(*point, 0.0)[:3] for point in points], dtype=float)
     axis = np.array([1.0, 2.0, 2.0]) / 3
     cross = np.cross(np.eye(3), -axis)
@@ -109,7 +109,7 @@ def test_two_facets_with_the_same_corners_take_different_diagonals():
     assert diagonals(bag) == [(1, 3)]
 
 
-def test_a_pattern_of_triangles_stays_as_it_is():
+def test_a_pattern_of_triangles_is_unchanged():
     triangle = polygon([(0, 0), (1, 0), (0, 1)])
     assert triangulated(triangle).pattern.faces_vertices == ((0, 1, 2),)
     assert diagonals(triangle) == []

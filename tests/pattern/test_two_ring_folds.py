@@ -1,4 +1,4 @@
-"""A fan with two ring folds: its layers lie a pitch apart when folded, and nothing else of the fan changes."""
+"""A fan with two ring folds: its folded layers are one pitch apart, and the rest of the fan is unchanged."""
 
 import math
 from dataclasses import replace
@@ -17,7 +17,7 @@ TWO = replace(ONE, ring_folds=2, pitch=0.002, gusset_height=0.0015)
 @pytest.mark.parametrize("tangent", ["left", "right"])
 @pytest.mark.parametrize("units", [1, 2, 3])
 def test_folded_layers_lie_a_pitch_apart(units, tangent):
-    """Of every vein folded by 90 deg at both ring folds the gusset stands 2 k pitches higher, k layers inside."""
+    """In veins folded by 90 deg at both ring folds, the gusset is 2 k pitches higher with k layers inside."""
     fan = replace(TWO, units=units, tangent=tangent)
     first, second, axes = ring_vertices(fan), ring_vertices(fan, fold=1), ring_directions(fan)
     folded = Rotation.from_rotvec(math.pi / 2 * axes).apply(second - first)

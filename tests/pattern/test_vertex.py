@@ -1,4 +1,4 @@
-"""One vertex of any sectors: flat, cone, saddle, or four facets folded."""
+"""One vertex with any sectors: flat, cone, saddle, or four folded facets."""
 
 import math
 
@@ -41,7 +41,7 @@ def scaled(shares, degrees):
 
 @settings(max_examples=100)
 @given(SHARES, st.floats(20, 359.9), st.sampled_from(["", "V"]))
-def test_a_cone_has_the_sectors_given_at_one_inclination(shares, degrees, letter):
+def test_a_cone_has_its_sectors_at_one_inclination(shares, degrees, letter):
     sectors = scaled(shares, degrees)
     lengths = [0.1 + 0.01 * k for k in range(len(sectors))]
     cone = vertex_pattern(sectors, lengths, letter * len(sectors))
@@ -54,12 +54,12 @@ def test_a_cone_has_the_sectors_given_at_one_inclination(shares, degrees, letter
 
 @settings(max_examples=100)
 @given(st.lists(st.floats(0.5, 1), min_size=4, max_size=8), st.floats(360.1, 480))
-def test_a_saddle_has_the_sectors_given_up_and_down_in_turn(shares, degrees):
+def test_a_saddle_has_its_sectors_with_creases_alternately_up_and_down(shares, degrees):
     sectors = scaled(shares, degrees)
     try:
         saddle = vertex_pattern(sectors, 0.1)
     except InputError as refused:
-        assert "above and below the plane in turn" in str(refused)  # noqa: PT017
+        assert "alternately above and below the plane" in str(refused)  # noqa: PT017
         return
     assert sectors_of(saddle) == pytest.approx(sectors, abs=1e-8)
     heights = saddle.vertices_coords[1:, 2]
@@ -90,7 +90,7 @@ def test_a_pyramid_of_four_equilateral_triangles_is_half_an_octahedron():
     assert pyramid.edges_assignment == ("M",) * 4 + ("B",) * 4
 
 
-def test_four_plates_that_lack_10_deg_stand_up_as_the_law_of_cosines_says():
+def test_four_plates_with_a_deficit_of_10_deg_match_the_law_of_cosines():
     """Two neighbouring creases are 90 deg apart about the axis: sin(s / 2) = cos(inclination) sin(45 deg)."""
     plates = vertex_pattern([math.radians(87.5)] * 4, 0.1)
     inclination = math.acos(math.sin(math.radians(43.75)) / math.sin(math.pi / 4))
@@ -98,7 +98,7 @@ def test_four_plates_that_lack_10_deg_stand_up_as_the_law_of_cosines_says():
 
 
 def test_a_sector_almost_as_large_as_all_others_takes_more_than_half_a_turn():
-    sectors = [math.radians(each) for each in (60, 25, 20, 20)]
+    sectors = [math.radians(item) for item in (60, 25, 20, 20)]
     cone = vertex_pattern(sectors, 0.1)
     assert sectors_of(cone) == pytest.approx(sectors, abs=1e-12)
     azimuth = np.unwrap(np.arctan2(cone.vertices_coords[1:, 1], cone.vertices_coords[1:, 0]))
@@ -137,7 +137,7 @@ def test_a_flat_foldable_vertex_folds_by_its_half_tangents(alpha, beta, degrees,
     st.lists(st.floats(30, 150), min_size=4, max_size=4), st.floats(0, 179), st.sampled_from(["MV", "VM", "VV", "MM"])
 )
 def test_four_facets_of_any_sectors_fold_by_the_law_of_cosines(degrees, fold, letters):
-    sectors, fold = [math.radians(each) for each in degrees], math.radians(fold)
+    sectors, fold = [math.radians(degree) for degree in degrees], math.radians(fold)
     assume(2 * max(sectors) < sum(sectors) and abs(sum(sectors) - 2 * math.pi) > 1e-3)
     try:
         pattern = vertex_pattern(sectors, 0.1, f"{letters[0]}F{letters[1]}F", fold)
@@ -156,14 +156,14 @@ def test_four_facets_of_any_sectors_fold_by_the_law_of_cosines(degrees, fold, le
 
 
 def test_a_fold_that_no_facets_allow_is_answered_with_those_that_they_do():
-    sectors = [math.radians(each) for each in (80, 120, 60, 60)]
+    sectors = [math.radians(item) for item in (80, 120, 60, 60)]
     # creases 1 and 3 are at least 60 deg apart: cos 60 = cos 80 cos 60 - sin 80 sin 60 cos(fold)
     most = math.degrees(math.acos((math.cos(sectors[0]) - 1) / 2 / math.sin(sectors[0]) / math.sin(sectors[3])))
     with pytest.raises(InputError, match=f"pattern.fold: need 0 deg to {most:.6g} deg for the facets to meet, got 175"):
         vertex_pattern(sectors, 0.1, "MVMM", math.radians(175))
 
 
-def test_letters_given_are_where_the_creases_are_to_go():
+def test_assigned_letters_set_the_target_fold_angles():
     plates = vertex_pattern([math.radians(87.5)] * 4, 0.1, "VVMF")
     assert plates.edges_fold_angle[:4] == pytest.approx([math.pi, math.pi, -math.pi, 0])
     assert plates.edges_assignment[:4] == ("V", "V", "M", "F")
@@ -184,7 +184,7 @@ QUARTER = math.pi / 2
             ([2.5, 1.0, 1.0], 0.1),
             "pattern.sectors: need none as large as all others together, 114.592 deg, got",
         ),
-        (([3.0, 3.0, 3.0], 0.1), "pattern.sectors: need sectors that close with creases above and below"),
+        (([3.0, 3.0, 3.0], 0.1), "pattern.sectors: need sectors that close with creases alternately above and below"),
         (([QUARTER] * 4, [0.1] * 3), "pattern.lengths: need one for each of the 4 creases, got 3"),
         (([QUARTER] * 4, [0.1, 0.1, 0, 0.1]), "pattern.lengths.2: need > 0 and finite, got 0 cm"),
         (

@@ -19,34 +19,34 @@ def apart(folds, others):
 
 
 @given(st.tuples(SECTORS, SECTORS, SECTORS, SECTORS), FOLDS)
-def test_any_vertex_of_four_creases_closes_in_both_ways_to_fold_where_it_reaches(sectors, fold):
-    ways = degree4_closure(sectors, fold)
-    assume(not np.isnan(ways).any())
-    for way in ways:
-        assert way[0] == fold
-        assert closure_residual(sectors, way) < 1e-11
+def test_any_vertex_of_four_creases_closes_in_both_solutions(sectors, fold):
+    solutions = degree4_closure(sectors, fold)
+    assume(not np.isnan(solutions).any())
+    for solution in solutions:
+        assert solution[0] == fold
+        assert closure_residual(sectors, solution) < 1e-11
 
 
 @given(st.tuples(SECTORS, SECTORS, SECTORS, SECTORS), FOLDS)
 def test_a_vertex_reaches_as_far_as_its_opposite_crease_by_the_law_of_cosines(sectors, fold):
-    ways = degree4_closure(sectors, fold)
+    solutions = degree4_closure(sectors, fold)
     try:
         size = opposite_fold_angle(sectors, fold)
     except InputError:
-        assert np.isnan(ways[:, 1:]).all()
+        assert np.isnan(solutions[:, 1:]).all()
     else:
-        assert ways[:, 2] == pytest.approx([size, -size])
+        assert solutions[:, 2] == pytest.approx([size, -size])
 
 
 @given(SECTORS, SECTORS, st.floats(0.05, math.pi), st.sampled_from([1, -1]))
-def test_flat_foldable_vertices_fold_as_the_half_angle_tangents_say(alpha, beta, fold, sign):
+def test_flat_foldable_vertices_match_the_half_angle_tangents(alpha, beta, fold, sign):
     assume(abs(alpha + beta - math.pi) > 0.01)
     assume(abs(alpha - beta) > 0.01)
-    ways = degree4_closure([alpha, math.pi - beta, math.pi - alpha, beta], sign * fold)
+    solutions = degree4_closure([alpha, math.pi - beta, math.pi - alpha, beta], sign * fold)
     modes = ("earwig", "miura") if sign > 0 else ("miura", "earwig")
-    for way, mode in zip(ways, modes, strict=True):
-        # sectors that add up to 360 deg but for rounding e turn the vertex by sqrt(e) where it is folded flat
-        assert apart(way, degree4_fold_angles(alpha, beta, sign * fold, mode)) < 1e-6
+    for solution, mode in zip(solutions, modes, strict=True):
+        # sectors whose sum has the rounding error e rotate the vertex by sqrt(e) where it is folded flat
+        assert apart(solution, degree4_fold_angles(alpha, beta, sign * fold, mode)) < 1e-6
 
 
 def test_four_equal_plates_with_a_deficit_fold_alike_at_the_published_angle():
@@ -73,7 +73,7 @@ def test_panels_that_are_too_short_do_not_reach_around():
         ([1.0, 1.0, 1.0, 1.0], math.nan, "fold_angle: need -180 to 180 deg, got nan deg"),
     ],
 )
-def test_a_vertex_that_is_no_linkage_of_four_is_refused(sectors, fold, message):
+def test_a_vertex_with_invalid_sectors_or_fold_is_refused(sectors, fold, message):
     with pytest.raises(InputError, match=message):
         degree4_closure(sectors, fold)
 

@@ -9,7 +9,7 @@ from forficula.pattern import (
     EarwigFan,
     creases_inside,
     earwig_pattern,
-    fault_words,
+    fault_labels,
     miura_pattern,
     sectors_between,
     vertex_creases,
@@ -29,7 +29,7 @@ def fan():
     "pattern",
     [fan(), miura_pattern(3, 3, 0.03, 0.02, 1.0), star([10, 80, 200], "MMM"), star([0, 70, 150, 290], "MFVM")],
 )
-def test_walking_around_a_flat_vertex_finds_what_looking_down_on_it_finds(pattern):
+def test_creases_around_a_flat_vertex_match_their_polar_angles(pattern):
     walked = vertex_creases(pattern)
     for around, (vertex, edges) in zip(walked, creases_inside(pattern), strict=True):
         assert (around.vertex, around.edges.tolist()) == (vertex, edges.tolist())
@@ -59,7 +59,7 @@ def test_a_vertex_of_plates_that_lack_an_angle_is_not_developable():
     assert math.degrees(facts.total) == pytest.approx(350)
     assert not facts.developable
     assert (facts.creases, facts.freedoms, facts.check, facts.folds) == (4, 1, None, None)
-    assert fault_words(facts) == ()
+    assert fault_labels(facts) == ()
 
 
 @pytest.mark.parametrize(
@@ -74,9 +74,9 @@ def test_a_vertex_of_plates_that_lack_an_angle_is_not_developable():
         ([0, 46, 165, 300], "UUUU", ("1° missing",)),
     ],
 )
-def test_what_a_vertex_lacks_is_said_in_a_few_words(directions, letters, words):
+def test_the_failed_conditions_of_a_vertex_have_short_labels(directions, letters, words):
     (facts,) = vertex_facts(star(directions, letters))
-    assert fault_words(facts) == words
+    assert fault_labels(facts) == words
 
 
 def test_moving_the_missing_angle_from_one_sector_to_another_mends_the_vertex():

@@ -40,7 +40,7 @@ def test_the_facets_of_the_base_are_an_eighth_of_the_square_however_it_is_folded
 
 @settings(max_examples=50)
 @given(STATES)
-def test_diagonals_of_the_base_fold_by_the_angle_given_and_the_vertex_closes(state):
+def test_diagonals_of_the_base_have_the_requested_fold_and_the_vertex_closes(state):
     fold, apex = state
     folds = built_fold_angles(waterbomb_base(0.1, fold, apex))[:8]
     assert folds[1::2] == pytest.approx([-fold] * 4, abs=1e-9)
@@ -49,20 +49,20 @@ def test_diagonals_of_the_base_fold_by_the_angle_given_and_the_vertex_closes(sta
     assert closure_residual([math.pi / 4] * 8, folds) < 1e-9
 
 
-def test_the_base_stands_up_or_down_with_the_same_senses():
-    """It snaps: near flat, midlines fold by sqrt(2) - 1 of the diagonals' angle in one state, sqrt(2) + 1 in the other.
+def test_the_base_has_the_same_senses_with_apex_up_and_down():
+    """Near flat, midlines fold by sqrt(2) - 1 of the angle of the diagonals in one state, sqrt(2) + 1 in the other.
 
     The two are the solutions of tan(22.5 deg) and its inverse, which is the linearised closure of eight equal sectors.
     """
     up, down = (waterbomb_base(0.1, 1e-4, apex) for apex in ("up", "down"))
     assert up.vertices_coords[1:, 2].max() < 0 < down.vertices_coords[1:, 2].min()
-    ratios = [built_fold_angles(each)[0] / 1e-4 for each in (up, down)]
+    ratios = [built_fold_angles(item)[0] / 1e-4 for item in (up, down)]
     assert ratios == pytest.approx([math.sqrt(2) - 1, math.sqrt(2) + 1], rel=1e-6)
 
 
 def test_the_base_folds_to_four_flaps():
     flat = waterbomb_base(0.1)
-    assert folded_coordinates(flat, flat.edges_fold_angle).shape == (9, 3)  # it closes, or there was an error
+    assert folded_coordinates(flat, flat.edges_fold_angle).shape == (9, 3)  # sheets that do not close raise an error
     nearly = waterbomb_base(0.1, math.radians(180 - 1e-6)).vertices_coords
     assert nearly[1::2] == pytest.approx(np.tile([0, 0, -0.05], (4, 1)), abs=1e-8)
     assert nearly[2::2, 2] == pytest.approx([-0.05] * 4, abs=1e-8)
@@ -102,7 +102,7 @@ def test_the_sheet_is_a_rectangle_of_triangles():
 
 def test_the_sheet_folds_flat_as_a_whole():
     sheet = waterbomb_pattern(3, 3, 0.02)
-    shut = folded_coordinates(sheet, sheet.edges_fold_angle)  # it closes, or there was an error
+    shut = folded_coordinates(sheet, sheet.edges_fold_angle)  # sheets that do not close raise an error
     assert np.abs(shut[:, 2]).max() < 1e-15
 
 

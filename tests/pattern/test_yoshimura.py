@@ -1,4 +1,4 @@
-"""Diamonds, as a sheet that rolls up and as a tube."""
+"""Yoshimura patterns, as a sheet that rolls up and as a tube."""
 
 import math
 from collections import Counter
@@ -41,13 +41,13 @@ def assert_triangles(pattern, base, height):
 
 @settings(max_examples=60)
 @given(rolls())
-def test_every_facet_is_the_triangle_asked_for_however_far_the_sheet_is_rolled(roll):
+def test_every_facet_has_the_requested_shape_at_any_fold(roll):
     assert_triangles(yoshimura_pattern(*roll), *roll[2:4])
 
 
 @settings(max_examples=40)
 @given(rolls())
-def test_bases_are_valleys_of_the_fold_given_and_slanted_sides_mountains(roll):
+def test_bases_are_valleys_with_the_requested_fold_and_slanted_sides_mountains(roll):
     pattern = yoshimura_pattern(*roll)
     folds = built_fold_angles(pattern)
     # rounding of the middle of a roll of large radius grows as that over the base
@@ -131,7 +131,7 @@ def test_the_radius_of_a_tube_is_that_of_its_polygons():
             "pattern.fold: need at most 48.9396 deg, where 4 columns close around their axis, got 114.592 deg",
         ),
         (lambda: yoshimura_tube(2, 1, 1, 1), "pattern.sides: need a whole number, 3 or more, got 2"),
-        (lambda: yoshimura_tube(3, 1, 0.01, 0.002), "pattern.height: need > 0.288675 cm, by which the corners"),
+        (lambda: yoshimura_tube(3, 1, 0.01, 0.002), "pattern.height: need > 0.288675 cm, the distance of the corners"),
     ],
 )
 def test_diamonds_that_cannot_be_drawn_are_refused(draw, message):

@@ -85,18 +85,18 @@ def test_unreliable_runs_count_neither_as_folding_nor_as_sticking(table, outcome
         table[name][place] = outcome
     tendon = "k = 40 N/cm, l0 = 5 cm"
     rows = [row(table, words) for words in ("fold with at most 50 N cm$", "open again", "fold with 500", "but stick")]
-    assert [each.ours for each in rows] == [
+    assert [item.ours for item in rows] == [
         f"31 of 60; unknown for {tendon}",
         f"13 of 60; unknown for {tendon}",
         "59 of 59 tried",
         "none",
     ]
-    assert [each.agrees for each in rows] == [None] * 4
+    assert [item.agrees for item in rows] == [None] * 4
 
 
 def row(table, words):
-    (found,) = (row for row in PAPER.claims(table) if re.search(words, row.claim))
-    return found
+    (result,) = (row for row in PAPER.claims(table) if re.search(words, row.claim))
+    return result
 
 
 def test_a_table_with_the_papers_numbers_agrees_in_every_row(table):
@@ -165,9 +165,9 @@ def long_one_folds(table):
 )
 def test_a_differing_table_disagrees_in_that_row(table, words, change, ours):
     change(table)
-    found = row(table, words)
-    assert found.agrees is False
-    assert found.ours == ours or not ours
+    result = row(table, words)
+    assert result.agrees is False
+    assert result.ours == ours or not ours
 
 
 def test_a_refined_torque_counts_as_the_step_of_the_papers_grid_that_it_belongs_to(table):
@@ -246,9 +246,9 @@ def test_markdown_and_json_hold_every_row(table):
     rows = PAPER.claims(table)
     compared = Comparison(paper=PAPER, claims=tuple(rows))
     text = comparison_markdown(compared)
-    told = [line for line in text.splitlines() if line.startswith("| ")][1:]
-    assert len(told) == len(rows)
-    assert all(line.count("|") == 6 for line in told)
+    output = [line for line in text.splitlines() if line.startswith("| ")][1:]
+    assert len(output) == len(rows)
+    assert all(line.count("|") == 6 for line in output)
     assert "15 of 16 claims agree" in text
     assert "all but one [derived]" in text
     written = json.loads(json.dumps(plain(compared.claims)))

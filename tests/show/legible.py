@@ -38,10 +38,10 @@ def check_words(figure, width):
         )
         assert min(common) < 1.5, f"{one.get_text()!r} lies on {other.get_text()!r}"
     _check_sides(sides)
-    told = description(figure)
-    assert told.endswith(".")
-    assert len(told) > 60
-    assert any(letter.isdigit() for letter in told)
+    output = description(figure)
+    assert output.endswith(".")
+    assert len(output) > 60
+    assert any(letter.isdigit() for letter in output)
     return [text.get_text() for text, _ in boxes]
 
 

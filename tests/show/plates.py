@@ -106,7 +106,7 @@ def _pattern() -> CreasePattern:
     """Return the pattern of the plates, with a mountain and a valley between them."""
     outline = [(0.0, 0.0), (0.08, 0.0), (0.16, 0.0), (0.22, 0.0), (0.195, 0.05), (0.22, 0.1), (0.16, 0.1), (0.08, 0.1)]
     places = [(*place, 0.0) for place in [*outline, (0.0, 0.1)]]
-    border = [(each, (each + 1) % 9) for each in range(9)]
+    border = [(index, (index + 1) % 9) for index in range(9)]
     return CreasePattern(
         vertices_coords=np.array(places),
         edges_vertices=np.array([*border, (1, 7), (2, 6)]),

@@ -107,8 +107,8 @@ def test_a_wide_legend_gets_fewer_columns_and_then_wrapped_words(width):
             handles = [Line2D([], [], label=f"{number} {name}") for number, name in enumerate(names)]
             legend = fit_legend(figure, handles, 3, loc="outside lower center")
             check_inside(figure)
-        told = " ".join(text.get_text() for text in legend.get_texts()).split()
-        assert told == " ".join(handle.get_label() for handle in handles).split()
+        output = " ".join(text.get_text() for text in legend.get_texts()).split()
+        assert output == " ".join(handle.get_label() for handle in handles).split()
 
 
 @pytest.mark.parametrize(

@@ -120,9 +120,9 @@ def test_a_design_is_printed_as_its_file(design):
 
 
 def test_a_part_of_an_identification_shows_itself_as_a_table(results):
-    found = results["identified"]
-    assert isinstance(found, xarray.Dataset)
-    assert "2 samples" not in found.isel(fact=0)._repr_html_()
+    result = results["identified"]
+    assert isinstance(result, xarray.Dataset)
+    assert "2 samples" not in result.isel(fact=0)._repr_html_()
 
 
 def test_a_table_of_a_study_is_a_dataset_and_stays_one(results):

@@ -26,10 +26,10 @@ from tests.show.plates import PARTS, WIDTH
 
 def texts(figure):
     """Return every text of a figure except those of ticks."""
-    found = [text.get_text() for axes in figure.axes for text in (*axes.texts, axes.title, axes.xaxis.label)]
-    found += [axes.get_ylabel() for axes in figure.axes]
+    result = [text.get_text() for axes in figure.axes for text in (*axes.texts, axes.title, axes.xaxis.label)]
+    result += [axes.get_ylabel() for axes in figure.axes]
     legends = [*figure.legends, *(legend for axes in figure.axes if (legend := axes.get_legend()))]
-    return found + [text.get_text() for legend in legends for text in legend.get_texts()]
+    return result + [text.get_text() for legend in legends for text in legend.get_texts()]
 
 
 # figures that differ from those of the complete structure
@@ -115,12 +115,12 @@ def test_without_a_measure_the_angles_that_are_driven_are_drawn(plates_runs):
 
 
 def test_what_a_structure_lacks_is_in_no_legend(plates_runs):
-    there = {
+    present = {
         name: set(texts(run_drawings(*plates_runs[name])["energy"](PAGE_WIDTH)))
         for name in ("whole", "without tendons")
     }
-    assert {"tendons", "hinges", "kinetic", "dissipated by tendons"} <= there["whole"]
-    assert not {"tendons", "dissipated by tendons", "membrane"} & there["without tendons"]
+    assert {"tendons", "hinges", "kinetic", "dissipated by tendons"} <= present["whole"]
+    assert not {"tendons", "dissipated by tendons", "membrane"} & present["without tendons"]
     assert "done by torques" not in texts(run_drawings(*plates_runs["without motors"])["energy"](PAGE_WIDTH))
     folding = texts(run_drawings(*plates_runs["without tendons"])["folding"](PAGE_WIDTH))
     assert {"base", "flap"} <= set(folding)
@@ -157,9 +157,9 @@ def test_the_table_has_a_row_for_every_hinge_distance_and_tendon(plates_runs):
     console = Console(width=110)
     with console.capture() as capture:
         console.print(outcome_table("plates", outcome))
-    told = [line.rstrip() for line in capture.get().splitlines()]
+    output = [line.rstrip() for line in capture.get().splitlines()]
     # the first of each: states that do not fit continue below
-    lines = {line.split("  ")[0].strip(): line for line in reversed(told)}
+    lines = {line.split("  ")[0].strip(): line for line in reversed(output)}
     assert {"crease 1", "crease 2", "mouth", "pull", "sum", "closing", "opening"} <= set(lines)
     # angles, and the springs' energies, which are part of the sum
     assert [float(cell) for cell in lines["crease 1"].split()[2:]][::2] == [-3.0, 172.0]
@@ -176,7 +176,7 @@ def test_a_wide_table_of_states_continues_below(plates_runs):
     missed = replace(outcome, holds=outcome.holds | {"closed": False})
     later = replace(
         record.structure,
-        states=tuple(replace(each, unknown='after stage "close it slowly"') for each in record.structure.states),
+        states=tuple(replace(state, unknown='after stage "close it slowly"') for state in record.structure.states),
     )
     console = Console(width=110)
     with console.capture() as capture:

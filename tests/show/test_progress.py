@@ -36,19 +36,19 @@ def screen(monkeypatch):
 
 def test_a_line_every_ten_seconds_has_counts_rate_time_left_and_outcomes(screen, clock):
     sent = screen(is_terminal=False)
-    with progress.study_progress() as told:
+    with progress.study_progress() as output:
         for number, row in enumerate([FOLDED, STUCK, FOLDED, DIVERGED, FOLDED], start=1):
             clock[0] += 4
-            told(number, 20, row)
+            output(number, 20, row)
     assert sent.getvalue() == "3 of 20 runs, 0.25 runs/s, 68 s left: 2 folded, 1 stuck on the way\n"
 
 
 def test_the_rate_excludes_runs_of_earlier_sessions(screen, clock):
     sent = screen(is_terminal=False)
-    with progress.study_progress() as told:
+    with progress.study_progress() as output:
         for done in (1001, 1002):
             clock[0] += 6
-            told(done, 1200, FOLDED)
+            output(done, 1200, FOLDED)
     # 2 runs in 12 s, and 198 left
     assert sent.getvalue() == "1002 of 1200 runs, 0.167 runs/s, 20 min left: 2 folded\n"
 
@@ -58,26 +58,26 @@ def test_the_rate_excludes_runs_of_earlier_sessions(screen, clock):
 )
 def test_the_time_left_is_in_the_unit_that_reads_well(screen, clock, seconds, words):
     sent = screen(is_terminal=False)
-    with progress.study_progress() as told:
+    with progress.study_progress() as output:
         clock[0] += 20
-        told(1, 1 + seconds / 20, FOLDED)
+        output(1, 1 + seconds / 20, FOLDED)
     assert f", {words} left: " in sent.getvalue()
 
 
 def test_the_bar_of_a_terminal_says_the_same(screen, clock):
     sent = screen(is_terminal=True)
-    with progress.study_progress() as told:
+    with progress.study_progress() as output:
         clock[0] += 4
-        told(1, 5, STUCK)
+        output(1, 5, STUCK)
     assert "1 of 5 runs, 0.25 runs/s, 16 s left: 1 stuck" in sent.getvalue()
 
 
 def test_a_narrow_terminal_keeps_every_count(screen, clock):
     sent = screen(is_terminal=True, width=50)
-    with progress.study_progress() as told:
+    with progress.study_progress() as output:
         clock[0] += 4
         for number, row in enumerate([FOLDED, STUCK, DIVERGED], start=1):
-            told(number, 12345, row)
+            output(number, 12345, row)
     for count in ("1 folded", "1 stuck", "1 diverged"):
         assert count in " ".join(sent.getvalue().split())
 

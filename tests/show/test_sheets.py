@@ -79,7 +79,7 @@ def test_a_facet_is_seen_from_its_back_where_it_is_turned():
     shape, view = shape_of(record.structure), structure_view(record.structure)
     surface = surface_at(record, shape, 0.0)
     turned = type(view)(right=view.right, up=-view.up, towards=-view.towards)
-    above, below = (_seen(paint_shape(surface, each, "red")) for each in (view, turned))
+    above, below = (_seen(paint_shape(surface, item, "red")) for item in (view, turned))
     # paper has more red than blue, its back more blue than red; lines have neither
     assert (above[:, 0] >= above[:, 2]).mean() > 0.9
     assert (below[:, 2] > below[:, 0]).mean() > 0.8
@@ -100,10 +100,10 @@ def test_many_creases_are_summarised_by_smallest_median_and_largest_angle():
     assert list(role_groups(structure, creases)) == ["straight", "zigzag"]
     assert reading_labels(structure, creases) == ["smallest", "median straight", "median zigzag", "largest"]
     angles = record.measured("creases")
-    told = condensed(structure, creases, angles)
-    assert np.array_equal(told[:, 0], angles.min(axis=1))
-    assert np.array_equal(told[:, 3], angles.max(axis=1))
-    assert all(row[1] in every and row[2] in every for row, every in zip(told, angles, strict=True))
+    output = condensed(structure, creases, angles)
+    assert np.array_equal(output[:, 0], angles.min(axis=1))
+    assert np.array_equal(output[:, 3], angles.max(axis=1))
+    assert all(row[1] in every and row[2] in every for row, every in zip(output, angles, strict=True))
     rows = state_rows(structure, {name: state for name, state in outcome.states.items() if state is not None})
     names = [row[0] for row in rows.parts]
     assert names[:4] == ["smallest", "median straight", "median zigzag", "largest"]
@@ -116,9 +116,9 @@ def test_many_creases_are_summarised_by_smallest_median_and_largest_angle():
 
 def test_the_energy_balance_separates_creases_from_bars():
     record, outcome = sheet_run("tower")
-    told = dict(balance_rows(record.structure, outcome.energy_balance))
-    assert any(label.endswith("change of crease energy") for label in told)
-    assert any(label.endswith("change of bar energy") for label in told)
+    output = dict(balance_rows(record.structure, outcome.energy_balance))
+    assert any(label.endswith("change of crease energy") for label in output)
+    assert any(label.endswith("change of bar energy") for label in output)
     assert words_of(run_drawings(record, outcome)["energy"](PAGE_WIDTH))[:3] == ["creases", "bars", "kinetic"]
 
 

@@ -142,7 +142,7 @@ def test_figures_films_and_pages_show_a_quantity_in_the_same_colours(name, colou
 def test_the_colours_of_quantities_are_chosen_in_one_place():
     """Another module that selects a colour map by name could draw an energy in any colours."""
     chosen = re.compile(r"colormaps|get_cmap|cmap=\s*[\"']|[\"'](viridis|cividis|plasma|inferno|magma)[\"']")
-    found = {path.name for path in (PLACE / "src").rglob("*.py") if chosen.search(path.read_text("utf-8"))}
-    assert found == {"style.py"}
+    result = {path.name for path in (PLACE / "src").rglob("*.py") if chosen.search(path.read_text("utf-8"))}
+    assert result == {"style.py"}
     assert colours_of("J") is ENERGY_COLOURS
     assert colours_of("N m") is colours_of("s") is QUANTITY_COLOURS

@@ -34,8 +34,8 @@ def called(surveyed):
             structure,
             appearance=replace(structure.appearance, whole="flower", bar="petal"),
             transitions=tuple(
-                replace(each, wording=replace(each.wording, doing=word))
-                for each, word in zip(structure.transitions, words, strict=True)
+                replace(transition, wording=replace(transition.wording, doing=word))
+                for transition, word in zip(structure.transitions, words, strict=True)
             ),
         ),
     )
@@ -98,5 +98,5 @@ def test_entries_of_a_list_have_the_numbers_that_they_name_or_their_place():
     letter = ff.load_design("letter-fold")
     assert {row.key for row in design_rows(letter, letter) if row.section == "tendon"} >= {"0.name", "1.name"}
     for design, headings in ((fan, ["Veins", "Guard tendons", "Hinges", "Tendons"]), (letter, ["Tendons"])):
-        told = "".join(design_tables(design))
-        assert all(f"{heading}: " in told for heading in headings)
+        output = "".join(design_tables(design))
+        assert all(f"{heading}: " in output for heading in headings)

@@ -52,19 +52,19 @@ def pushed(built, torque):
 @pytest.mark.parametrize("ratios", [(1.0, 1.0), (2.0, -0.5)])
 def test_joints_tied_rigidly_turn_as_their_springs_together_let_them(ratios):
     turns = np.array([1.0, ratios[0], ratios[0] * ratios[1]])
-    found = pushed(levers(math.inf, ratios), 0.04)
-    assert found.position[0] == pytest.approx(0.04 / (SPRINGS @ turns**2) * turns, rel=1e-6)
-    assert found.rests.all()
-    assert found.stiffness[0] == pytest.approx(SPRINGS @ turns**2)
+    result = pushed(levers(math.inf, ratios), 0.04)
+    assert result.position[0] == pytest.approx(0.04 / (SPRINGS @ turns**2) * turns, rel=1e-6)
+    assert result.rests.all()
+    assert result.stiffness[0] == pytest.approx(SPRINGS @ turns**2)
 
 
 def test_a_spring_between_joints_turns_the_second_by_its_share():
     """k2 and the coupling c act in series: k2 c / (k2 + c), in parallel with the spring of the first."""
     first, second, tie = 0.03, 0.05, 0.04
-    found = pushed(levers(tie, (1.0,), (first, second)), 0.04)
+    result = pushed(levers(tie, (1.0,), (first, second)), 0.04)
     angle = 0.04 / (first + second * tie / (second + tie))
-    assert found.position[0] == pytest.approx([angle, angle * tie / (second + tie)], rel=1e-5)
-    energy = stored_energy(ensemble([levers(tie, (1.0,), (first, second))]), found.position)
+    assert result.position[0] == pytest.approx([angle, angle * tie / (second + tie)], rel=1e-5)
+    energy = stored_energy(ensemble([levers(tie, (1.0,), (first, second))]), result.position)
     assert energy["couplings"][0] == pytest.approx(tie / 2 * (angle * second / (second + tie)) ** 2, rel=1e-5)
 
 
@@ -136,9 +136,9 @@ def test_a_tied_wing_rests_folded_with_its_veins_turned_alike():
 
 
 def test_the_landscape_of_a_coupled_wing_includes_the_energy_of_its_couplings():
-    told = energy_landscape(tied(0.3), points=31)
-    assert {"tendons", "membranes", "couplings"} == set(told.rests[0].stored)
-    assert told.least_torques["fold"] == pytest.approx(least(tied(0.3)).torque[0])
+    output = energy_landscape(tied(0.3), points=31)
+    assert {"tendons", "membranes", "couplings"} == set(output.rests[0].stored)
+    assert output.least_torques["fold"] == pytest.approx(least(tied(0.3)).torque[0])
     # as for every rest of a landscape
     wings = ensemble_of([TIED])
     assert "couplings" not in stored_energy(wings, start_state(wings).position)

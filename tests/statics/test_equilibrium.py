@@ -97,7 +97,7 @@ class Kresling:
     def path(self, twists):
         """Return the least energy over all heights at every twist, and its slope (envelope theorem)."""
         start = np.stack([np.full_like(twists, self.states[:, 0].mean()), twists], axis=1)
-        found = descend(
+        result = descend(
             self.energy,
             start,
             np.stack([np.zeros_like(twists), twists], axis=1),
@@ -105,7 +105,7 @@ class Kresling:
             longest_step=0.1,
             force=FORCE,
         )
-        return found.energy, found.slope[:, 1]
+        return result.energy, result.slope[:, 1]
 
 
 shapes = st.tuples(st.floats(0.5, 2), st.floats(0.05, 0.5), st.floats(1, 1e3))
@@ -114,14 +114,14 @@ shapes = st.tuples(st.floats(0.5, 2), st.floats(0.05, 0.5), st.floats(1, 1e3))
 @given(shapes, st.floats(0.01, 2), st.sampled_from([-1, 1]))
 def test_a_truss_falls_to_the_side_on_which_it_starts(shape, share, side):
     truss = Truss(*shape)
-    found = truss.rest([0.0, side * share * truss.rise])
-    assert found.rests.all()
+    result = truss.rest([0.0, side * share * truss.rise])
+    assert result.rests.all()
     # both bars, vertically and sideways: 2 k (r / L0)^2, 2 k (s / L0)^2
     stiffness = 2 * truss.stiffness * min(truss.span, truss.rise) ** 2 / truss.length**2
-    assert found.position[0] == pytest.approx([0, side * truss.rise], abs=2 * FORCE * truss.stiffness / stiffness)
-    assert found.energy[0] == pytest.approx(0, abs=2 * (FORCE * truss.stiffness) ** 2 / stiffness)
+    assert result.position[0] == pytest.approx([0, side * truss.rise], abs=2 * FORCE * truss.stiffness / stiffness)
+    assert result.energy[0] == pytest.approx(0, abs=2 * (FORCE * truss.stiffness) ** 2 / stiffness)
     # error from the height, at most 4e-7 of 0.05
-    assert found.stiffness[0] == pytest.approx(stiffness, rel=1e-4)
+    assert result.stiffness[0] == pytest.approx(stiffness, rel=1e-4)
 
 
 @given(shapes)
@@ -158,18 +158,18 @@ def test_a_truss_snaps_at_its_snap_load(shape):
 def test_a_truss_under_a_skewed_load_rests_where_another_minimiser_finds_it(shape, down, aside):
     unloaded = Truss(*shape)
     truss = Truss(*shape, load=(aside * unloaded.snap_load, -down * unloaded.snap_load))
-    found = truss.rest([0.0, truss.rise])
+    result = truss.rest([0.0, truss.rise])
     other = minimize(
         lambda x: truss.energy(x[None])[0][0],
-        found.position[0] + 1e-3 * truss.rise,
+        result.position[0] + 1e-3 * truss.rise,
         jac=lambda x: truss.energy(x[None])[1][0],
         method="BFGS",
         options={"gtol": 1e-9 * truss.stiffness},
     )
-    assert found.rests.all()
+    assert result.rests.all()
     # BFGS stops at the rounding of the energy, the square of the position's
-    assert found.position[0] == pytest.approx(other.x, abs=1e-6)
-    assert found.energy[0] <= other.fun + 1e-12 * truss.stiffness
+    assert result.position[0] == pytest.approx(other.x, abs=1e-6)
+    assert result.energy[0] <= other.fun + 1e-12 * truss.stiffness
 
 
 def test_a_load_moves_the_states_and_lowers_the_barrier():
@@ -224,29 +224,29 @@ def test_a_slope_that_keeps_its_sign_leaves_one_stop():
 
 def test_a_coordinate_on_its_bound_is_pressed_there_and_the_others_move_on():
     truss = Truss(load=(0.3, 0.0))
-    found = truss.rest([[0.0, 0.1], [0.02, 0.3]], upper=(0.05, 0.1))
-    assert found.rests.all()
-    assert found.position == pytest.approx(np.array([[found.position[0, 0], 0.1]] * 2))
-    assert (found.slope[:, 1] < 0).all()
+    result = truss.rest([[0.0, 0.1], [0.02, 0.3]], upper=(0.05, 0.1))
+    assert result.rests.all()
+    assert result.position == pytest.approx(np.array([[result.position[0, 0], 0.1]] * 2))
+    assert (result.slope[:, 1] < 0).all()
     alone = minimize_scalar(lambda x: truss.energy(np.array([[x, 0.1]]))[0][0], bounds=(-0.05, 0.05), method="bounded")
-    assert found.position[:, 0] == pytest.approx([min(alone.x, 0.05)] * 2, abs=1e-5)
-    assert np.abs(found.slope[found.position[:, 0] < 0.05, 0]).max(initial=0) <= FORCE * truss.stiffness
+    assert result.position[:, 0] == pytest.approx([min(alone.x, 0.05)] * 2, abs=1e-5)
+    assert np.abs(result.slope[result.position[:, 0] < 0.05, 0]).max(initial=0) <= FORCE * truss.stiffness
 
 
 def test_a_place_without_freedom_rests_where_it_is_put():
-    found = Truss().rest([[0.3, 0.4]], lower=(0.1, -0.1), upper=(0.1, -0.1))
-    assert found.rests.all()
-    assert found.position.tolist() == [[0.1, -0.1]]
-    assert found.stiffness.tolist() == [math.inf]
+    result = Truss().rest([[0.3, 0.4]], lower=(0.1, -0.1), upper=(0.1, -0.1))
+    assert result.rests.all()
+    assert result.position.tolist() == [[0.1, -0.1]]
+    assert result.stiffness.tolist() == [math.inf]
 
 
 def test_exactly_between_two_states_it_rests_on_the_barrier_with_a_negative_stiffness():
     truss = Truss()
-    found = truss.rest([0.0, 0.0])
-    assert found.rests.all()
-    assert found.energy[0] == pytest.approx(truss.barrier)
+    result = truss.rest([0.0, 0.0])
+    assert result.rests.all()
+    assert result.energy[0] == pytest.approx(truss.barrier)
     # sideways stiffness of both bars, compressed by L0 - s: -2 k (L0 - s) / s
-    assert found.stiffness[0] == pytest.approx(-2 * truss.stiffness * (truss.length - truss.span) / truss.span)
+    assert result.stiffness[0] == pytest.approx(-2 * truss.stiffness * (truss.length - truss.span) / truss.span)
 
 
 def test_what_has_no_bottom_or_no_number_does_not_rest():
@@ -257,13 +257,13 @@ def test_what_has_no_bottom_or_no_number_does_not_rest():
         return np.full(len(position), np.nan), np.ones_like(position), np.zeros((len(position), 1, 1))
 
     for energy in (slope, broken):
-        found = descend(energy, np.zeros((1, 1)), *FREE, longest_step=0.1, force=1e-9)
-        assert not found.rests.any()
+        result = descend(energy, np.zeros((1, 1)), *FREE, longest_step=0.1, force=1e-9)
+        assert not result.rests.any()
 
 
 def test_zero_cases_give_empty_results():
-    found = Truss().rest(np.zeros((0, 2)))
-    assert found.position.shape == (0, 2)
+    result = Truss().rest(np.zeros((0, 2)))
+    assert result.position.shape == (0, 2)
 
 
 cells = st.builds(
@@ -286,7 +286,7 @@ def test_a_kresling_cell_has_its_creases_lengths_in_two_states(cell):
 
 @given(cells, st.floats(-0.1, 0.1), st.floats(-0.1, 0.1))
 def test_a_kresling_cell_falls_into_its_two_states(cell, higher, further):
-    found = descend(
+    result = descend(
         cell.energy,
         cell.states + np.array([higher, further]),
         [0, -math.pi],
@@ -294,10 +294,10 @@ def test_a_kresling_cell_falls_into_its_two_states(cell, higher, further):
         longest_step=0.05,
         force=1e-11,
     )
-    assert found.rests.all()
-    assert found.energy == pytest.approx(np.zeros(2), abs=1e-20)
-    assert found.position == pytest.approx(cell.states, abs=1e-8)
-    assert (found.stiffness > 0).all()
+    assert result.rests.all()
+    assert result.energy == pytest.approx(np.zeros(2), abs=1e-20)
+    assert result.position == pytest.approx(cell.states, abs=1e-8)
+    assert (result.stiffness > 0).all()
 
 
 @settings(deadline=None, max_examples=10)
@@ -305,13 +305,13 @@ def test_a_kresling_cell_falls_into_its_two_states(cell, higher, further):
 @example(Kresling())
 def test_the_barrier_of_a_kresling_cell_is_that_of_another_minimiser(cell):
     def least(twist):
-        found = minimize_scalar(
+        result = minimize_scalar(
             lambda height: cell.energy(np.array([[height, twist]]))[0][0],
             bounds=(0.5, 2.5),
             method="bounded",
             options={"xatol": 1e-10},
         )
-        return found.fun
+        return result.fun
 
     first, second = cell.states[:, 1]
     states = states_along(cell.path, np.linspace(first - 0.1, second + 0.1, 40), force=1e-8)
@@ -339,11 +339,11 @@ def test_between_its_states_a_kresling_cell_has_a_saddle():
 
 @given(cells, st.floats(1.0, 2.0), st.floats(0.1, 2.0))
 def test_the_slopes_and_curvatures_of_this_tests_own_cell_are_derivatives(cell, height, twist):
-    here, small = np.array([[height, twist]]), 1e-5
-    _, slope, curvature = cell.energy(here)
+    current, small = np.array([[height, twist]]), 1e-5
+    _, slope, curvature = cell.energy(current)
     for axis in range(2):
         step = small * np.eye(2)[axis]
-        ahead, behind = cell.energy(here + step), cell.energy(here - step)
+        ahead, behind = cell.energy(current + step), cell.energy(current - step)
         # central differences: third derivatives times 1e-10, rounding by 1e-5
         assert slope[0, axis] == pytest.approx((ahead[0] - behind[0])[0] / (2 * small), rel=1e-6, abs=1e-7)
         assert curvature[0, axis] == pytest.approx((ahead[1] - behind[1])[0] / (2 * small), rel=1e-6, abs=1e-6)

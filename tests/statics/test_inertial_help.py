@@ -52,21 +52,21 @@ def folding():
 
 def test_a_recorded_path_goes_from_the_start_to_the_goal_in_short_steps(folding):
     start, slow = folding
-    (found,) = slow.paths
-    assert found.position[0] == pytest.approx(start[0])
-    assert found.position[-1] == pytest.approx(slow.position[0])
-    assert found.torque[-1] == slow.torque[0]
-    assert (np.diff(found.torque) >= 0).all()
-    assert np.abs(np.diff(found.position, axis=0)).max() <= quasi_static._NEAR + 1e-12
-    first, last = found.snaps[-1]
-    assert np.abs(found.position[last] - found.position[first]).max() > math.radians(90)
-    assert np.abs(np.diff(found.position[first : last + 1], axis=0)).max() <= quasi_static._SNAP_STEP + 1e-12
+    (result,) = slow.paths
+    assert result.position[0] == pytest.approx(start[0])
+    assert result.position[-1] == pytest.approx(slow.position[0])
+    assert result.torque[-1] == slow.torque[0]
+    assert (np.diff(result.torque) >= 0).all()
+    assert np.abs(np.diff(result.position, axis=0)).max() <= quasi_static._NEAR + 1e-12
+    first, last = result.snaps[-1]
+    assert np.abs(result.position[last] - result.position[first]).max() > math.radians(90)
+    assert np.abs(np.diff(result.position[first : last + 1], axis=0)).max() <= quasi_static._SNAP_STEP + 1e-12
 
 
 def test_the_energy_less_the_torques_work_falls_all_along_a_snap(folding):
-    (found,) = folding[1].paths
+    (result,) = folding[1].paths
     unit = np.array(drive_of(WINGS.structure, "fold").shares)
-    for first, last in found.snaps:
-        on = found.position[first : last + 1]
-        energy = potential(WINGS.repeated(len(on)), on, found.torque[last] * unit)[0]
+    for first, last in result.snaps:
+        on = result.position[first : last + 1]
+        energy = potential(WINGS.repeated(len(on)), on, result.torque[last] * unit)[0]
         assert (np.diff(energy) <= 1e-12).all()

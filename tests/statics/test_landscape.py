@@ -45,8 +45,8 @@ def test_all_hinges_together_climb_three_times_what_one_climbs(landscape):
 
 def test_back_it_climbs_what_it_has_lost(landscape):
     flat, folded = landscape.states
-    there, back = landscape.barrier("flat", "folded"), landscape.barrier("folded", "flat")
-    assert back - there == pytest.approx(flat.energy - folded.energy)
+    present, back = landscape.barrier("flat", "folded"), landscape.barrier("folded", "flat")
+    assert back - present == pytest.approx(flat.energy - folded.energy)
 
 
 def test_the_flat_state_presses_as_much_as_folding_takes(landscape):
@@ -88,10 +88,10 @@ def test_levels_of_independent_tendons_are_those_of_the_paper():
     ],
 )
 def test_missing_results_have_a_remark_and_no_nan(landscape_with, settings, sentences):
-    found = landscape_with(settings)
+    result = landscape_with(settings)
     for sentence in sentences:
-        assert any(sentence in remark for remark in found.remarks), sentence
-    json.dumps(landscape_summary(found), allow_nan=False)
+        assert any(sentence in remark for remark in result.remarks), sentence
+    json.dumps(landscape_summary(result), allow_nan=False)
 
 
 def test_a_wing_whose_veins_stop_early_is_never_called_folded(landscape_with):
@@ -111,10 +111,10 @@ def test_a_path_without_a_barrier_says_why(landscape_with):
 
 
 def test_the_summary_has_units_in_its_keys(landscape):
-    found = landscape_summary(landscape)
-    assert found["hinge"]["angle_deg"][0] == pytest.approx(3)
-    assert found["hinge"]["angle_deg"][-1] == pytest.approx(-180)
-    assert found["hinge"]["slack_angle_deg"] == pytest.approx(-2 * math.degrees(math.acos(9 / 11)))
-    assert found["wing"]["barrier_J"] == pytest.approx(landscape.barrier("flat", "folded"))
-    assert len(found["tendons"]) == 3
-    assert len(found["wing"]["pleat_angle_deg"]) == len(found["wing"]["energy_J"])
+    result = landscape_summary(landscape)
+    assert result["hinge"]["angle_deg"][0] == pytest.approx(3)
+    assert result["hinge"]["angle_deg"][-1] == pytest.approx(-180)
+    assert result["hinge"]["slack_angle_deg"] == pytest.approx(-2 * math.degrees(math.acos(9 / 11)))
+    assert result["wing"]["barrier_J"] == pytest.approx(landscape.barrier("flat", "folded"))
+    assert len(result["tendons"]) == 3
+    assert len(result["wing"]["pleat_angle_deg"]) == len(result["wing"]["energy_J"])

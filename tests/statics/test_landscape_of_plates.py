@@ -42,7 +42,7 @@ def test_it_rests_flat_closed_and_opened(landscape):
 def test_the_resting_shape_equals_that_of_another_minimiser(landscape):
     structures = ensemble([structure_of(ff.load_design("letter-fold"))])
     for state in landscape.rests:
-        found = minimize(
+        result = minimize(
             lambda angles: potential(structures, angles[None])[0][0],
             state.angles,
             jac=lambda angles: potential(structures, angles[None])[1][0],
@@ -51,8 +51,8 @@ def test_the_resting_shape_equals_that_of_another_minimiser(landscape):
             options={"ftol": 1e-15, "gtol": 1e-12},
         )
         # L-BFGS-B stops at the rounding of the energy, the square of the position's
-        assert state.angles == pytest.approx(found.x, abs=1e-5)
-        assert state.energy <= found.fun + 1e-12
+        assert state.angles == pytest.approx(result.x, abs=1e-5)
+        assert state.energy <= result.fun + 1e-12
 
 
 def test_the_folding_sense_of_a_hinge_is_that_of_its_larger_range(landscape):
@@ -63,7 +63,7 @@ def test_the_folding_sense_of_a_hinge_is_that_of_its_larger_range(landscape):
         assert tendon.hinge.sense == -1
         assert tendon.barrier > 0
     # nothing couples them
-    alone = [each.barrier for each in landscape.tendons]
+    alone = [tendon.barrier for tendon in landscape.tendons]
     assert landscape.hinge_barriers == pytest.approx(alone, rel=1e-5)
 
 
@@ -207,8 +207,8 @@ def test_states_and_barriers_of_hinges_that_a_tendon_couples(stiffness, rest_ang
     energy = across(one) + right * across(other) + 50 * over * np.maximum(wide - length / 100, 0) ** 2
     energy += stiffness * 0.21 / 2 * ((one - math.radians(rest_angle)) ** 2 + (other - math.radians(rest_angle)) ** 2)
     wells = np.argwhere(energy == ndimage.minimum_filter(energy, 3))
-    found = np.array([state.angles for state in landscape.partial_folds if state.stable])
-    apart = np.abs(angles[wells][:, None] - found).max(axis=2)
+    result = np.array([state.angles for state in landscape.partial_folds if state.stable])
+    apart = np.abs(angles[wells][:, None] - result).max(axis=2)
     assert max(apart.min(axis=0).max(), apart.min(axis=1).max()) < math.radians(0.5)
 
     # a position that the grid contains twice
@@ -261,5 +261,5 @@ def test_the_least_torque_on_springs_alone_is_that_of_springs(goal, stiffness, m
     bound = {"protocol.stages.1.until": f"creases > {goal} deg", "drive.close.value": more * expected}
     structures = ensemble([structure_of(with_values(letter, bound))])
     close = structures.structure.transitions[0]
-    found = least_slow_torque(structures, start_state(structures).position, close, more * expected)
-    assert 0.999 * expected < found.torque[0] < 1.011 * expected
+    result = least_slow_torque(structures, start_state(structures).position, close, more * expected)
+    assert 0.999 * expected < result.torque[0] < 1.011 * expected

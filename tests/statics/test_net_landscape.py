@@ -32,7 +32,7 @@ def landscape(told):
 @pytest.fixture(scope="module")
 def slanting():
     """Return the stiffness of the bars to the apex, N/m."""
-    (stiffness,) = {round(each.stiffness, 9) for each in structure_of(pyramid()).springs if 0 in each.points}
+    (stiffness,) = {round(spring.stiffness, 9) for spring in structure_of(pyramid()).springs if 0 in spring.points}
     return stiffness
 
 
@@ -98,7 +98,7 @@ def test_drives_snap_at_the_largest_force_of_the_bars(landscape, slanting):
 
 
 def test_states_withstand_the_loads_of_the_closed_form(landscape, slanting):
-    up, down = ({each.load: each for each in state.withstands} for state in landscape.states)
+    up, down = ({withstand.load: withstand for withstand in state.withstands} for state in landscape.states)
     largest = force(slanting, np.linspace(0, RISE, 20001)).max()
     assert up["force push"].value == pytest.approx(largest, rel=5e-3)
     assert up["force push"].kind == "limit"
@@ -143,19 +143,19 @@ def test_a_transition_that_its_drive_cannot_make_has_no_least_value():
     """A pyramid that is pulled up does not snap down."""
     stages = [{"name": "pull", "drive": "pull", "until": "height < 19 cm", "hold": 0.0, "time_limit": 1.0}]
     done = {"name": "rest", "drive": "none", "until": "rest", "state": "low", "hold": 0.0, "time_limit": 1.0}
-    found = energy_landscape(pyramid(**{"protocol.stages": [*stages, done]}))
-    pull = next(course for course in found.courses if course.name == "pull")
+    result = energy_landscape(pyramid(**{"protocol.stages": [*stages, done]}))
+    pull = next(course for course in result.courses if course.name == "pull")
     assert pull.least is None
-    assert found.rests[-1].name == "not low"
-    assert not found.rests[-1].within
+    assert result.rests[-1].name == "not low"
+    assert not result.rests[-1].within
 
 
 def test_a_sheet_without_springs_in_its_creases_and_without_supports_rests_nowhere_firmly():
     loose = {"crease.stiffness": 0.0, "facet.bend_stiffness": 0.0, "support": [], "drive": [], "measure": []}
     stage = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 1.0}
-    found = energy_landscape(pyramid(**loose, **{"protocol.stages": [stage], "pattern.sectors": [1.2, 1.2, 1.2, 1.3]}))
-    assert found.states == ()
-    assert any("a part can move without any force" in remark for remark in found.remarks)
+    result = energy_landscape(pyramid(**loose, **{"protocol.stages": [stage], "pattern.sectors": [1.2, 1.2, 1.2, 1.3]}))
+    assert result.states == ()
+    assert any("a part can move without any force" in remark for remark in result.remarks)
 
 
 def test_progress_is_reported(landscape, told):
@@ -174,7 +174,7 @@ def pressed(direction):
 def test_a_displaced_apex_takes_the_force_of_the_closed_form_through_the_snap(slanting):
     landscape = pressed([0, 0, -1])
     course = landscape.courses[0]
-    (told,) = [each for each in landscape_summary(landscape)["net"]["courses"] if each["name"] == "push"]
+    (told,) = [item for item in landscape_summary(landscape)["net"]["courses"] if item["name"] == "push"]
     path = told["slow"]
     expected = force(slanting, RISE - np.array(path["gone_m"]))
     largest = np.abs(expected).max()

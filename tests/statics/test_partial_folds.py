@@ -28,7 +28,7 @@ def single_hinge_barriers(design):
 
 def test_every_combination_of_three_hinges_is_tried(reference):
     tried = [state.folded for state in partial_folds(reference)]
-    assert tried == [each for count in range(4) for each in itertools.combinations(range(3), count)]
+    assert tried == [combination for count in range(4) for combination in itertools.combinations(range(3), count)]
 
 
 def test_with_a_soft_membrane_hinges_stay_where_they_are(reference):

@@ -60,7 +60,7 @@ def turned_one_by_one(structure, angles):
 def test_points_of_any_tree_are_where_one_rotation_after_another_takes_them(seed, bodies):
     structure = tree(seed, bodies)
     angles = np.random.default_rng(seed).uniform(-math.pi, math.pi, (3, len(structure.hinges)))
-    expected = [turned_one_by_one(structure, each) for each in angles]
+    expected = [turned_one_by_one(structure, angle) for angle in angles]
     # rounding
     assert placed(structure, angles) == pytest.approx(np.array(expected), abs=1e-14)
 
@@ -82,12 +82,12 @@ def test_the_moves_are_derivatives_of_the_points(seed):
     angles = np.random.default_rng(seed).uniform(-1, 1, (1, laid.size))
     at = pose(laid, angles)
     moves = moves_of(carried, at, places_of(carried, at))[:, 0]
-    found = np.zeros((len(points), laid.size, 3))
-    found[carried.pairs[0], carried.pairs[1]] = moves.T
+    result = np.zeros((len(points), laid.size, 3))
+    result[carried.pairs[0], carried.pairs[1]] = moves.T
     steps = small * np.eye(laid.size)
     differences = (placed(structure, angles + steps) - placed(structure, angles - steps)) / (2 * small)
     # central differences of points of 0.5 m, times 1e-12; rounding divided by 1e-6
-    assert found == pytest.approx(np.swapaxes(differences, 0, 1), abs=1e-9)
+    assert result == pytest.approx(np.swapaxes(differences, 0, 1), abs=1e-9)
 
 
 def test_the_points_of_a_fan_are_where_the_simulator_has_them(reference_run):

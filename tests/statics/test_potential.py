@@ -129,9 +129,9 @@ def test_a_pendulum_hangs_down_and_stands_up():
     assert energy == pytest.approx(most * np.sin(angles[:, 0]))
     assert slope == pytest.approx(most * np.cos(angles))
     assert curvature[:, 0] == pytest.approx(-most * np.sin(angles))
-    found = rest(structures, np.array([[0.3]]))
-    assert found.rests.all()
-    assert found.position[0, 0] == pytest.approx(-math.pi / 2, abs=1e-5)
+    result = rest(structures, np.array([[0.3]]))
+    assert result.rests.all()
+    assert result.position[0, 0] == pytest.approx(-math.pi / 2, abs=1e-5)
 
 
 def test_gravity_bends_a_wing():
@@ -161,7 +161,7 @@ def test_tendons_across_several_hinges_are_those_of_each_case():
     assert any(tendon.crossing is None for tendon in springs[0].tendons)
     angles = np.random.default_rng(3).uniform(-1, 1, (2, len(springs[0].hinges)))
     energy = potential(ensemble(springs), angles)[0]
-    alone = [potential(ensemble([each]), angles[case : case + 1])[0][0] for case, each in enumerate(springs)]
+    alone = [potential(ensemble([spring]), angles[case : case + 1])[0][0] for case, spring in enumerate(springs)]
     assert energy == pytest.approx(alone)
     assert energy[0] != pytest.approx(energy[1])
 
@@ -172,13 +172,13 @@ def _laws():
 
 
 def test_structures_that_rest_have_no_torque_left_but_on_their_stops():
-    found = rest(WINGS, start_angles(WINGS), FOLDING)
-    assert found.rests.all()
-    free = (found.position > WINGS.lower) & (found.position < WINGS.upper)
-    assert np.abs(found.slope[free]).max() < 1e-4
-    on_upper = found.position == WINGS.upper
-    assert (found.slope[on_upper] <= 1e-4).all()
-    assert (found.slope[found.position == WINGS.lower] >= -1e-4).all()
+    result = rest(WINGS, start_angles(WINGS), FOLDING)
+    assert result.rests.all()
+    free = (result.position > WINGS.lower) & (result.position < WINGS.upper)
+    assert np.abs(result.slope[free]).max() < 1e-4
+    on_upper = result.position == WINGS.upper
+    assert (result.slope[on_upper] <= 1e-4).all()
+    assert (result.slope[result.position == WINGS.lower] >= -1e-4).all()
 
 
 def test_hinges_that_are_held_stay_and_none_turns_farther_than_it_may():
@@ -203,7 +203,7 @@ def test_a_hinge_comes_to_rest_where_its_tendon_is_slack_at_a_right_angle():
     joint = ensemble_of([load_design("binder2025-joint", {"tendon.rest_length": "8 cm"})])
     assert torque_scale(joint) == 0
     for torque in (0.001, 0.02):
-        found = rest(joint, np.array([[-0.3]]), [torque])
-        assert found.rests.all()
+        result = rest(joint, np.array([[-0.3]]), [torque])
+        assert result.rests.all()
         # the tendon folds where its moment is positive, and balances the opening torque
-        assert -joint.tendons.moment(found.position)[0, 0] == pytest.approx(torque, rel=1e-9)
+        assert -joint.tendons.moment(result.position)[0, 0] == pytest.approx(torque, rel=1e-9)

@@ -80,10 +80,10 @@ def test_the_least_torque_on_the_distal_hinges_is_the_largest_moment_of_their_te
     wings = ensemble_of([REFERENCE])
     folded = folded_state(wings)
     peak = peak_opening_torque(tendon_hinges(structure_of(REFERENCE))[0]).torque
-    found = quasi_static.least_slow_torque(wings, folded, UNFOLD, 4 * peak, DISTAL)
+    result = quasi_static.least_slow_torque(wings, folded, UNFOLD, 4 * peak, DISTAL)
     # 1 % from the search, which rounds up
-    assert 0.99 * peak < found.torque[0] < 1.02 * peak
-    assert (found.position[0, FOLDS_AT] > 0).all()
+    assert 0.99 * peak < result.torque[0] < 1.02 * peak
+    assert (result.position[0, FOLDS_AT] > 0).all()
     below, above = (
         quasi_static.least_slow_torque(wings, folded, UNFOLD, share * peak, DISTAL).torque for share in (0.98, 1.02)
     )
@@ -101,10 +101,10 @@ def slowly_folded():
 
 def test_the_least_fold_torque_is_that_of_small_equal_steps(slowly_folded):
     wings, flat, least_torque = slowly_folded
-    found = least_torque.torque[0]
+    result = least_torque.torque[0]
     ramp = slow_transition(wings, flat, "fold", np.arange(0.0001, 0.01, 0.0001)).torque[0]
     # 1 % from the search, and one step of 1e-4 N m of 7e-3
-    assert found == pytest.approx(ramp, rel=0.03)
+    assert result == pytest.approx(ramp, rel=0.03)
 
 
 def test_wings_side_by_side_have_the_least_torques_that_they_have_alone():
@@ -129,8 +129,8 @@ def test_a_wing_at_its_goal_needs_no_torque_and_one_that_never_gets_there_has_no
 
 def test_a_negative_torque_goes_the_other_way(slowly_folded):
     """The fold's drive with its sense reversed twice is the fold's drive."""
-    wings, flat, there = slowly_folded
+    wings, flat, present = slowly_folded
     turned = Drive(name="turned", shares=(-1.0, 0.0), rise=0.0, key="", strength=-0.5)
     back = quasi_static.least_slow_torque(wings, flat, FOLD, 0.2, turned)
-    assert there.torque == back.torque
-    assert there.position == pytest.approx(back.position)
+    assert present.torque == back.torque
+    assert present.position == pytest.approx(back.position)

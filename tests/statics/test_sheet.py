@@ -67,14 +67,14 @@ def differences(sheet, angles, step):
 
 def guards_begin(sheet, angles):
     pulls = [apart > lengths for apart, lengths in zip(apart_at(sheet, angles), sheet.lengths, strict=True)]
-    return any((each != each[0]).any() for each in pulls)
+    return any((pull != pull[0]).any() for pull in pulls)
 
 
 def apart_at(sheet, angles):
     """Return the distances of the ends of all limits, m, (case, limit), by group."""
     places = places_of(sheet.laid.carried, pose(sheet.laid.tree, angles))
     ends = [places[:, :, group.points] for group in sheet.laid.groups[len(sheet.patches) :]]
-    return [np.linalg.norm(each[:, :, 1::2] - each[:, :, ::2], axis=0) for each in ends]
+    return [np.linalg.norm(end[:, :, 1::2] - end[:, :, ::2], axis=0) for end in ends]
 
 
 @pytest.mark.parametrize("sheet", SHEETS)
@@ -116,7 +116,7 @@ def test_a_hinge_that_carries_all_nodes_moves_no_energy(seed, angle):
     """Sheets in any plane on a chain of bodies: a hinge below them all turns them rigidly."""
     built = tree(seed)
     root = next(number for number, hinge in enumerate(built.hinges) if hinge.body == 0)
-    carried = [each for each in range(len(built.bodies)) if root in tree_of(built).chain(each)]
+    carried = [index for index in range(len(built.bodies)) if root in tree_of(built).chain(index)]
     random = np.random.default_rng(seed)
     membranes = tuple(
         replace(membrane, bodies=random.choice(carried, len(membrane.bodies))) for membrane in built.membranes
@@ -154,5 +154,5 @@ def test_energy_goes_with_the_modulus_and_the_thickness(factor):
     energy = sheet_energy(SHEETS[0], angles)[0]
     for key in ("youngs_modulus", "thickness"):
         stiffer = {f"membrane.{key}": factor * getattr(REFERENCE.membrane, key)}
-        found = sheet_energy(sheet_of(structure_of(with_values(REFERENCE, stiffer))), angles)[0]
-        assert found == pytest.approx(factor * energy)
+        result = sheet_energy(sheet_of(structure_of(with_values(REFERENCE, stiffer))), angles)[0]
+        assert result == pytest.approx(factor * energy)

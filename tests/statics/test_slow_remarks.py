@@ -15,8 +15,8 @@ FOLD, UNFOLD = WING.transitions
 
 def said(torque, span, helped=None, transition=UNFOLD):
     position = np.zeros((1, len(WING.hinges)))
-    found = SlowTransition(torque=np.array([torque]), position=position)
-    return slow_remarks(WING, transition, 1.0, found, span, helped)
+    result = SlowTransition(torque=np.array([torque]), position=position)
+    return slow_remarks(WING, transition, 1.0, result, span, helped)
 
 
 def test_a_torque_that_neither_inertia_nor_small_differences_change_needs_no_remark():

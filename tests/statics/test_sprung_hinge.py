@@ -30,33 +30,33 @@ def test_a_very_soft_spring_hardly_changes_the_landscape(hinge):
 
 def test_states_barrier_and_peak_are_those_of_the_sum(hinge):
     spring = HingeSpring(stiffness=0.05, rest_angle=math.radians(-20))
-    found = hinge_landscape(hinge, spring=spring)
+    result = hinge_landscape(hinge, spring=spring)
     angle = np.linspace(hinge.overbend, -hinge.fold_limit, 400_001)
     energy = hinge.energy(angle) + 0.05 / 2 * (angle - spring.rest_angle) ** 2
     top = int(np.argmax(energy))
-    assert found.barrier == pytest.approx(energy[top] - energy[0], rel=1e-6)
-    assert found.barrier_angle == pytest.approx(angle[top], abs=1e-4)
+    assert result.barrier == pytest.approx(energy[top] - energy[0], rel=1e-6)
+    assert result.barrier_angle == pytest.approx(angle[top], abs=1e-4)
     # the spring rests on the folded side and moves the energy maximum into the overbend
-    assert found.barrier_angle > 0
+    assert result.barrier_angle > 0
     bottom = top + int(np.argmin(energy[top:]))
-    assert [state.kind for state in found.states] == ["stop", "minimum"]
-    assert found.states[1].angle == pytest.approx(angle[bottom], abs=1e-4)
+    assert [state.kind for state in result.states] == ["stop", "minimum"]
+    assert result.states[1].angle == pytest.approx(angle[bottom], abs=1e-4)
     moment = -np.gradient(energy, angle)
-    assert found.peak_opening.torque == pytest.approx(-moment[top:bottom].min(), rel=1e-6)
-    assert found.holding_torque == pytest.approx(moment[1], rel=1e-3)
-    assert found.stored_energy(found.angle) == pytest.approx(found.energy + found.spring_energy)
+    assert result.peak_opening.torque == pytest.approx(-moment[top:bottom].min(), rel=1e-6)
+    assert result.holding_torque == pytest.approx(moment[1], rel=1e-3)
+    assert result.stored_energy(result.angle) == pytest.approx(result.energy + result.spring_energy)
 
 
 def test_a_too_stiff_spring_leaves_one_state_and_gives_a_remark(hinge):
-    found = hinge_landscape(hinge, spring=HingeSpring(stiffness=10.0, rest_angle=0.0))
-    assert (found.barrier, found.peak_opening, found.growth_rate) == (None, None, None)
-    (state,) = found.states
+    result = hinge_landscape(hinge, spring=HingeSpring(stiffness=10.0, rest_angle=0.0))
+    assert (result.barrier, result.peak_opening, result.growth_rate) == (None, None, None)
+    (state,) = result.states
     assert (state.kind, state.angle) == ("minimum", pytest.approx(0.0, abs=1e-9))
-    assert "rests only at 0 deg, so there is no barrier" in found.remarks[0]
+    assert "rests only at 0 deg, so there is no barrier" in result.remarks[0]
 
 
 def test_a_slack_tendon_leaves_the_spring_alone(hinge):
     slack = replace(hinge, law=replace(hinge.law, rest_length=1.0))
-    found = hinge_landscape(slack, spring=HingeSpring(stiffness=0.1, rest_angle=-1.0))
-    assert [state.angle for state in found.states] == pytest.approx([-1.0])
-    assert "only the spring of the hinge moves it" in found.remarks[0]
+    result = hinge_landscape(slack, spring=HingeSpring(stiffness=0.1, rest_angle=-1.0))
+    assert [state.angle for state in result.states] == pytest.approx([-1.0])
+    assert "only the spring of the hinge moves it" in result.remarks[0]

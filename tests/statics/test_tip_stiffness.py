@@ -23,32 +23,32 @@ def test_a_locked_wing_holds_what_its_tendons_press_onto_the_stops(reference):
     hinge = tendon_hinges(structure_of(reference))[0]
     # the distal bar meets the ring crease at 90 deg less half the sector angle, less epsilon
     lever = 0.10 * math.cos(math.radians(10) + reference.fan.epsilon)
-    found = loaded(reference)
-    assert found.holding_force == pytest.approx(float(hinge.moment(math.radians(3))) / lever, rel=2e-3)
-    assert found.flat_against is None
-    assert found.deflection == pytest.approx(1e-3)
+    result = loaded(reference)
+    assert result.holding_force == pytest.approx(float(hinge.moment(math.radians(3))) / lever, rel=2e-3)
+    assert result.flat_against is None
+    assert result.deflection == pytest.approx(1e-3)
 
 
 def test_along_folding_the_locked_wing_is_as_stiff_as_the_secant_says(reference):
     hinge = tendon_hinges(structure_of(reference))[0]
     lever = 0.10 * math.cos(math.radians(10) + reference.fan.epsilon)
     bent = math.radians(3) - 1e-3 / lever
-    found = loaded(reference)
-    assert found.flat_along == pytest.approx(float(hinge.moment(bent)) / lever / 1e-3, rel=0.02)
-    assert found.flat_along * found.deflection < found.holding_force
+    result = loaded(reference)
+    assert result.flat_along == pytest.approx(float(hinge.moment(bent)) / lever / 1e-3, rel=0.02)
+    assert result.flat_along * result.deflection < result.holding_force
 
 
 def test_unlocked_it_runs_away_by_itself(reference):
     """-k a b (1 - lambda) / l_d^2 for the tendon alone; the membrane makes it slightly less negative."""
     hinge = tendon_hinges(structure_of(reference))[0]
     lever = 0.10 * math.cos(math.radians(10) + reference.fan.epsilon)
-    found = loaded(reference)
-    assert found.unlocked_along == found.unlocked_against
-    assert found.unlocked_along == pytest.approx(float(hinge.stiffness(0.0)) / lever**2, rel=0.03)
-    assert found.unlocked_along < 0 < found.flat_along
+    result = loaded(reference)
+    assert result.unlocked_along == result.unlocked_against
+    assert result.unlocked_along == pytest.approx(float(hinge.stiffness(0.0)) / lever**2, rel=0.03)
+    assert result.unlocked_along < 0 < result.flat_along
 
 
 def test_without_an_overbend_nothing_locks():
-    found = loaded(load_design("binder2025", {"hinge.overbend": "0 deg", "protocol.initial_overbend": "0 deg"}))
-    assert found.flat_against == found.unlocked_against
-    assert found.holding_force == pytest.approx(0, abs=1e-6)
+    result = loaded(load_design("binder2025", {"hinge.overbend": "0 deg", "protocol.initial_overbend": "0 deg"}))
+    assert result.flat_against == result.unlocked_against
+    assert result.holding_force == pytest.approx(0, abs=1e-6)

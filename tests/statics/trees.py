@@ -45,7 +45,7 @@ def tree(seed, bodies=6, *, gravity=0.0, membranes=True, law=None, limit=10.0):
     ]
     hinges = [
         Hinge(
-            name=f"h{number}_{each}",
+            name=f"h{number}_{index}",
             role="hinge",
             body=number,
             axis=unit(random),
@@ -55,12 +55,12 @@ def tree(seed, bodies=6, *, gravity=0.0, membranes=True, law=None, limit=10.0):
             armature=1e-6,
         )
         for number in range(bodies)
-        for each in range(random.integers(0, 4) if number else 1)
+        for index in range(random.integers(0, 4) if number else 1)
     ]
     points = [
-        Point(name=f"p{number}_{each}", role="point", body=number, place=random.uniform(-0.1, 0.1, 3))
+        Point(name=f"p{number}_{index}", role="point", body=number, place=random.uniform(-0.1, 0.1, 3))
         for number in range(GROUND, bodies)
-        for each in range(4)
+        for index in range(4)
     ]
     structure = Structure(
         name="tree",

@@ -1,4 +1,4 @@
-"""Veins tied at the base: which joints, how stiff, and what a design says of it."""
+"""Veins tied at the base: the joints, their stiffness, and the keys in a design."""
 
 import numpy as np
 import pytest
@@ -11,17 +11,17 @@ REFERENCE = load_design("binder2025")
 TIED = load_design("binder2025-coupled")
 
 
-def test_neighbouring_turns_are_tied_each_in_its_own_sense():
+def test_neighbouring_turns_are_tied_with_their_signs():
     built = structure_of(TIED)
     turns = hinges_of(built, "turn")
-    assert [each.hinges for each in built.couplings] == [(turns[0], turns[1]), (turns[1], turns[2])]
-    assert all(each.rigid for each in built.couplings)
+    assert [coupling.hinges for coupling in built.couplings] == [(turns[0], turns[1]), (turns[1], turns[2])]
+    assert all(coupling.rigid for coupling in built.couplings)
     folding = np.zeros(len(built.hinges))
     folding[list(turns)] = 0.3
     assert np.array_equal(coupling_rows(built) @ folding, [0, 0])
 
 
-def test_one_motor_drives_one_vein_and_every_distal_hinge_keeps_its_own():
+def test_one_motor_drives_one_vein_and_every_distal_hinge_has_a_motor():
     built = structure_of(TIED)
     proximal, distal = built.motors
     assert proximal.hinges == hinges_of(built, "turn")[:1]
@@ -33,7 +33,7 @@ def test_one_motor_drives_one_vein_and_every_distal_hinge_keeps_its_own():
     assert drive_of(two, "fold").where == "on the proximal joints of veins 0 and 2"
 
 
-def test_a_wing_without_ties_is_what_it_was():
+def test_a_wing_without_ties_is_unchanged():
     built = structure_of(REFERENCE)
     assert built.couplings == ()
     assert drive_of(built, "fold").where == "on every proximal joint"
@@ -48,7 +48,7 @@ def test_the_stiffness_is_read_written_and_scaled_as_one_of_a_joint():
     for design in (TIED, soft):
         assert design_from_text(design_text(design)).hash == design.hash
     assert len({REFERENCE.hash, TIED.hash, soft.hash}) == 3
-    # energy goes with the cube of the size
+    # energy scales with the cube of the size
     assert structure_of(scale_design(soft, 0.1)).couplings[0].stiffness == pytest.approx(0.3e-3)
     assert scale_design(TIED, 0.1).coupling.stiffness == "rigid"
 
@@ -58,7 +58,7 @@ def test_statics_tells_wings_apart_that_are_tied_otherwise():
 
 
 @pytest.mark.parametrize(
-    ("key", "value", "told"),
+    ("key", "value", "sentence"),
     [
         ("coupling.stiffness", "-1 N m/rad", "coupling.stiffness: need >= 0, got -1 N m/rad"),
         ("coupling.stiffness", "stiff", '"rigid" is allowed, too'),
@@ -69,13 +69,13 @@ def test_statics_tells_wings_apart_that_are_tied_otherwise():
         ("protocol.driven_veins", [-1], "driven_veins"),
     ],
 )
-def test_what_cannot_be_tied_or_driven_is_refused(key, value, told):
+def test_what_cannot_be_tied_or_driven_is_refused(key, value, sentence):
     with pytest.raises(InputError) as error:
         load_design("binder2025", {key: value})
-    assert told in str(error.value)
+    assert sentence in str(error.value)
 
 
-def test_the_named_design_is_the_reference_but_for_its_ties_and_its_motor():
+def test_the_named_design_differs_from_the_reference_only_in_ties_and_motor():
     assert "one motor" in named_designs()["binder2025-coupled"]
     apart = TIED.model_copy(update={"coupling": None, "protocol": REFERENCE.protocol})
     assert apart.hash == REFERENCE.hash

@@ -1,4 +1,4 @@
-"""How tendons lie across hinges, against vectors in space that are turned."""
+"""Position of tendons across hinges, compared with rotated vectors in space."""
 
 import math
 
@@ -102,20 +102,20 @@ def test_the_crossings_of_a_fan_are_those_of_its_points():
     for tangent in ("left", "right"):
         built = structure_of(
             with_values(
-                REFERENCE, {"pattern.tangent": tangent, **{f"tendon.{key}": each for key, each in values.items()}}
+                REFERENCE, {"pattern.tangent": tangent, **{f"tendon.{key}": value for key, value in values.items()}}
             )
         )
         for tendon in built.tendons:
-            found, crossing = tendon_crossing(built, tendon.points), tendon.crossing
-            assert (found.hinge, found.offset_angle) == (
+            result, crossing = tendon_crossing(built, tendon.points), tendon.crossing
+            assert (result.hinge, result.offset_angle) == (
                 crossing.hinge,
                 pytest.approx(crossing.offset_angle, abs=1e-12),
             )
-            assert found.proximal_arm == pytest.approx(crossing.proximal_arm)
-            assert found.distal_arm == pytest.approx(crossing.distal_arm)
+            assert result.proximal_arm == pytest.approx(crossing.proximal_arm)
+            assert result.distal_arm == pytest.approx(crossing.distal_arm)
             # along the axis, either way
-            assert abs(found.axial_offset) == pytest.approx(abs(crossing.axial_offset))
-            assert found.inertia == pytest.approx(crossing.inertia)
+            assert abs(result.axial_offset) == pytest.approx(abs(crossing.axial_offset))
+            assert result.inertia == pytest.approx(crossing.inertia)
 
 
 def test_a_tendon_across_two_hinges_or_on_the_axis_has_no_crossing():

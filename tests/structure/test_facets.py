@@ -1,4 +1,4 @@
-"""Facets between points: their triangles, what folds between them, and which corners are held."""
+"""Facets between points: their triangles, the lines that fold between them, and the held corners."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ LOOSE = {"support": [], "drive": [], "measure": [], "protocol.stages": []}
 
 
 @pytest.mark.parametrize("name", ["miura-sheet", "waterbomb-base", "kresling-cell"])
-def test_the_triangles_of_a_facet_cover_it_and_turn_its_way(name):
+def test_the_triangles_of_a_facet_cover_it_with_the_same_orientation(name):
     structure = structure_of(load_design(name))
     triangles, numbers = facet_triangles(structure)
     points = built_points(structure)
@@ -23,7 +23,7 @@ def test_the_triangles_of_a_facet_cover_it_and_turn_its_way(name):
         assert halves[numbers == number].sum(axis=0) == pytest.approx(whole, abs=1e-12)
 
 
-def test_what_bends_within_a_facet_is_no_crease():
+def test_a_bending_line_inside_a_facet_is_not_a_crease():
     structure = structure_of(load_design("miura-sheet"))
     groups = hinge_groups(structure)
     assert {kind: len(hinges) for kind, hinges in groups.items()} == {"creases": 24, "facet bends": 16}
@@ -32,7 +32,7 @@ def test_what_bends_within_a_facet_is_no_crease():
     assert hinge_groups(fan) == {"hinges": tuple(range(len(fan.hinges)))}
 
 
-def test_corners_that_cannot_go_every_way_are_held():
+def test_corners_with_constrained_directions_count_as_held():
     structure = structure_of(load_design("miura-sheet"))
     assert {structure.points[point].name for point in held_corners(structure)} == {
         f"vertex{number}" for number in load_design("miura-sheet").sheet.faces_vertices[5]

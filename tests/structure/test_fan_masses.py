@@ -39,7 +39,7 @@ def test_a_triangle_on_one_body_has_the_moments_of_a_plate(corners):
 
 @given(three, three, three, st.sampled_from([(0, 0, 1), (0, 1, 0), (1, 0, 0), (0, 1, 2)]))
 def test_a_triangle_between_bodies_has_its_momentum_and_no_less_than_its_energy(corners, speeds, turns, carriers):
-    """Bodies move as they like: velocities of the corners differ by body."""
+    """Bodies move independently: velocities of the corners differ by body."""
 
     def velocity(body, place):
         return speeds[body] + np.cross(turns[body], place)
@@ -60,7 +60,7 @@ def test_a_triangle_between_bodies_has_its_momentum_and_no_less_than_its_energy(
 
 
 @pytest.mark.parametrize("units", [1, 2])
-def test_the_membrane_weighs_what_its_panels_do(units):
+def test_the_mass_of_the_membrane_is_that_of_its_panels(units):
     values = SHEET | {"pattern.units": units, "pattern.sector_angle": 0.3}
     structure = structure_of(with_values(REFERENCE, values))
     quads = 0.0
@@ -73,25 +73,25 @@ def test_the_membrane_weighs_what_its_panels_do(units):
         begins = hub + share * (ring - hub), other_hub + share * (other_ring - other_hub)
         for quad in ((begins[0], ring, other_ring, begins[1]), (ring, tip, other_tip, other_ring)):
             quads += area(np.array([quad[0], quad[1], quad[2]])) + area(np.array([quad[0], quad[2], quad[3]]))
-    own = sum(each.mass for each in structure.masses)
+    own = sum(mass.mass for mass in structure.masses)
     assert own == pytest.approx(1200 * REFERENCE.membrane.thickness * quads, rel=1e-12)
     # it lies in the plane of the sheet
     origins, frames = built_frames(structure)
-    heights = [(origins[each.body] + frames[each.body] @ each.place)[2] for each in structure.masses]
+    heights = [(origins[mass.body] + frames[mass.body] @ mass.place)[2] for mass in structure.masses]
     assert np.abs(heights).max() < 1e-12
 
 
-def test_tendons_and_hinges_weigh_what_is_said_on_either_side():
+def test_tendon_and_hinge_masses_are_divided_between_both_sides():
     structure = structure_of(with_values(REFERENCE, TENDON | {"vein.added_mass": 2e-3}))
-    by_role = {role: [each for each in structure.masses if each.role == role] for role in ("tendon", "hinge")}
+    by_role = {role: [mass for mass in structure.masses if mass.role == role] for role in ("tendon", "hinge")}
     length = REFERENCE.tendon.rest_length
-    assert [each.mass for each in by_role["tendon"]] == pytest.approx([1100 * 5e-6 * length / 2] * 6)
-    assert [each.mass for each in by_role["hinge"]] == [1e-3] * 6
-    assert [each.body for each in by_role["hinge"]] == [0, 1, 2, 3, 4, 5]
+    assert [item.mass for item in by_role["tendon"]] == pytest.approx([1100 * 5e-6 * length / 2] * 6)
+    assert [item.mass for item in by_role["hinge"]] == [1e-3] * 6
+    assert [item.body for item in by_role["hinge"]] == [0, 1, 2, 3, 4, 5]
     ends = [structure.points[point] for tendon in structure.tendons for point in tendon.points]
-    assert [each.body for each in by_role["tendon"]] == [end.body for end in ends]
-    for each, end in zip(by_role["tendon"], ends, strict=True):
-        np.testing.assert_array_equal(each.place, end.place)
+    assert [item.body for item in by_role["tendon"]] == [end.body for end in ends]
+    for item, end in zip(by_role["tendon"], ends, strict=True):
+        np.testing.assert_array_equal(item.place, end.place)
 
 
 def test_the_engine_has_the_masses_of_the_structure():
@@ -105,17 +105,17 @@ def test_the_engine_has_the_masses_of_the_structure():
 
 
 def test_what_turns_about_a_distal_hinge_carries_its_masses():
-    """The closed forms of a hinge's snap have them, too."""
+    """The closed forms of the snap of a hinge contain the masses, too."""
     light, heavy = (
         structure_of(with_values(REFERENCE, values)).tendons[0].crossing.inertia for values in ({}, SHEET | TENDON)
     )
     structure = structure_of(with_values(REFERENCE, SHEET | TENDON))
     axis = next(hinge.axis for hinge in structure.hinges if hinge.name == "fold0")
-    carried = [each for each in structure.masses if each.body == 1]
+    carried = [mass for mass in structure.masses if mass.body == 1]
     assert heavy - light == pytest.approx(sum(m.mass * np.sum(np.cross(axis, m.place) ** 2) for m in carried))
 
 
-def test_without_masses_a_design_is_what_it_was():
+def test_a_design_without_masses_is_unchanged():
     zeros = dict.fromkeys(("membrane.density", "tendon.density", "vein.added_mass"), 0.0)
     assert with_values(REFERENCE, zeros).hash == REFERENCE.hash
     assert structure_of(REFERENCE).masses == ()
@@ -149,5 +149,5 @@ def test_without_armature_a_step_of_the_reference_is_too_long_and_the_advice_is_
     built = load_design("binder2025-built", {"protocol.timestep": "0.2 ms"})
     stages = [stage.model_dump() for stage in built.protocol.stages[:2]]
     outcome = measure(run(with_values(built, {"protocol.stages": stages})))
-    assert not outcome.verdict.tells
+    assert not outcome.verdict.conclusive
     assert outcome.advised.values == {"protocol.timestep": "auto"}

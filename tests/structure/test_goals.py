@@ -1,4 +1,4 @@
-"""Goals as they are written: bounds on a measure, or on all hinges of a role in their own senses."""
+"""Goals in a design: bounds on a measure, or on all hinges of a role, counted in their folding senses."""
 
 from dataclasses import replace
 
@@ -34,7 +34,7 @@ def test_a_bound_as_text_has_the_bits_of_the_goal_of_that_bound(text):
     assert written.most.tobytes() == folded.most.tobytes()
 
 
-def test_a_bound_goes_for_every_hinge_of_its_role_and_no_other():
+def test_a_bound_applies_only_to_hinges_of_its_role():
     turned = goal_of(STRUCTURE, "turn > 10 deg")
     assert turned.least[TURNS] == pytest.approx(np.full(3, np.radians(10)), rel=1e-15)
     assert np.isneginf(turned.least[~TURNS]).all()
@@ -50,7 +50,7 @@ def test_a_measure_of_the_other_sign_is_bounded_from_the_other_side():
     assert ours.most.tobytes() == theirs.most.tobytes()
 
 
-def test_time_and_rest_bound_nothing():
+def test_goals_for_time_and_rest_set_no_bounds():
     for kind in ("time", "rest"):
         goal = goal_of(STRUCTURE, kind)
         assert goal.kind == kind
@@ -83,7 +83,7 @@ def test_a_distance_has_a_coordinate_after_the_hinges():
         ("elsewhere", 'got "elsewhere"'),
     ],
 )
-def test_a_goal_that_there_is_not_is_refused_with_those_there_are(text, message):
+def test_an_unknown_goal_is_refused_with_the_known_ones(text, message):
     with pytest.raises(InputError) as caught:
         goal_of(STRUCTURE, text)
     goals = (
@@ -97,7 +97,7 @@ def test_the_first_state_is_the_one_that_no_transition_leads_to():
     assert first_state(STRUCTURE, ["", "folded", "opened"]) == ""
 
 
-def test_parts_that_there_are_not():
+def test_unknown_parts_are_refused():
     assert measure_of(STRUCTURE, "nothing") is None
     assert state_of(STRUCTURE, "sideways") is None
     assert transition_of(STRUCTURE, "nothing") is None

@@ -1,4 +1,4 @@
-"""The joint as a structure: what is held, which way it folds, and that it is the fan's vein with its base held."""
+"""The joint as a structure: its support, its folding sense, and its agreement with a vein of the fan."""
 
 from dataclasses import replace
 
@@ -37,7 +37,7 @@ def test_its_points_lie_on_its_sheet():
 @pytest.mark.parametrize(("sense", "up"), [("valley", 1), ("mountain", -1)])
 def test_it_folds_up_as_a_valley_and_down_as_a_mountain(sense, up):
     vein = joint_vein(load_design(JOINT, {"pattern.sense": sense}))
-    # a turn to negative angles in its own sense folds it
+    # a rotation to negative angles in its folding sense folds it
     moved = -vein.sense * np.cross(vein.axes[0], vein.places[2] - vein.places[1])
     assert np.sign(moved[2]) == up
 

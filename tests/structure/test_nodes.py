@@ -1,4 +1,4 @@
-"""Sheets of nodes: where they lie, what lies between them, what holds and what drives them."""
+"""Sheets of nodes: positions, bars and creases, supports and drives."""
 
 import math
 
@@ -19,13 +19,13 @@ WAIT = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_lim
 
 
 def bare(design, **values):
-    """A design of which nothing acts and nothing is watched."""
+    """A design without drives, tendons and measures."""
     nothing = {"tendon": [], "support": [], "drive": [], "measure": [], "protocol.stages": [WAIT]}
     return with_values(design, nothing | values)
 
 
 def spring_energy(structure, points):
-    """Of all bars, J."""
+    """Energy of all bars, J."""
     ends = np.array([spring.points for spring in structure.springs])
     lengths = np.linalg.norm(points[ends[:, 1]] - points[ends[:, 0]], axis=1)
     rest = np.array([spring.rest_length for spring in structure.springs])
@@ -33,7 +33,7 @@ def spring_energy(structure, points):
     return float((stiffness * (lengths - rest) ** 2 / 2).sum())
 
 
-def test_every_vertex_is_a_node_and_they_weigh_what_the_sheet_weighs():
+def test_every_vertex_is_a_node_and_their_masses_add_up_to_the_sheet():
     structure, sheet = structure_of(MIURA), MIURA.sheet
     assert built_points(structure)[:25] == pytest.approx(sheet.vertices_coords, abs=1e-15)
     area = 16 * 0.02**2 * math.sin(math.radians(60))
@@ -46,7 +46,7 @@ def test_every_vertex_is_a_node_and_they_weigh_what_the_sheet_weighs():
 @given(
     sides=st.tuples(*[st.floats(0.01, 0.05)] * 2), angle=st.floats(30, 85), fold=st.floats(0, 150), nu=st.floats(0, 0.4)
 )
-def test_bars_store_what_the_sheet_does_where_it_is_stretched_evenly(sides, angle, fold, nu):
+def test_bars_store_the_energy_of_the_evenly_stretched_sheet(sides, angle, fold, nu):
     """E S t e^2 / (1 - nu) of a sheet of area S under the strain e in all directions (plane stress)."""
     design = bare(
         MIURA,
@@ -79,7 +79,7 @@ def test_creases_rest_as_built_or_flat_or_at_an_angle():
     assert [hinge.start for hinge in structure.hinges] == pytest.approx(built_creases(structure).tolist(), abs=1e-12)
 
 
-def test_a_crease_is_as_stiff_as_it_is_long():
+def test_the_stiffness_of_a_crease_is_proportional_to_its_length():
     structure = structure_of(bare(MIURA, **{"pattern.long_side": 0.03}))
     stiffness = {hinge.role: hinge.stiffness for hinge in structure.hinges}
     assert stiffness["straight"] == pytest.approx(2e-2 * 0.03)
@@ -118,7 +118,7 @@ def test_supports_hold_facets_vertices_and_single_axes():
     slides = [body.slides for body in structure.bodies]
     assert [slides[node] for node in (0, 24)] == [(1,), ()]
     assert all(slides[node] == () for node in MIURA.sheet.faces_vertices[5])
-    assert sum(each == (0, 1, 2) for each in slides) == 25 - 4 - 2
+    assert sum(slide == (0, 1, 2) for slide in slides) == 25 - 4 - 2
 
 
 def test_a_sheet_opens_along_a_cut(tmp_path):
@@ -134,7 +134,7 @@ def test_a_sheet_opens_along_a_cut(tmp_path):
     assert not set(structure.facets[0].points) & set(structure.facets[1].points)
 
 
-def test_a_drive_takes_rest_angles_to_their_targets():
+def test_a_drive_moves_rest_angles_to_their_targets():
     drive = {"name": "fold", "kind": "rest-angle", "of": "creases", "to": "target"}
     stage = {"name": "fold", "drive": "fold", "until": "target", "state": "folded", "hold": 0.0, "time_limit": 1.0}
     structure = structure_of(bare(MIURA, drive=[drive], **{"protocol.stages": [stage]}))
@@ -158,7 +158,7 @@ def test_a_force_acts_at_vertices_along_its_direction():
 
 
 @pytest.mark.parametrize("axes", [None, "yz"])
-def test_a_force_needs_a_vertex_that_goes_its_way(axes):
+def test_a_force_needs_a_vertex_that_is_free_in_its_direction(axes):
     values = {"drive": [{"name": "pull", "kind": "force", "of": "vertex 3", "direction": [0, 0, -1], "force": 0.2}]}
     message = r'drive\.0\.of: need a vertex that is free along drive\.0\.direction, got "vertex 3"'
     with pytest.raises(InputError, match=message):
@@ -167,7 +167,7 @@ def test_a_force_needs_a_vertex_that_goes_its_way(axes):
     assert motor.points == (3,)
 
 
-def test_ends_on_the_ground_stay_there():
+def test_ends_on_the_ground_do_not_move():
     measure = {"name": "height", "kind": "distance", "from": "vertex 0", "to": "ground", "ground": [0.0, 0.0, -0.2]}
     structure = structure_of(bare(load_design("waterbomb-base"), measure=[measure]))
     start, end = measure_of(structure, "height").points
@@ -175,14 +175,14 @@ def test_ends_on_the_ground_stay_there():
     assert built_points(structure)[end].tolist() == [0, 0, -0.2]
 
 
-def test_a_tendon_is_never_longer_than_the_way_along_edges():
+def test_a_tendon_is_never_longer_than_the_path_along_edges():
     structure = structure_of(CLASP)
     (tendon,) = structure.tendons
     assert tendon.longest == pytest.approx(0.08)
     assert np.linalg.norm(np.diff(built_points(structure)[list(tendon.points)], axis=0)) < tendon.longest
 
 
-def test_a_tendon_takes_the_law_of_a_material():
+def test_a_tendon_can_have_the_law_of_a_material():
     band = {key: value for key, value in BAND.items() if key != "stiffness"} | {"law": "tpu-82a", "area": 2e-6}
     design = with_values(CLASP, {"tendon": [band]})
     (tendon,) = structure_of(design).tendons
@@ -202,12 +202,12 @@ def test_a_structure_in_other_units_is_the_same():
     units = {"length": 1e-2, "mass": 1e-3, "time": 1e-2}
     one, other = structure_of(CLASP), structure_of(in_units(CLASP, **units))
     per_length = units["mass"] / units["time"] ** 2
-    for here, there in zip(one.springs, other.springs, strict=True):
-        assert there.stiffness * per_length == pytest.approx(here.stiffness)
-        assert there.damping * units["mass"] / units["time"] == pytest.approx(here.damping)
-    for here, there in zip(one.hinges, other.hinges, strict=True):
-        assert there.stiffness * per_length * units["length"] ** 2 == pytest.approx(here.stiffness)
-        assert there.rest_angle == here.rest_angle
+    for current, present in zip(one.springs, other.springs, strict=True):
+        assert present.stiffness * per_length == pytest.approx(current.stiffness)
+        assert present.damping * units["mass"] / units["time"] == pytest.approx(current.damping)
+    for current, present in zip(one.hinges, other.hinges, strict=True):
+        assert present.stiffness * per_length * units["length"] ** 2 == pytest.approx(current.stiffness)
+        assert present.rest_angle == current.rest_angle
     assert [body.mass * 1e-3 for body in other.bodies] == pytest.approx([body.mass for body in one.bodies])
 
 

@@ -1,4 +1,4 @@
-"""Places on edges and facets of sheets that bend: each is a node, and the sheet is otherwise what it was."""
+"""Places on edges and facets of bending sheets: every place is a node, and the sheet is otherwise unchanged."""
 
 import numpy as np
 import pytest
@@ -27,7 +27,7 @@ def sheet(*places, **values):
 
 
 def area(structure):
-    """Of all triangles that are drawn, m^2."""
+    """Area of all triangles that are drawn, m^2."""
     corners = built_points(structure)[facet_triangles(structure)[0]]
     return np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
 
@@ -42,7 +42,7 @@ share = st.floats(0.01, 0.99)
 
 @settings(max_examples=15, deadline=None)
 @given(along=share, second=share, down=share, fold=st.floats(0, 2.5))
-def test_splitting_changes_neither_mass_nor_area_nor_what_a_crease_resists(along, second, down, fold):
+def test_splitting_changes_neither_mass_nor_area_nor_crease_stiffness(along, second, down, fold):
     folded = {"pattern.fold": fold}
     whole = sheet(**folded)
     crease = crease_of(whole)
@@ -59,7 +59,7 @@ def test_splitting_changes_neither_mass_nor_area_nor_what_a_crease_resists(along
             for structure in (split, whole)
         ]
         assert sums[0] == pytest.approx(sums[1])
-    starts = [{hinge.edge: hinge.start for hinge in each.hinges if hinge.edge >= 0} for each in (split, whole)]
+    starts = [{hinge.edge: hinge.start for hinge in item.hinges if hinge.edge >= 0} for item in (split, whole)]
     assert starts[0] == pytest.approx(starts[1], abs=1e-6)
 
 
@@ -119,7 +119,7 @@ def test_a_force_acts_at_places():
         ("middle", r"tendon\.0\.to: need a place such as"),
     ],
 )
-def test_what_is_no_place_is_refused(place, message):
+def test_an_invalid_place_is_refused(place, message):
     with pytest.raises(InputError, match=message):
         sheet(place)
 
@@ -130,6 +130,6 @@ def test_a_tendon_needs_two_places():
         sheet(tendon=[band])
 
 
-def test_shares_of_a_facet_that_stands_upright_say_nothing():
+def test_shares_in_a_vertical_facet_are_refused():
     with pytest.raises(InputError, match=r"tendon\.0\.to: need a facet that is not vertical"):
         sheet("facet 0 at 0.5, 0.5", **{"pattern.acute_angle": 0.5, "pattern.fold": np.pi - 1e-9})

@@ -1,4 +1,4 @@
-"""Plates on the facets of a sheet: where they lie, what hangs on what, what acts and what is watched."""
+"""Plates on the facets of a sheet: positions, hinges, drives, tendons and measures."""
 
 import math
 
@@ -35,7 +35,7 @@ def zigzag(**values):
 
 
 def point(structure, name):
-    return built_points(structure)[[each.name for each in structure.points].index(name)]
+    return built_points(structure)[[item.name for item in structure.points].index(name)]
 
 
 def test_every_corner_lies_where_the_pattern_has_it():
@@ -50,7 +50,7 @@ def test_every_corner_lies_where_the_pattern_has_it():
     assert structure.mass == pytest.approx(1270 * 0.12 * 0.21 * 0.5e-3)
 
 
-def test_plates_hang_on_the_one_that_is_held():
+def test_plates_are_connected_to_the_held_plate():
     structure = structure_of(zigzag())
     assert supports(structure) == ["facet2"]
     parents = {body.name: body.parent for body in structure.bodies}
@@ -61,13 +61,13 @@ def test_plates_hang_on_the_one_that_is_held():
         "facet3": "facet2",
         "facet4": "facet3",
     }
-    # each of them hinges on the one before it, in the order of bodies
+    # every plate is hinged to the previous one in the order of bodies
     assert [hinge.name for hinge in structure.hinges] == ["crease1", "crease0", "crease2", "crease3"]
     assert [hinge.body for hinge in structure.hinges] == [1, 2, 3, 4]
 
 
 def turned_points(structure, angles):
-    """Where the points go when the hinges are turned, angles in their own senses."""
+    """Positions of the points after the hinges rotate by angles in their folding senses."""
     origins, frames = [], []
     for number, body in enumerate(structure.bodies):
         origin, frame = (np.zeros(3), np.eye(3)) if body.parent < 0 else (origins[body.parent], frames[body.parent])
@@ -80,12 +80,12 @@ def turned_points(structure, angles):
                 frame = frame @ (np.eye(3) + math.sin(turn) * cross + (1 - math.cos(turn)) * cross @ cross)
         origins.append(origin)
         frames.append(frame)
-    return np.array([origins[each.body] + frames[each.body] @ each.place for each in structure.points])
+    return np.array([origins[item.body] + frames[item.body] @ item.place for item in structure.points])
 
 
 @pytest.mark.parametrize("held", range(5))
 def test_folding_in_its_own_sense_is_folding_as_assigned(held):
-    """With all hinges turned by the same angle, the plates lie where the pattern's own kinematics puts its facets."""
+    """With one angle at all hinges, the plates agree with the facets of the pattern's kinematics."""
     design = zigzag(support=[{"of": f"facet {held}"}])
     structure, pattern = structure_of(design), design_pattern(design)
     sizes = np.radians([20, 50, 110, 170])
@@ -94,12 +94,12 @@ def test_folding_in_its_own_sense_is_folding_as_assigned(held):
     signed[:4] = [size if letter == "V" else -size for size, letter in zip(sizes, letters, strict=True)]
     folded = folded_coordinates(pattern, signed, fixed_face=held)
     own = [sizes[int(hinge.name.removeprefix("crease"))] for hinge in structure.hinges]
-    for each, place in zip(structure.points, turned_points(structure, own), strict=True):
-        vertex = int(each.name.partition("vertex")[2])
+    for item, place in zip(structure.points, turned_points(structure, own), strict=True):
+        vertex = int(item.name.partition("vertex")[2])
         assert place == pytest.approx(folded[vertex], abs=1e-14)
 
 
-def test_springs_go_by_the_length_of_their_creases_and_groups_change_them():
+def test_springs_are_proportional_to_crease_length_and_groups_change_them():
     design = zigzag(
         **{
             "crease.stiffness": 0.5,
@@ -114,7 +114,7 @@ def test_springs_go_by_the_length_of_their_creases_and_groups_change_them():
     assert {hinge.role for hinge in hinges.values()} == {"crease"}
 
 
-def test_a_tendon_is_never_longer_than_the_way_over_the_sheet():
+def test_a_tendon_is_never_longer_than_the_path_over_the_sheet():
     values = {"name": "across", "stiffness": 1.0, "rest_length": 0.0}
     far = {"from": "facet 0 at 0.1, 0.9", "to": "facet 4 at 0.8, 0.2"}
     near = {"from": "facet 3 at centre", "to": "facet 2 at 0.5, 0.1", "name": "near"}
@@ -139,7 +139,7 @@ def test_a_tendon_is_never_longer_than_the_way_over_the_sheet():
     assert hinges_between(structure, *bodies) == (one.crossing.hinge,)
 
 
-def test_flat_edges_weld_and_a_way_across_them_goes_on(tmp_path):
+def test_flat_edges_join_facets_and_paths_continue_across_them(tmp_path):
     """A strip of three with a flat edge in place of a crease: two plates move as one."""
     pattern = design_pattern(LETTER)
     path = tmp_path / "sheet.fold"
@@ -176,7 +176,7 @@ def test_creases_that_the_same_drives_act_on_share_a_motor():
     assert [motor.name for motor in structure_of(LETTER).motors] == ["creases"]
 
 
-def test_measures_are_valley_positive_and_goals_of_roles_go_by_their_own_sense():
+def test_measures_are_valley_positive_and_goals_of_roles_count_in_their_sense():
     measures = [
         {"name": "hills", "kind": "fold-angle", "of": "mountains"},
         {"name": "gap", "kind": "distance", "from": "vertex 0", "to": "facet 4 at centre"},
@@ -187,7 +187,7 @@ def test_measures_are_valley_positive_and_goals_of_roles_go_by_their_own_sense()
     assert hills.signs == (-1, -1)
     assert measure_of(structure, "creases").signs == (1, 1, 1, 1)
     goal = goal_of(structure, "hills < -90 deg")
-    # in its own sense a mountain is beyond 90 deg then
+    # in its folding sense a mountain is beyond 90 deg then
     assert np.isfinite(goal.least).tolist() == [False, True, True, False, False]
     assert goal.least[[1, 2]] == pytest.approx(math.pi / 2)
     assert goal_of(structure, "creases > 90 deg").least[:4] == pytest.approx(math.pi / 2)
@@ -205,7 +205,7 @@ def test_states_and_transitions_come_from_the_stages_and_read_as_sentences():
     assert (closing.drive, closing.goal, closing.state) == ("close", "creases > 90 deg", "closed")
     assert (opening.drive, opening.goal, opening.state) == ("open", "creases < 0 deg", "opened")
     assert (closing.stage, opening.stage) == (1, 3)
-    # of angles that are to grow the smallest is furthest from the goal
+    # for increasing angles the smallest one is furthest from the goal
     assert (closing.furthest, opening.furthest) == ("smallest", "largest")
     assert structure.stage_states == ("flat", "", "closed", "", "opened")
     assert goal_of(structure, closing.goal) is structure.goals[0]
@@ -252,5 +252,5 @@ def test_a_folded_letter_is_written_as_frames():
     assert np.ptp(flat[:, 0]) == pytest.approx(0.099)
 
 
-def test_a_strip_warns_of_nothing():
+def test_a_strip_gives_no_warnings():
     assert structure_warnings(LETTER, structure_of(LETTER)) == []

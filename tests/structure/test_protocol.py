@@ -21,13 +21,13 @@ def test_the_strength_of_every_drive_is_the_value_of_its_key(name):
     assert drives
     for drive in drives:
         value, built = key_value(design, drive.key), drive_of(structure_of(design), drive.name)
-        if value is not None:  # None where creases go on to their targets
+        if value is not None:  # None where creases continue to their targets
             assert drive.strength == built.strength == value
         assert len(built.shares) == len(structure_of(design).motors)
 
 
 @pytest.mark.parametrize("name", named_designs())
-def test_every_goal_of_a_state_or_of_a_transition_is_there(name):
+def test_every_goal_of_states_and_transitions_is_read(name):
     structure = structure_of(load_design(name))
     named = [state.goal for state in structure.states]
     for transition in structure.transitions:
@@ -37,7 +37,7 @@ def test_every_goal_of_a_state_or_of_a_transition_is_there(name):
 
 
 @pytest.mark.parametrize("angle", [math.radians(150), math.nextafter(2.0, 3), math.pi / 3])
-def test_the_angle_of_a_fold_is_kept_to_its_last_bit(angle):
+def test_the_angle_of_a_fold_is_exact(angle):
     structure = structure_of(load_design("binder2025").with_values({"protocol.folded_angle": angle}))
     folded, released = goal_of(structure, "folded").most, goal_of(structure, structure.transitions[0].released).most
     rings = list(hinges_of(structure, "ring"))

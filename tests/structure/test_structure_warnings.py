@@ -1,4 +1,4 @@
-"""What is said of a structure before it runs."""
+"""Warnings about a structure before it runs."""
 
 import math
 
@@ -22,7 +22,7 @@ def test_veins_that_overlap_near_the_hub_are_only_warned_of():
     assert warning.startswith("neighbouring veins of 0.92 mm overlap within ")
 
 
-def test_the_warning_says_how_far_from_the_hub_veins_overlap():
+def test_the_warning_gives_the_distance_from_the_hub_where_veins_overlap():
     # axes are 5 mm apart at (5 mm + 0.905 mm) / sin 20 deg = 17.26 mm; found to a thousandth of the length, 0.12 mm
     (warning,) = warnings(REFERENCE)
     distance = float(warning.partition("within ")[2].partition(" mm")[0])
@@ -34,9 +34,11 @@ def test_the_warning_reads_well_for_a_small_wing():
     assert warning.startswith("neighbouring veins of 0.2273 mm overlap within 0.78 mm of the hub")
 
 
-def test_a_medium_that_outweighs_what_moves_in_it_is_warned_of():
+def test_a_medium_heavier_than_the_moving_bodies_gives_a_warning():
     def warned(density):
-        return [each for each in warnings(with_values(REFERENCE, {"medium.density": density})) if "medium" in each]
+        return [
+            warning for warning in warnings(with_values(REFERENCE, {"medium.density": density})) if "medium" in warning
+        ]
 
     assert not warned(1.2)
     (warning,) = warned(1000.0)
@@ -48,10 +50,10 @@ def test_a_medium_that_outweighs_what_moves_in_it_is_warned_of():
     assert share_in_warning == pytest.approx(share, rel=0.1)
 
 
-def test_a_tendon_stretched_further_than_it_was_measured_is_a_warning():
+def test_a_tendon_stretched_beyond_the_measured_range_gives_a_warning():
     def warned(rest_length):
-        told = warnings(load_design("binder2025", TPU | {"tendon.rest_length": rest_length}))
-        return [warning for warning in told if "measured" in warning]
+        result = warnings(load_design("binder2025", TPU | {"tendon.rest_length": rest_length}))
+        return [warning for warning in result if "measured" in warning]
 
     # the flat tendon is 10.9 cm long
     assert not warned("6 cm")
@@ -59,16 +61,16 @@ def test_a_tendon_stretched_further_than_it_was_measured_is_a_warning():
     assert warning.startswith("the flat wing stretches its tendons by 118 %, beyond the 100 % up to which tpu-82a was")
 
 
-def test_a_run_with_a_law_that_softens_is_said_to_be_a_first_pull():
+def test_a_softening_law_gives_a_warning_that_the_run_is_the_first_cycle():
     def warned(**values):
         law = {"linear_modulus": 4e6, "softening": {"r": 2.0, "m": 1e5}}
         values = {"tendon.law": law, "tendon.rest_length": 0.09, "tendon.area": 12.5e-6} | values
-        return [each for each in warnings(with_values(load_design("binder2025"), values)) if "soften" in each]
+        return [warning for warning in warnings(with_values(load_design("binder2025"), values)) if "soften" in warning]
 
     (warning,) = warned()
     assert "the first pull" in warning
     assert "--cycles" in warning
-    # slack all the time
+    # slack during the whole run
     assert not warned(**{"tendon.rest_length": 0.12})
     assert not warned(**{"tendon.law": {"linear_modulus": 4e6}})
 
@@ -77,7 +79,7 @@ def test_branches_that_relax_while_the_wing_is_folded_are_warned_of():
     def warned(*times, **values):
         law = {"linear_modulus": 4e6, "branches": [{"modulus": 1e6, "time": time} for time in times]}
         values = {"tendon.law": law, "tendon.rest_length": 0.09, "tendon.area": 12.5e-6} | values
-        return [each for each in warnings(with_values(load_design("binder2025"), values)) if "relax" in each]
+        return [warning for warning in warnings(with_values(load_design("binder2025"), values)) if "relax" in warning]
 
     (warning,) = warned(0.02, 77.0, 0.5)
     assert warning.startswith("Maxwell branches of 20 ms, 0.5 s relax while the wing is folded")
@@ -91,20 +93,20 @@ def test_branches_that_relax_while_the_wing_is_folded_are_warned_of():
 
 def test_what_is_true_of_some_tendons_only_names_them():
     short = {f"tendon.{vein}.rest_length": "5 cm" for vein in (0, 2)}
-    told = warnings(load_design("binder2025", TPU | {"tendon.rest_length": "6 cm"} | short))
-    (warning,) = [each for each in told if "measured" in each]
+    result = warnings(load_design("binder2025", TPU | {"tendon.rest_length": "6 cm"} | short))
+    (warning,) = [item for item in result if "measured" in item]
     assert warning.startswith("tendon0, tendon2: the flat wing stretches its tendons by 118 %")
 
 
-def test_a_wing_without_tendons_has_nothing_said_of_them():
+def test_a_wing_without_tendons_has_no_tendon_warnings():
     assert len(warnings(with_values(REFERENCE, {"tendon": []}))) == 1
 
 
-def test_what_is_said_of_contact_where_there_is_none_does_nothing_and_says_so():
+def test_contact_settings_without_contact_give_a_warning():
     idle = load_design("binder2025", {"contact.thickness": "1 mm"})
-    said = "contact.thickness and contact.friction have no effect without contact: need protocol.contact = true"
-    assert said in structure_warnings(idle, structure_of(idle))
+    sentence = "contact.thickness and contact.friction have no effect without contact: need protocol.contact = true"
+    assert sentence in structure_warnings(idle, structure_of(idle))
     touching = load_design("binder2025", {"contact.thickness": "1 mm", "protocol.contact": True})
-    assert said not in structure_warnings(touching, structure_of(touching))
+    assert sentence not in structure_warnings(touching, structure_of(touching))
     assert structure_of(touching).contact.thickness == 1e-3
     assert structure_of(load_design("binder2025", {"protocol.contact": True})).contact.thickness == 1e-4

@@ -31,7 +31,7 @@ def numbers(structure, role):
 
 
 def body(name):
-    return [each.name for each in STRUCTURE.bodies].index(name)
+    return [item.name for item in STRUCTURE.bodies].index(name)
 
 
 def named(hinges):
@@ -72,7 +72,7 @@ def test_the_bars_of_the_reference_lie_on_its_vertices_to_the_last_digits():
         assert np.abs(points[numbers(STRUCTURE, role)] - expected).max() < 1e-15
 
 
-def test_tendons_are_attached_as_far_from_the_ring_as_the_design_says():
+def test_tendons_are_attached_at_the_distance_of_the_design_from_the_ring():
     structure = structure_of(
         with_values(REFERENCE, {"tendon.proximal_attachment": 0.04, "tendon.distal_attachment": 0.07})
     )
@@ -100,7 +100,7 @@ def test_a_tendon_from_tip_to_tip_crosses_both_veins_with_arms_up_to_its_nearer_
         assert [arms[hinge] for hinge in range(start, start + 4)] == pytest.approx([to_hub] * 3 + [to_ring], rel=1e-12)
 
 
-def test_distal_bars_hang_on_proximal_ones_and_these_on_the_ground():
+def test_distal_bars_are_hinged_to_proximal_ones_and_these_to_the_ground():
     assert ancestry(STRUCTURE, body("distal1")) == (body("distal1"), body("proximal1"))
     assert ancestry(STRUCTURE, body("proximal2")) == (body("proximal2"),)
     assert ancestry(STRUCTURE, GROUND) == ()
@@ -123,7 +123,7 @@ def test_all_hinges_of_a_vein_lie_between_its_tip_and_the_ground():
     assert named(hinges_between(STRUCTURE, GROUND, body("distal2"))) == ["sweep2", "lift2", "turn2", "fold2"]
 
 
-def test_what_hangs_on_the_ground_without_a_hinge_is_a_support(one_hinge):
+def test_a_body_on_the_ground_without_a_hinge_is_a_support(one_hinge):
     assert supports(STRUCTURE) == []
     fixed = one_hinge().wing.structure
     assert supports(fixed) == ["proximal0"]

@@ -1,8 +1,8 @@
-"""Two ring folds, folded by geometry alone: the layers of a stack lie a pitch apart and none is in another.
+"""Two ring folds, folded by geometry alone: the layers of a stack are one pitch apart and do not intersect.
 
 Rigid panels would close their pleats flat and then fold at both ring folds. So every vein and the margins on it are
 turned over about the axis of the proximal bar, one vein after another, stacked a pitch apart, and folded by 90 deg at
-both ring folds. Only what joins the margin of one vein to the axis of the next is stretched.
+both ring folds. Only the membrane between the margin of one vein and the axis of the next is stretched.
 """
 
 import math
@@ -70,7 +70,7 @@ class Stack:
         return np.array(ends).reshape(self.fan.vein_count, 3, 2, 3)
 
     def crossing(self):
-        """The deepest that a panel is in another, m."""
+        """The largest depth of a panel inside another, m."""
         origins, frames = built_frames(self.structure)
         nodes = []
         for surface in (membrane.surface for membrane in self.structure.membranes):
@@ -79,8 +79,8 @@ class Stack:
             nodes += [places[np.unique(surface.triangles[surface.panels == n])] for n in range(len(surface.names))]
         panels = zip(panel_meshes(self.structure), nodes, strict=True)
         return max(
-            crossing_depths(one, here[None], other, there[None])[0]
-            for (one, here), (other, there) in combinations(panels, 2)
+            crossing_depths(one, current[None], other, present[None])[0]
+            for (one, current), (other, present) in combinations(panels, 2)
         )
 
 
@@ -111,14 +111,14 @@ def thick_fans(draw):
 
 
 def distance(one, other):
-    """Of two straight lines, m: the least of a convex function of where on each."""
+    """Distance of two straight segments, m: the minimum of a convex function of the positions on them."""
     ways = np.column_stack([one[1] - one[0], other[0] - other[1]])
     return float(np.sqrt(2 * lsq_linear(ways, other[0] - one[0], bounds=(0, 1)).cost))
 
 
 @settings(max_examples=15)
 @given(thick_fans())
-def test_no_panel_lies_in_another_where_layers_fold_rigidly(design):
+def test_no_panels_intersect_when_layers_fold_rigidly(design):
     assert stack_of(design).crossing() == 0
 
 
@@ -134,15 +134,15 @@ def test_rigidly_folded_layers_lie_a_pitch_apart_and_bars_beside_each_other(desi
     lowest, highest = (order(pairs) for order, pairs in ((np.min, proximal), (np.max, distal)))
     assert lowest - highest == pytest.approx(design.fan.gusset_height, rel=1e-9)
     for one, other in combinations(bars[:4], 2):
-        apart = min(distance(here, there) for here in one for there in other)
+        apart = min(distance(current, present) for current in one for present in other)
         assert apart >= pitch * (1 - 1e-6)
 
 
 @pytest.mark.parametrize("tangent", ["left", "right"])
-def test_margins_that_lean_with_the_ring_folds_would_stand_through_the_next_layer(monkeypatch, tangent):
-    """What the construction avoids, and this check sees."""
+def test_margins_parallel_to_tilted_ring_folds_would_intersect_the_next_layer(monkeypatch, tangent):
+    """The construction avoids this intersection, and this check detects it."""
     wide = REFERENCE.with_values({"pattern.units": 2, "pattern.tangent": tangent, "membrane.margin": "2.9 cm"})
     assert stack_of(wide).crossing() == 0
     monkeypatch.setattr(Vein, "margin_along", lambda *_: None)
-    # what is built of a design is kept: another name makes it another one
+    # structures of a design are cached, and another name gives another cache entry
     assert stack_of(wide.with_values({"name": "leaning"})).crossing() > 1e-4

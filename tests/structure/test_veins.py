@@ -1,4 +1,4 @@
-"""Tendons on veins: which have one, where it is attached, and how long it is."""
+"""Tendons on veins: which veins have one, its attachments, and its length."""
 
 import math
 
@@ -27,14 +27,14 @@ def ends(structure, tendon):
 
 
 def rotated_length(structure, tendon, angle):
-    """Length of a tendon where its hinge is turned in its own sense, by rotating its end on the distal bar, m."""
+    """Length of a tendon at a hinge angle in the folding sense, by rotating its end on the distal bar, m."""
     before, beyond, hinge = ends(structure, tendon)
     turned = Rotation.from_rotvec(hinge.sense * angle * hinge.axis).apply(beyond)
     return float(np.linalg.norm(turned - before))
 
 
 def closed_form(structure, tendon, angle, tall, beside):
-    """The same from the attachments' distances, heights and distances beside the bars, m.
+    """The same from the distances, heights and sideways offsets of the attachments, m.
 
     The formula is in docs/model/theory.md, section "Tendon off the hinge axis".
 
@@ -69,7 +69,7 @@ def test_a_tendon_off_its_bars_has_the_length_of_the_closed_form(tall, beside, t
     values = {f"tendon__{name}": f"{value} mm" for name, value in zip(names, (*tall, *beside), strict=True)}
     narrow = {"vein__diameter": "1 mm", "membrane__margin": "2 mm", "guard__stretch": 2.0}
     structure = built(pattern__tangent=tangent, pattern__sector_angle=sector, **narrow, **values)
-    tall, beside = (tuple(1e-3 * each for each in pair) for pair in (tall, beside))
+    tall, beside = (tuple(1e-3 * item for item in pair) for pair in (tall, beside))
     for tendon in structure.tendons:
         for angle in ANGLES:
             length = rotated_length(structure, tendon, angle)
@@ -104,7 +104,7 @@ def test_mountain_and_valley_joints_are_mirror_images():
         assert beyond == pytest.approx(image * first[1], abs=1e-15)
 
 
-def test_what_lies_beside_a_bar_lies_towards_the_next_vein():
+def test_offsets_beside_a_bar_point_towards_the_next_vein():
     structure, plain = built(tendon__proximal_aside="2 mm", tendon__distal_aside="2 mm"), built()
     moved = built_points(structure) - built_points(plain)
     tips = built_points(plain)[[number for number, point in enumerate(plain.points) if point.role == "tip"]]
@@ -135,7 +135,7 @@ def test_a_vein_without_a_tendon_has_neither_tendon_nor_attachments(tmp_path):
         ]
 
 
-def test_a_tendon_of_a_material_keeps_it_and_the_length_that_strains_go_by():
+def test_a_tendon_of_a_material_has_its_law_and_reference_length():
     law = {"tendon__law": "tpu-82a", "tendon__area": "12.5 mm^2", "tendon__law__residual_strain": "10 %"}
     for tendon in built(**law).tendons:
         assert tendon.gauge_length == 0.09

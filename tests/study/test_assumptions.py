@@ -46,21 +46,21 @@ APPLY = {
 
 
 def named(*names):
-    return tuple(each for each in ASSUMPTIONS if each.name in names)
+    return tuple(assumption for assumption in ASSUMPTIONS if assumption.name in names)
 
 
 def found_of(name):
     design = ff.load_design(name)
-    return {each.name: variant_of(each, design) for each in ASSUMPTIONS}
+    return {assumption.name: variant_of(assumption, design) for assumption in ASSUMPTIONS}
 
 
 @pytest.mark.parametrize("name", APPLY)
 def test_the_assumptions_that_apply_to_each_kind_of_structure_are_changed_and_others_have_a_reason(name):
-    found = found_of(name)
-    assert {each for each, variant in found.items() if isinstance(variant, Variant)} == APPLY[name]
-    assert all(reason.strip() for reason in found.values() if isinstance(reason, str))
+    result = found_of(name)
+    assert {key for key, variant in result.items() if isinstance(variant, Variant)} == APPLY[name]
+    assert all(reason.strip() for reason in result.values() if isinstance(reason, str))
     # each changed design can be written to a file
-    for variant in found.values():
+    for variant in result.values():
         if isinstance(variant, Variant):
             assert design_from_text(design_text(variant.design)).hash == variant.design.hash
 
@@ -85,13 +85,13 @@ def test_an_assumption_that_a_design_makes_is_inverted():
 def test_tendons_that_differ_from_vein_to_vein_are_all_changed():
     one = {"vein": 0, "stiffness": "10 N/cm", "rest_length": "9 cm", "damping": "0.1 N s/m"}
     ends = {"proximal_attachment": "5.5 cm", "distal_attachment": "5.5 cm"}
-    given = [one | ends, one | ends | {"vein": 2, "damping": "0.3 N s/m"}]
-    design = ff.load_design("binder2025").with_values({"tendon": given})
+    provided = [one | ends, one | ends | {"vein": 2, "damping": "0.3 N s/m"}]
+    design = ff.load_design("binder2025").with_values({"tendon": provided})
     (twice,) = named("twice other damping")
     first, none, last = variant_of(twice, design).design.tendons
     assert (first.damping, none, last.damping) == (0.2, None, 0.6)
     (mass,) = named("tendon mass")
-    assert all(each is None or each.mass > 0 for each in variant_of(mass, design).design.tendons)
+    assert all(tendon is None or tendon.mass > 0 for tendon in variant_of(mass, design).design.tendons)
 
 
 @pytest.fixture(scope="module")
@@ -126,27 +126,27 @@ def test_a_very_slow_torque_agrees_with_statics():
         return Variant(label="far slower", design=joint.with_values(later))
 
     far = Assumption(name="far slower", meaning="A torque comes at once; instead it rises over 1 s.", change=slower)
-    found = run_assumptions(design, assumptions=[*named("slow rise"), far])
+    result = run_assumptions(design, assumptions=[*named("slow rise"), far])
     ((least,), *_) = least_slow_torques([design])
-    slow, slowest = (0.1 * run.times["fold"] / rise for run, rise in zip(found.runs, (0.3, 1.0), strict=True))
-    assert found.own.times["fold"] < 0.02
+    slow, slowest = (0.1 * run.times["fold"] / rise for run, rise in zip(result.runs, (0.3, 1.0), strict=True))
+    assert result.own.times["fold"] < 0.02
     assert least < slow < 1.12 * least
     assert least < slowest < 1.05 * least
 
 
 def test_an_assumption_that_decides_the_verdict_is_confirmed_and_named():
     late = flap({"protocol.stages.0.time_limit": "0.3 s"})
-    told = []
-    found = run_assumptions(
-        late, assumptions=named("twice hinge damping"), progress=lambda stage, *_: told.append(stage)
+    output = []
+    result = run_assumptions(
+        late, assumptions=named("twice hinge damping"), progress=lambda stage, *_: output.append(stage)
     )
-    ((run,),) = (found.deciding,)
+    ((run,),) = (result.deciding,)
     assert (run.effect, run.verdict, run.times["close"]) == (Effect.VERDICT, Verdict.MOVING, None)
-    assert found.verdict == (
+    assert result.verdict == (
         "closed; 1 of 1 changed assumption changes the verdict: twice the damping of hinges (still getting closed)"
     )
     # two runs, and one that confirms at half the timestep
-    assert any(stage.startswith("2 of 3 runs") for stage in told)
+    assert any(stage.startswith("2 of 3 runs") for stage in output)
 
 
 def a_run(verdict=Verdict.REACHED, time=0.1, goal="close"):
@@ -208,8 +208,8 @@ def test_known_assumptions_are_found_in_the_folder_of_the_run_or_beside_it(flapp
     assert known_assumptions(design, run) == (flapping, str(beside))
     assert known_assumptions(design.with_values({"crease.damping": 0.4}), run) is None
     decided = replace(flapping.runs[0], effect=Effect.VERDICT, word="still closing")
-    told = known_text(replace(flapping, runs=(decided, *flapping.runs[1:])), "there")
-    assert told == (
+    output = known_text(replace(flapping, runs=(decided, *flapping.runs[1:])), "there")
+    assert output == (
         f"Assumptions that decide the verdict, 1 of {len(flapping.runs)} changed assumptions: "
         "drives rise over 0.2 s (still closing) (there)."
     )
@@ -226,7 +226,7 @@ def test_the_measured_assumptions_of_named_designs_are_those_of_their_present_va
 
 
 def test_the_measured_times_of_the_reference_wing_are_computed_again(reference_outcome):
-    (measured,) = (each for each in measured_assumptions() if each.design.name == "binder2025")
+    (measured,) = (assumption for assumption in measured_assumptions() if assumption.design.name == "binder2025")
     for name, time in measured.own.times.items():
         assert reference_outcome.transitions[name].time == pytest.approx(time, rel=0.02)
     decides = next(run for run in measured.deciding if "damping" in run.name)

@@ -63,7 +63,7 @@ def test_a_grid_is_repeated_whole_at_every_choice(gridded):
     tendons = [(stiffness, length) for stiffness in ("10 N/cm", "60 N/cm") for length in ("5 cm", "9 cm")]
     dampings = [None, "1e-4 N m s/rad", "1e-2 N m s/rad"]
     assert [
-        (each.get("hinge.damping"), each["tendon.stiffness"], each["tendon.rest_length"]) for each in study.points
+        (point.get("hinge.damping"), point["tendon.stiffness"], point["tendon.rest_length"]) for point in study.points
     ] == [(damping, *tendon) for damping in dampings for tendon in tendons]
 
 
@@ -81,7 +81,7 @@ def test_a_choice_gives_the_same_run_as_a_design_with_this_value(alone):
         outcome = ff.measure(ff.run(with_values(study.base, dict(values)), confirm=False))
         assert table["status"].values[place] == outcome.status
         # an unreliable run has no numbers
-        work = outcome.transitions["fold"].work if outcome.verdict.tells else np.nan
+        work = outcome.transitions["fold"].work if outcome.verdict.conclusive else np.nan
         assert np.array_equal(table["fold_work"].values[place], work, equal_nan=True)
     assert np.isfinite(table["fold_work"].values[:4]).sum() > 1
 
@@ -168,10 +168,10 @@ def test_a_search_without_unfold_torques_only_folds_and_releases(gridded, tmp_pa
         "works",
     }
     print_study(study, table)
-    told = capsys.readouterr().out
-    assert "open" not in told
+    output = capsys.readouterr().out
+    assert "open" not in output
     for count, words in zip(count_first(table)[[1, 0, 2]], ("0.0001", "0.001", "0.01"), strict=True):
-        assert re.search(rf"^hinge damping {words} N m s/rad(, as in binder2025)? +{count} *$", told, re.MULTILINE)
+        assert re.search(rf"^hinge damping {words} N m s/rad(, as in binder2025)? +{count} *$", output, re.MULTILINE)
 
 
 def test_folding_results_do_not_depend_on_the_search_for_opening(gridded, write_study_file, tmp_path):

@@ -125,7 +125,7 @@ def test_a_study_whose_workers_all_leave_ends_with_one_error_and_keeps_what_is_d
         ff.run_study(study, tmp_path / "out", cluster=workers, progress=send_home)
     assert 0 < len(kept) < len(study.points)
     rows = []
-    table = ff.run_study(study, tmp_path / "out", progress=lambda each: rows.append(each.latest["key"]))
+    table = ff.run_study(study, tmp_path / "out", progress=lambda item: rows.append(item.latest["key"]))
     assert {*kept, *rows} == set(read_rows(tmp_path / "out", study.base))
     assert set(kept).isdisjoint(rows)
     assert table.identical(here[0])
@@ -176,7 +176,7 @@ def test_an_invalid_address_is_one_error(address):
 
 
 def clients():
-    return [each for each in gc.get_objects() if isinstance(each, distributed.Client)]
+    return [item for item in gc.get_objects() if isinstance(item, distributed.Client)]
 
 
 def test_an_address_where_nothing_listens_is_one_error_and_its_client_does_not_wait_to_be_collected():
@@ -188,7 +188,7 @@ def test_an_address_where_nothing_listens_is_one_error_and_its_client_does_not_w
         before = clients()
         with pytest.raises(InputError, match=words), dask_cluster("tcp://127.0.0.1:9"):
             pass
-        assert not [each for each in clients() if not any(each is other for other in before)]
+        assert not [client for client in clients() if not any(client is other for other in before)]
     finally:
         gc.enable()
 

@@ -87,41 +87,41 @@ def test_one_hinge_converges_with_order_one_to_its_closed_form(one_hinge):
     first, last = hinge.start / 2, math.radians(150) / 2
     m = math.cos(first) ** 2
     exact = hinge.time_scale * (ellipk(m) - ellipkinc(math.asin(math.cos(last) / math.cos(first)), m)) - settle
-    found = compare_models(hinges(one_hinge, steps, settle), TIMESTEP, steps, 1e-4)
-    assert found.orders["fold"].observed
+    result = compare_models(hinges(one_hinge, steps, settle), TIMESTEP, steps, 1e-4)
+    assert result.orders["fold"].observed
     # the term in h^2 is about a tenth of that in h at the longest timestep
-    assert found.orders["fold"].order == pytest.approx(1, abs=0.1)
-    assert found.orders["fold"].limit == pytest.approx(exact, rel=1e-3)
-    assert found.fine
-    assert found.verdict.startswith("0.1 ms is short enough: the fold time differs by ")
+    assert result.orders["fold"].order == pytest.approx(1, abs=0.1)
+    assert result.orders["fold"].limit == pytest.approx(exact, rel=1e-3)
+    assert result.fine
+    assert result.verdict.startswith("0.1 ms is short enough: the fold time differs by ")
 
 
 def test_a_timestep_that_is_too_long_is_reported_with_one_that_suffices(one_hinge):
     # at 0.4 ms the hinge moves further than 10 deg into its stop
     steps = [2e-4, 1e-4, 5e-5, 2.5e-5]
-    found = compare_models(hinges(one_hinge, steps, 4e-3), TIMESTEP, steps, 2e-4, tolerance=5e-3)
-    assert found.fine is False
-    advised = float(found.verdict.split("; ")[1].split(" ms")[0]) * 1e-3
-    law = found.orders["fold"]
+    result = compare_models(hinges(one_hinge, steps, 4e-3), TIMESTEP, steps, 2e-4, tolerance=5e-3)
+    assert result.fine is False
+    advised = float(result.verdict.split("; ")[1].split(" ms")[0]) * 1e-3
+    law = result.orders["fold"]
     assert abs(law.time(np.array(advised)) / law.limit - 1) <= 5e-3 < abs(law.time(np.array(2e-4)) / law.limit - 1)
 
 
 def test_the_fold_time_is_that_of_the_angle_between_two_steps(short):
-    found = converge(with_values(short, {"stops.time_constant": 2e-3}), TIMESTEP, [4e-4, 2e-4])
-    assert found.own == 2e-4
-    for step, time in zip(found.values, found.transition_times["fold"], strict=True):
+    result = converge(with_values(short, {"stops.time_constant": 2e-3}), TIMESTEP, [4e-4, 2e-4])
+    assert result.own == 2e-4
+    for step, time in zip(result.values, result.transition_times["fold"], strict=True):
         steps = time / step
         assert abs(steps - round(steps)) > 1e-3  # not a multiple of the step
-    assert abs(found.transition_times["fold"][0] / found.transition_times["fold"][1] - 1) < 0.2
-    assert found.orders["fold"] is not None
-    assert not found.orders["fold"].observed
-    assert found.orders["unfold"] is None
+    assert abs(result.transition_times["fold"][0] / result.transition_times["fold"][1] - 1) < 0.2
+    assert result.orders["fold"] is not None
+    assert not result.orders["fold"].observed
+    assert result.orders["unfold"] is None
 
 
 def test_the_own_value_is_run_and_timesteps_go_from_coarse_to_fine(short):
-    found = converge(short, TIMESTEP, [3e-4, 4e-4])
-    assert found.values.tolist() == [4e-4, 3e-4, 2e-4]
-    assert found.design == short
+    result = converge(short, TIMESTEP, [3e-4, 4e-4])
+    assert result.values.tolist() == [4e-4, 3e-4, 2e-4]
+    assert result.design == short
 
 
 def test_progress_counts_the_runs_whatever_meshes_they_have(short):
@@ -131,26 +131,26 @@ def test_progress_counts_the_runs_whatever_meshes_they_have(short):
 
 
 def test_a_timestep_that_diverges_is_too_long(short):
-    found = converge(with_values(short, {"protocol.timestep": 5e-3}), TIMESTEP, [5e-3, 2e-4])
-    assert found.fine is False
-    assert found.verdict.startswith("5 ms is too long: the run diverged at t = ")
-    assert found.verdict.endswith("; the run at 0.2 ms does not diverge.")
+    result = converge(with_values(short, {"protocol.timestep": 5e-3}), TIMESTEP, [5e-3, 2e-4])
+    assert result.fine is False
+    assert result.verdict.startswith("5 ms is too long: the run diverged at t = ")
+    assert result.verdict.endswith("; the run at 0.2 ms does not diverge.")
 
 
 def test_a_diverging_coarse_timestep_does_not_affect_the_own_one(short):
-    found = converge(short, TIMESTEP, [5e-3, 2e-4, 1e-4])
-    assert found.fine is not None
-    assert 'the outcome changes with the timestep: "folded" at 0.2 ms, "diverged at ' in found.verdict
-    assert np.isnan(found.transition_times["fold"]).tolist() == [True, False, False]
+    result = converge(short, TIMESTEP, [5e-3, 2e-4, 1e-4])
+    assert result.fine is not None
+    assert 'the outcome changes with the timestep: "folded" at 0.2 ms, "diverged at ' in result.verdict
+    assert np.isnan(result.transition_times["fold"]).tolist() == [True, False, False]
 
 
 def test_an_outcome_that_changes_with_a_shorter_timestep_is_never_fine(one_hinge):
     # one wing has no time to fold, as if the timestep had prevented folding
     late = hinges(one_hinge, [2e-4], 4e-3)
     early = hinges(one_hinge, [1e-4], 4e-3, duration=0.005)
-    found = compare_models([*late, *early], TIMESTEP, [2e-4, 1e-4], 2e-4)
-    assert found.fine is False
-    assert "the outcome changes with the timestep" in found.verdict
+    result = compare_models([*late, *early], TIMESTEP, [2e-4, 1e-4], 2e-4)
+    assert result.fine is False
+    assert "the outcome changes with the timestep" in result.verdict
 
 
 def test_a_timestep_is_borderline_if_its_bounds_enclose_the_tolerance(short):
@@ -171,26 +171,26 @@ def _middle(found):
 
 def test_a_wing_that_does_not_fold_cannot_be_judged(reference):
     design = with_values(reference, {"protocol.stages": [SETTLE]})
-    found = converge(design, TIMESTEP, [4e-4, 2e-4])
-    assert found.fine is None
-    assert "cannot be judged" in found.verdict
-    assert np.isnan(found.transition_times["fold"]).all()
+    result = converge(design, TIMESTEP, [4e-4, 2e-4])
+    assert result.fine is None
+    assert "cannot be judged" in result.verdict
+    assert np.isnan(result.transition_times["fold"]).all()
 
 
 def test_moduli_and_meshes_report_the_change_of_the_fold_time(short):
     for key, values, name in ((YOUNGS_MODULUS, [2e6, 1e6], "2 MPa"), (MESH, [1, 2], "5 rows")):
-        found = converge(short, key, values)
-        move = 100 * (found.transition_times["fold"][1] / found.transition_times["fold"][0] - 1)
-        assert f"by {move:+.2g} % at {name}" in found.verdict
-        assert found.fine is None
+        result = converge(short, key, values)
+        move = 100 * (result.transition_times["fold"][1] / result.transition_times["fold"][0] - 1)
+        assert f"by {move:+.2g} % at {name}" in result.verdict
+        assert result.fine is None
 
 
 def test_a_mesh_n_times_finer_keeps_the_rows_and_divides_the_gaps(reference):
     design = with_values(reference, {"membrane.proximal_rows": [0.2, 0.6], "membrane.distal_rows": [0.5]})
     only_settled = with_values(design, {"protocol.stages": [SETTLE | {"time_limit": 0.001}]})
-    found = converge(only_settled, MESH, [2, 3])
+    result = converge(only_settled, MESH, [2, 3])
     # gaps: two before the ring fold, two behind it
-    assert found.rows == (5, 9, 13)
+    assert result.rows == (5, 9, 13)
     # each row has two nodes on each of two panels
     assert len(compile_model(design).mesh.built) == 4 * 5
 

@@ -48,10 +48,10 @@ def test_specimens_that_soften_give_a_wing_that_softens_as_they_do(tmp_path):
     tests = [
         cyclic_test(lambda strain, n: 4.8e6 * n**rate * strain, samples=60, noise=1e3, seed=seed) for seed in (1, 2, 3)
     ]
-    found = characterise(tests, name="rubber", forms=family_forms("linear"))
-    save_law(found.law, tmp_path / "law.toml")
+    result = characterise(tests, name="rubber", forms=family_forms("linear"))
+    save_law(result.law, tmp_path / "law.toml")
     law = load_law(tmp_path / "law.toml")
-    assert law == found.law
+    assert law == result.law
     assert law.stiffness_drift.kind == "logarithm"
     # three standard errors of noise of 0.02 % of the peak in twelve cycles
     assert law.stiffness_drift.rate == pytest.approx(rate, abs=5e-4)
@@ -60,7 +60,7 @@ def test_specimens_that_soften_give_a_wing_that_softens_as_they_do(tmp_path):
     cycling = run_cycles(with_values(load_design("binder2025", settings), {"protocol.stages": [SETTLE, FOLD]}), 5)
     energy = [run.row["flat_energy_J"] for run in cycling.runs]
     # the overbend holds the flat wing, so its tendons keep their length except for the compliance of the stops
-    assert [each / energy[1] for each in energy[2:]] == pytest.approx([(n / 2) ** rate for n in (3, 4, 5)], rel=1e-3)
+    assert [item / energy[1] for item in energy[2:]] == pytest.approx([(n / 2) ** rate for n in (3, 4, 5)], rel=1e-3)
     # the data do not contain the first cycle
     assert energy[0] == energy[1]
     assert [run.measured for run in cycling.runs] == [False, True, True, True, True]
@@ -71,8 +71,8 @@ def test_residual_strain_does_not_also_soften_the_spring():
     def loading(strain, number):
         return 4.8e6 * (strain - 0.02 * math.log(number)).clip(0)
 
-    found = characterise([cyclic_test(loading, samples=400)], name="rubber", forms=family_forms("linear"))
-    longer, stiffness = found.law.residual_strain_drift, found.law.stiffness_drift
+    result = characterise([cyclic_test(loading, samples=400)], name="rubber", forms=family_forms("linear"))
+    longer, stiffness = result.law.residual_strain_drift, result.law.stiffness_drift
     assert longer.rate == pytest.approx(0.02, rel=0.02)
     # relative to no residual strain, the peak stress falls by 1.8 %
     assert abs(stiffness.change(5)[0] - 1) < 1e-3

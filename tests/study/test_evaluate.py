@@ -41,11 +41,11 @@ def test_tendons_with_and_without_branches_and_yield_are_evaluated_side_by_side(
     settle = {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.02}
     fold = {"name": "fold", "drive": "fold", "until": "folded", "hold": 0.0, "time_limit": 0.1}
     values = {"protocol.stages": [settle, fold], "tendon.area": 18.75e-6}
-    designs = [with_values(ff.load_design("binder2025"), values | {"tendon.law": each}) for each in laws]
+    designs = [with_values(ff.load_design("binder2025"), values | {"tendon.law": law}) for law in laws]
     rows = {row["key"]: row for row in evaluate(designs)}
     for design in designs:
         record = ff.run(design, confirm=False)
-        margins = {f"{name}_margin": each for name, each in transition_margins(record, ff.measure(record)).items()}
+        margins = {f"{name}_margin": margin for name, margin in transition_margins(record, ff.measure(record)).items()}
         alone = (
             {"key": row_key(design), "timestep_s": 2e-4, "confirmed": None} | outcome_row(ff.measure(record)) | margins
         )

@@ -57,7 +57,7 @@ def again(study, table, folder):
     """Kept runs by name, and the number of runs that they needed."""
     seen = []
     runs = kept_runs(runs_to_keep(study, table), folder, progress=lambda done, needed, _: seen.append((done, needed)))
-    return {each.folder: each for each in runs}, seen
+    return {run.folder: run for run in runs}, seen
 
 
 def energy(state):
@@ -132,18 +132,18 @@ def test_existing_runs_are_read_and_not_repeated(searched):
     read, seen = again(study, table, folder)
     assert seen == []
     assert read.keys() == kept.keys()
-    for name, each in read.items():
-        assert repr(each.outcome) == repr(kept[name].outcome)
+    for name, item in read.items():
+        assert repr(item.outcome) == repr(kept[name].outcome)
 
 
 def test_a_plain_study_keeps_the_run_of_each_valid_point(plain):
     study, table, folder = plain
     kept, seen = again(study, table, folder)
     assert names(folder) == ["1", "3"]
-    assert sorted(each.point for each in kept.values()) == [0, 2]
-    for each in kept.values():
-        assert each.outcome.transitions["fold"].work == value(table, "fold_work", each.point)
-        assert each.outcome.status == table["status"].values.ravel()[each.point]
+    assert sorted(item.point for item in kept.values()) == [0, 2]
+    for item in kept.values():
+        assert item.outcome.transitions["fold"].work == value(table, "fold_work", item.point)
+        assert item.outcome.status == table["status"].values.ravel()[item.point]
     assert seen == [(1, 2), (2, 2)]
 
 
@@ -210,14 +210,14 @@ KEEP = "list(kept_runs(runs_to_keep(study, table), sys.argv[3]))"
 
 def test_an_interrupted_call_continues(plain, tmp_path):
     study, table, folder = plain
-    whole = {each.folder: each for each in kept_runs(runs_to_keep(study, table), tmp_path / "whole")}
+    whole = {run.folder: run for run in kept_runs(runs_to_keep(study, table), tmp_path / "whole")}
     table.to_netcdf(tmp_path / "table.nc", engine="h5netcdf")
     with forks(IMPORTS, KEEP, tmp_path / "small.toml", tmp_path / "table.nc", folder) as kill_once:
         assert kill_once((folder / ".runs.lock").exists)
         kill_once((folder / "runs" / "1").exists)
-    again = {each.folder: each for each in kept_runs(runs_to_keep(study, table), folder)}
-    assert {name: repr(each.outcome) for name, each in again.items()} == {
-        name: repr(each.outcome) for name, each in whole.items()
+    again = {run.folder: run for run in kept_runs(runs_to_keep(study, table), folder)}
+    assert {name: repr(item.outcome) for name, item in again.items()} == {
+        name: repr(item.outcome) for name, item in whole.items()
     }
     assert names(folder) == ["1", "3"]
     # no hidden files are left, neither in this folder nor in the folders of the runs

@@ -33,7 +33,7 @@ def first_that_works(study, point, key, values, state):
     """The least value whose run reaches a state, and its outcome; nan and None after an inconclusive run."""
     for value in values:
         outcome = single(study, point, key, value)
-        if not outcome.verdict.tells:
+        if not outcome.verdict.conclusive:
             return math.nan, None
         if outcome.holds[state]:
             return value, outcome
@@ -131,7 +131,7 @@ def test_a_point_that_does_not_allow_all_values_has_a_row_that_says_so(study_fil
 
 def test_the_run_that_a_row_comes_from_is_kept(study_file, tmp_path):
     study, table = searched(study_file, tmp_path, STIFFNESS)
-    kept = {each.point: each for each in kept_runs(runs_to_keep(study, table), tmp_path / "out")}
+    kept = {run.point: run for run in kept_runs(runs_to_keep(study, table), tmp_path / "out")}
     for point, least in enumerate(table["least_stiffness"].values):
         assert kept[point].record.design.tendon.stiffness == least
         assert kept[point].outcome.transitions["fold"].time == table["fold_time"].values[point]

@@ -43,17 +43,17 @@ def test_every_change_is_tried_alone_and_undone(compared):
     assert set(groups) == {"offsets", "stiffness", "masses"}
     tried = {trial.groups for trial in compared.trials}
     assert tried == {(), groups, *((group,) for group in groups), *(
-        tuple(each for each in groups if each != group) for group in groups
+        tuple(item for item in groups if item != group) for group in groups
     )}  # fmt: skip
 
 
 def test_comparison_is_printed_drawn_and_saved(compared):
-    told = "\n".join(made_lines(compared))
-    assert "tendon.proximal_offset: 0 cm as designed, 0.3 cm as made" in told
-    assert compared.blame[0].text in told
+    output = "\n".join(made_lines(compared))
+    assert "tendon.proximal_offset: 0 cm as designed, 0.3 cm as made" in output
+    assert compared.blame[0].text in output
     written = json.loads(json_text(compared))
     assert written["hinges"][0]["made"]["barrier_J"] == compared.hinges[0].made.barrier
-    assert {each["name"] for each in written["unkept"]} >= {"mass", "barrier of two straps", "play of the hinges"}
+    assert {item["name"] for item in written["unkept"]} >= {"mass", "barrier of two straps", "play of the hinges"}
     energy = draw_made(compared).axes[0]
     labels = [line.get_label() for line in energy.lines]
     assert any(label.startswith("as made: barrier") for label in labels)

@@ -57,9 +57,9 @@ def test_every_key_of_a_study_is_listed(name):
     known = {fact.key for fact in key_facts("", StudyFile)}
     for key, value in tables.items():
         inside = [f"{key}.{name}" for name in value] if isinstance(value, dict) else [key]
-        for each in inside:
-            told = re.sub(r"^(settings|factors|grid)\..*", r"\1.KEY", each)
-            assert re.sub(r"\.[a-z]+_(torques|with)$", r".DRIVE_\1", told) in known
+        for item in inside:
+            output = re.sub(r"^(settings|factors|grid)\..*", r"\1.KEY", item)
+            assert re.sub(r"\.[a-z]+_(torques|with)$", r".DRIVE_\1", output) in known
 
 
 def test_an_unknown_table_of_a_study_is_rejected():

@@ -19,8 +19,8 @@ FOLD = {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time
 
 
 def auto(**values):
-    given = {key.replace("__", "."): value for key, value in values.items()}
-    return load_design("binder2025", {"protocol.timestep": "auto", "protocol.stages": [SETTLE, FOLD], **given})
+    provided = {key.replace("__", "."): value for key, value in values.items()}
+    return load_design("binder2025", {"protocol.timestep": "auto", "protocol.stages": [SETTLE, FOLD], **provided})
 
 
 DESIGNS = [
@@ -75,13 +75,13 @@ def test_a_design_whose_first_timestep_diverges_ends_reliable(monkeypatch):
     # as if the estimate were much too long
     estimate = float(with_timestep(design).protocol.timestep)
     longer = with_values(design, {"protocol.timestep": 16 * estimate})
-    monkeypatch.setattr(runs, "with_timestep", lambda each: longer if each.protocol.timestep == "auto" else each)
+    monkeypatch.setattr(runs, "with_timestep", lambda item: longer if item.protocol.timestep == "auto" else item)
     # longer by this factor, hence more halvings
     monkeypatch.setattr(runs, "_HALVINGS", runs._HALVINGS + 4)
     monkeypatch.setattr(runs, "measure", lambda record: tried.append(measure(record)) or tried[-1])
     outcome = measure(run(design))
     assert tried[0].verdict is Verdict.DIVERGED
-    assert outcome.verdict.tells
+    assert outcome.verdict.conclusive
     assert outcome.ending.residual <= 0.005
 
 
@@ -89,7 +89,7 @@ def test_the_timestep_is_accepted_when_the_outcome_is_stable(monkeypatch):
     tried = []
     monkeypatch.setattr(runs, "measure", lambda record: tried.append((record, measure(record))) or tried[-1][1])
     record = run(DESIGNS[0])
-    steps = [float(each.design.protocol.timestep) for each, _ in tried]
+    steps = [float(item.design.protocol.timestep) for item, _ in tried]
     assert len(steps) >= 3
     assert all(later <= earlier / 2 for earlier, later in itertools.pairwise(steps))
     assert float(record.design.protocol.timestep) == steps[-1]

@@ -65,7 +65,7 @@ def answer(status, **numbers):
     unknown = dict.fromkeys(
         f"{name}_{quantity}" for name in ("fold", "unfold") for quantity in ("time_s", "work_J")
     ) | dict.fromkeys(f"{name}_energy_J" for name in ("flat", "folded", "opened"))
-    reached, tells = ending.verdict is Verdict.REACHED, ending.verdict.tells
+    reached, tells = ending.verdict is Verdict.REACHED, ending.verdict.conclusive
     return {
         **row,
         "folded": (reached or ending.transition is UNFOLD) if tells else None,
@@ -100,9 +100,9 @@ def found(search, folds, opens=no_torque, large="folded", released="folded", unt
     """Repeat until nothing is missing, and return the result and every design that had to run."""
     rows, run = {}, []
     while missing := [item for item in search_designs(DESIGN, search, rows).items() if item[0] not in rows]:
-        for key, each in missing:
-            rows[key] = {"key": key, **answers(each, folds, opens, large, released, untrusted)}
-            run.append(each)
+        for key, entry in missing:
+            rows[key] = {"key": key, **answers(entry, folds, opens, large, released, untrusted)}
+            run.append(entry)
     return search_result(DESIGN, search, rows), run
 
 
@@ -174,7 +174,7 @@ def test_an_unreliable_run_below_the_least_folding_torque_leaves_the_point_witho
     assert result["status"] == "unreliable: the energy balance misses 12 %"
     assert (result["residual"], result["reference_outcome"]) == (0.12, "")
     # the torque for the next transition is unknown
-    assert [each.protocol.stages[-1].drive for each in run] == ["fold"] * 4
+    assert [item.protocol.stages[-1].drive for item in run] == ["fold"] * 4
 
 
 def test_an_unreliable_run_above_the_least_folding_torque_is_only_reported():
@@ -200,7 +200,7 @@ def test_a_tendon_that_no_torque_folds_says_how_it_failed_with_the_largest_of_th
     assert "fold_work" not in result
     # opening is searched only for tendons that fold
     assert (result["status"], result["reference_outcome"]) == ("stuck at -40.0 deg (fold with 30 N cm)", "")
-    assert [each.protocol.stages[-1].drive for each in run] == ["fold"] * 4
+    assert [item.protocol.stages[-1].drive for item in run] == ["fold"] * 4
 
 
 def test_a_tendon_that_no_torque_opens_says_so():
@@ -215,19 +215,19 @@ def test_a_tendon_that_no_torque_opens_says_so():
 
 def test_the_wing_is_released_at_the_least_torque_that_folds_only():
     _, run = found(GRID, lambda torque: torque >= 0.2)
-    released = [each for each in run if each.protocol.stages[-1].name == "release folded"]
-    assert [each.protocol.fold_torque for each in released] == [0.2]
+    released = [item for item in run if item.protocol.stages[-1].name == "release folded"]
+    assert [item.protocol.fold_torque for item in released] == [0.2]
 
 
 def test_every_run_of_a_search_differs_from_the_design_in_torques_and_last_stages_only():
     kept = {"fold_torque", "unfold_torque", "stages"}
-    for each in (first_design(DESIGN, GRID, 0.1), release_design(DESIGN, GRID, 0.1), second_design(DESIGN, GRID, 0.1)):
-        assert each.model_dump(exclude={"protocol"}) == DESIGN.model_dump(exclude={"protocol"})
-        assert each.protocol.model_dump(exclude=kept) == DESIGN.protocol.model_dump(exclude=kept)
-        assert each.protocol.stages == DESIGN.protocol.stages[: len(each.protocol.stages)]
+    for item in (first_design(DESIGN, GRID, 0.1), release_design(DESIGN, GRID, 0.1), second_design(DESIGN, GRID, 0.1)):
+        assert item.model_dump(exclude={"protocol"}) == DESIGN.model_dump(exclude={"protocol"})
+        assert item.protocol.model_dump(exclude=kept) == DESIGN.protocol.model_dump(exclude=kept)
+        assert item.protocol.stages == DESIGN.protocol.stages[: len(item.protocol.stages)]
     designs = [first_design(DESIGN, GRID, 0.1), second_design(DESIGN, GRID, 0.1)]
-    assert [each.protocol.stages[-1].name for each in designs] == ["fold", "release opened"]
-    assert [each.protocol.fold_torque for each in designs] == [0.1, 5.0]
+    assert [design.protocol.stages[-1].name for design in designs] == ["fold", "release opened"]
+    assert [design.protocol.fold_torque for design in designs] == [0.1, 5.0]
 
 
 @settings(max_examples=40, deadline=None)
@@ -245,7 +245,7 @@ def test_bisection_costs_one_run_a_halving_and_keeps_the_grid():
     _, coarse = found(GRID, lambda torque: torque >= 0.17)
     _, fine = found(refined(3), lambda torque: torque >= 0.17)
     torques = [
-        {each.protocol.fold_torque for each in run if each.protocol.stages[-1].drive == "fold"}
+        {item.protocol.fold_torque for item in run if item.protocol.stages[-1].drive == "fold"}
         for run in (coarse, fine)
     ]
     added = sorted(torques[1] - torques[0])

@@ -37,7 +37,7 @@ def test_the_least_torques_of_a_letter_are_those_of_single_runs(searched):
 
         def ran(key, torque, base=base):
             outcome = ff.measure(ff.run(with_values(base, {key: torque}), confirm=False))
-            assert outcome.verdict.tells
+            assert outcome.verdict.conclusive
             return outcome
 
         close, back = (float(table[f"least_{name}_value"][point]) for name in ("close", "open"))
@@ -52,7 +52,7 @@ def test_the_least_torques_of_a_letter_are_those_of_single_runs(searched):
         assert float(table["closed_energy"][point]) == pytest.approx(closed.tendon_energy.sum(), rel=1e-3)
         assert float(table["closed_hinge_energy"][point]) == pytest.approx(closed.hinge_energy.sum(), rel=1e-3)
     assert "closed_hinge_energy_J" in table_csv(study, table).splitlines()[0]
-    titles = {each["name"]: each["title"] for each in study_data(study, table)["quantities"]}
+    titles = {item["name"]: item["title"] for item in study_data(study, table)["quantities"]}
     assert titles["closed_energy"] == "tendons' energy when closed"
     assert titles["closed_hinge_energy"] == "springs' energy when closed"
 

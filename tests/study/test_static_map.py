@@ -141,30 +141,30 @@ def simulated(statics, folds, opens):
 
 def test_cells_that_differ_are_named(statics):
     nan = np.nan
-    found = simulated(statics, [0.1, 0.2, nan, nan, nan, nan], [0.5, nan, nan, nan, nan, nan])
-    folds = compare_maps(statics, found, "least_fold_torque").values.ravel().tolist()
+    result = simulated(statics, [0.1, 0.2, nan, nan, nan, nan], [0.5, nan, nan, nan, nan, nan])
+    folds = compare_maps(statics, result, "least_fold_torque").values.ravel().tolist()
     assert folds == [ONLY_SIMULATED, BOTH_MORE, ONLY_STATIC, NEITHER, NEITHER, NEITHER]
     alike = simulated(statics, statics["least_fold_torque"].values, [nan] * 6)
     same = compare_maps(statics, alike, "least_fold_torque")
     assert same.values.ravel().tolist() == [NEITHER, BOTH, BOTH, NEITHER, NEITHER, NEITHER]
     less = compare_maps(statics, simulated(statics, [0.01] * 6, [nan] * 6), "least_fold_torque")
     assert less.values.ravel().tolist()[:3] == [ONLY_SIMULATED, BOTH_LESS, BOTH_LESS]
-    opens = compare_maps(statics, found, "least_unfold_torque").values.ravel().tolist()
+    opens = compare_maps(statics, result, "least_unfold_torque").values.ravel().tolist()
     assert opens[:2] == [ONLY_SIMULATED, ONLY_STATIC]
     # opening was not tried without folding
     assert opens[2:] == [NOT_SIMULATED] * 4
 
 
 def test_wings_that_were_not_simulated_are_marked(statics):
-    found = simulated(statics, [0.1] * 6, [0.5] * 6).isel(tendon_rest_length=[0, 1])
-    words = compare_maps(statics, found, "least_fold_torque")
+    result = simulated(statics, [0.1] * 6, [0.5] * 6).isel(tendon_rest_length=[0, 1])
+    words = compare_maps(statics, result, "least_fold_torque")
     assert (words.sel(tendon_rest_length=0.09) == NOT_SIMULATED).all()
 
 
 def test_a_table_with_other_factors_is_refused(statics):
-    found = simulated(statics, [0.1] * 6, [0.5] * 6).isel(tendon_stiffness=0)
+    result = simulated(statics, [0.1] * 6, [0.5] * 6).isel(tendon_stiffness=0)
     with pytest.raises(InputError, match="over tendon_stiffness, tendon_rest_length"):
-        compare_maps(statics, found, "least_fold_torque")
+        compare_maps(statics, result, "least_fold_torque")
 
 
 def test_values_of_a_range_match_those_of_a_study():

@@ -25,7 +25,7 @@ def test_the_papers_search_has_sixty_tendons_with_six_fold_torques_and_ten_unfol
     assert {protocol.stages[-1].drive for protocol in folding} == {"fold"}
     # a wing that folds is released, and opened from the wing folded with 500 N cm
     known = {key: {"verdict": "reached", "folded": True} for key in designs}
-    wanted = [each.protocol for each in search_designs(study.base, study.search, known).values()]
+    wanted = [design.protocol for design in search_designs(study.base, study.search, known).values()]
     release, *opening = wanted[len(folding) :]
     assert release.fold_torque == 0.0
     assert {protocol.fold_torque for protocol in opening} == {5.0}

@@ -164,9 +164,9 @@ def test_automatic_and_given_timesteps_share_a_table(tmp_path, study_file):
     rows = lines(table_csv(study, table))
     assert [row["protocol_timestep"] for row in rows] == ["0.4 ms", "auto", "0.25 ms"]
     assert len({row["fold_work_J"] for row in rows}) == 3
-    found = ff.run(with_values(study.base, {"protocol.timestep": "auto"}), confirm=False).design
-    assert isinstance(found.protocol.timestep, float)
-    alone = ff.measure(ff.run(found, confirm=False))
+    result = ff.run(with_values(study.base, {"protocol.timestep": "auto"}), confirm=False).design
+    assert isinstance(result.protocol.timestep, float)
+    alone = ff.measure(ff.run(result, confirm=False))
     assert table["fold_work"].values[1] == alone.transitions["fold"].work
     assert table.to_netcdf(engine="h5netcdf")
     assert map_drawings(table)

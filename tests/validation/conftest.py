@@ -17,7 +17,7 @@ def pytest_runtest_call(item):
     try:
         return (yield)
     finally:
-        item.user_properties += [("agreement", json.dumps(each)) for each in _TOLD.values()]
+        item.user_properties += [("agreement", json.dumps(item)) for item in _TOLD.values()]
 
 
 def _tell(key: tuple[Any, ...], strain: float, told: dict[str, Any]) -> None:
@@ -47,7 +47,7 @@ def agree() -> Callable[..., None]:
         # if no difference is allowed, any difference counts as infinite
         shares = np.where(allowed > 0, off / np.where(allowed > 0, allowed, 1), np.where(off == 0, 0, np.inf))
         worst = int(np.argmax(np.where(np.isnan(shares), np.inf, shares)))
-        told = {
+        output = {
             "what": what,
             "ours": first.flat[worst],
             "theirs": second.flat[worst],
@@ -59,11 +59,11 @@ def agree() -> Callable[..., None]:
         if over is not None:
             name, axis = over
             some = np.unique(np.linspace(0, len(axis) - 1, 200).astype(int))
-            told |= {"over": [name, np.asarray(axis, dtype=float)[some].tolist()]}
-            told |= {"ours_all": first[some].tolist(), "theirs_all": second[some].tolist()}
-        _tell(("agree", what, by, unit), float(shares.flat[worst]), told)
+            output |= {"over": [name, np.asarray(axis, dtype=float)[some].tolist()]}
+            output |= {"ours_all": first[some].tolist(), "theirs_all": second[some].tolist()}
+        _tell(("agree", what, by, unit), float(shares.flat[worst]), output)
         assert np.all(off <= allowed), (
-            f"{what}: got {told['ours']}, {by}: {told['theirs']}; allowed difference {told['allowed']}"
+            f"{what}: got {output['ours']}, {by}: {output['theirs']}; allowed difference {output['allowed']}"
         )
 
     return compare
@@ -87,9 +87,9 @@ def holds() -> Callable[..., None]:
         if below is not None:
             beyond = np.maximum(beyond, values - below)
         worst = int(np.argmax(np.where(np.isnan(beyond), np.inf, beyond)))
-        told = {"what": what, "ours": values[worst], "above": above, "below": below}
-        told |= {"count": values.size, "unit": unit, "by": by}
-        _tell(("hold", what, by, unit, above, below), float(beyond[worst]), told)
+        output = {"what": what, "ours": values[worst], "above": above, "below": below}
+        output |= {"count": values.size, "unit": unit, "by": by}
+        _tell(("hold", what, by, unit, above, below), float(beyond[worst]), output)
         assert np.all(beyond < 0), f"{what}: {values[worst]}, needs > {above} and < {below}"
 
     return hold

@@ -171,8 +171,8 @@ def taken(model, data):
         mujoco.mj_integratePos(model.engine, other.qpos, data.qvel, way)
         mujoco.mj_forward(model.engine, other)
         places.append(corners(model, other))
-    here, speeds = corners(model, data), (places[1] - places[0]) / (2 * moment)
-    area = np.cross(here[:, 1] - here[:, 0], here[:, 2] - here[:, 0]) / 2
+    current, speeds = corners(model, data), (places[1] - places[0]) / (2 * moment)
+    area = np.cross(current[:, 1] - current[:, 0], current[:, 2] - current[:, 0]) / 2
     size = np.linalg.norm(area, axis=1)
     across = np.einsum("tci,ti->tc", speeds, area / size[:, None])
     # centres of the small triangles, ten per side
@@ -225,7 +225,7 @@ def folding(**values):
     base = load_design("binder2025")
     settle, fold = base.protocol.stages[:2]
     stages = [settle.model_copy(update={"time_limit": 0.05}), fold]
-    return with_values(base, {"protocol.stages": [each.model_dump(exclude_none=True) for each in stages], **values})
+    return with_values(base, {"protocol.stages": [item.model_dump(exclude_none=True) for item in stages], **values})
 
 
 def test_the_wing_folds_later_in_air_and_its_energy_balance_includes_the_drag(holds):
@@ -236,9 +236,9 @@ def test_the_wing_folds_later_in_air_and_its_energy_balance_includes_the_drag(ho
     holds("missing energy", balance.residual, below=0.005, by="conservation of energy")
     # of 0.05 J: density times the cube of the normal speed, from the wing in vacuum
     holds("work of the drag", balance.drag, above=0.03, below=0.08, unit="J", by="ρ v³ of the wing in empty space")
-    told = {name: summary(record, measure(record), {})["energy_balance"] for name, record in records.items()}
-    assert told["air"]["drag_J"] == pytest.approx(balance.drag)
-    assert "drag_J" not in told["none"]
+    output = {name: summary(record, measure(record), {})["energy_balance"] for name, record in records.items()}
+    assert output["air"]["drag_J"] == pytest.approx(balance.drag)
+    assert "drag_J" not in output["none"]
     structure = records["air"].structure
     assert any("drag" in label for label, _ in balance_rows(structure, balance))
     assert not any("drag" in label for label, _ in balance_rows(structure, energy_balance(records["none"])))

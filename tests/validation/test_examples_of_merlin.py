@@ -45,7 +45,7 @@ class Followed(NamedTuple):
 
     def nearest(self, moved, factor):
         """Return the nearest point of the path, and the point near it with exactly that load factor."""
-        size, height = (max(abs(each(point)) for point in self.path.points) for each in (self.moved, _factor))
+        size, height = (max(abs(item(point)) for point in self.path.points) for item in (self.moved, _factor))
         near = min(
             self.path.points,
             key=lambda point: np.hypot((self.moved(point) - moved) / size, (point.factor - factor) / height),
@@ -161,8 +161,8 @@ def test_displacements_and_energies_equal_those_of_merlin_at_its_loads(request, 
     points = [followed.nearest(moved, factor) for moved, factor, _ in published]
     assert [point.factor for point in points] == [factor for _, factor, _ in published]
     moved, _, energy = zip(*published, strict=True)
-    found = [followed.moved(point) for point in points]
-    agree(f"displacement of {name}", found, moved, unit="m", by="MERLIN", abs=1e-6)
+    result = [followed.moved(point) for point in points]
+    agree(f"displacement of {name}", result, moved, unit="m", by="MERLIN", abs=1e-6)
     agree(f"energy of {name}", [point.energy for point in points], energy, unit="J", by="MERLIN", rel=1e-6)
 
 

@@ -71,7 +71,7 @@ def specimens(law, *, scatter, rng, programs=(STEPS,) * 3, rows=12):
 def covered(law, fit):
     """Whether each interval holds the planted value, by key."""
     planted = law_values(law)
-    return {each.key: each.low <= planted[each.key] <= each.high for each in fit.law.intervals}
+    return {interval.key: interval.low <= planted[interval.key] <= interval.high for interval in fit.law.intervals}
 
 
 @pytest.mark.parametrize(
@@ -111,7 +111,7 @@ def test_the_planted_scatter_is_recovered(agree):
     fit = fit_law(specimens(ZENER, scatter=0.05, rng=rng, programs=(STEPS,) * 40), forms=[FORMS["Zener"]])
     # a standard deviation from 40 samples has the relative error 1 / sqrt(78)
     agree("scatter of 40 specimens", fit.scatter, 0.05, by="planted value", rel=0.3)
-    amplitudes = np.array([each.amplitude for each in fit.residuals])
+    amplitudes = np.array([residual.amplitude for residual in fit.residuals])
     assert np.log(amplitudes).mean() == pytest.approx(0, abs=1e-9)
     assert np.log(amplitudes).std(ddof=1) == pytest.approx(fit.scatter)
 
@@ -120,11 +120,11 @@ def test_the_interval_of_the_modulus_of_three_specimens_depends_on_their_scatter
     """The half width is Student's t of 2 times the scatter divided by sqrt(3), whatever the number of rows."""
     histories = specimens(ZENER, scatter=0.05, rng=np.random.default_rng(3), rows=60)
     fit = fit_law(histories, forms=[FORMS["Zener"]])
-    (modulus,) = [each for each in fit.law.intervals if each.key == "modulus.linear"]
+    (modulus,) = [interval for interval in fit.law.intervals if interval.key == "modulus.linear"]
     width = 2 * 4.303 * fit.scatter / np.sqrt(3)
     agree("width of the interval", np.log(modulus.high / modulus.low), width, by="Student's t of 2", rel=0.05)
     # relaxation times do not scatter
-    (time,) = [each for each in fit.law.intervals if each.key == "branches.0.time"]
+    (time,) = [interval for interval in fit.law.intervals if interval.key == "branches.0.time"]
     holds("upper divided by lower end of the interval of a time", time.high / time.low, below=1.05)
 
 
@@ -133,7 +133,7 @@ def test_a_single_specimen_has_no_scatter():
         specimens(ZENER, scatter=0.05, rng=np.random.default_rng(3), programs=(STEPS,)), forms=[FORMS["Zener"]]
     )
     assert fit.scatter is None
-    assert [each.amplitude for each in fit.residuals] == [1.0]
+    assert [residual.amplitude for residual in fit.residuals] == [1.0]
 
 
 def test_a_series_has_as_many_branches_as_the_data_can_distinguish(agree):
@@ -143,7 +143,7 @@ def test_a_series_has_as_many_branches_as_the_data_can_distinguish(agree):
     fit = fit_law(specimens(THREE, scatter=0.05, rng=rng), forms=cubic)
     times = [branch.time for branch in fit.law.branches]
     agree("times of the branches", times, [0.5, 8.0, 120.0], unit="s", by="planted value", rel=0.3)
-    tried = {each.form.branches for each in fit.candidates}
+    tried = {candidate.form.branches for candidate in fit.candidates}
     assert tried == {2, 3, 4}
     shortened = replace(THREE, branches=THREE.branches[1:])
     fit = fit_law(specimens(shortened, scatter=0.05, rng=rng), forms=cubic)

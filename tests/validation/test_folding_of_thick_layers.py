@@ -17,8 +17,10 @@ STAGES = [
 
 def folded(**values):
     """Run of 1.2 s under the fold torque."""
-    given = {key.replace("__", "."): value for key, value in values.items()}
-    return ff.run(ff.load_design("binder2025-thick").with_values({"protocol.stages": STAGES, **given}), confirm=False)
+    provided = {key.replace("__", "."): value for key, value in values.items()}
+    return ff.run(
+        ff.load_design("binder2025-thick").with_values({"protocol.stages": STAGES, **provided}), confirm=False
+    )
 
 
 def angles(record):

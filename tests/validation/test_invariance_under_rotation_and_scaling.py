@@ -128,12 +128,12 @@ def test_static_equilibria_do_not_depend_on_orientation_numbering_and_scale(agre
         (sheet_design(renumbered(MIURA, order), VALUES), 1.0),
         (scale_design(design, 0.2), 0.2),
     ):
-        there = rest_of(other)
+        present = rest_of(other)
         by = "the sheet as it was"
-        agree("fold angles at rest", there.shape.angles, rest.shape.angles, unit="rad", by=by, abs=1e-7)
+        agree("fold angles at rest", present.shape.angles, rest.shape.angles, unit="rad", by=by, abs=1e-7)
         agree(
             "energy at rest divided by size³",
-            1e6 * there.energy / scale**3,
+            1e6 * present.energy / scale**3,
             1e6 * rest.energy,
             unit="µJ",
             by=by,

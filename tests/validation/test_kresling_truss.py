@@ -48,10 +48,10 @@ def energy(height, twist):
 
 def twisted(height):
     """Twist of least energy at a height, and that energy."""
-    found = minimize_scalar(
+    result = minimize_scalar(
         lambda twist: energy(height, twist), bounds=(0.5, 1.6), method="bounded", options={"xatol": 1e-12}
     )
-    return found.x, found.fun
+    return result.x, result.fun
 
 
 @pytest.fixture(scope="module")
@@ -61,17 +61,17 @@ def truss_and_states():
 
 
 def test_the_truss_has_two_stress_free_states(truss_and_states, agree):
-    _, found = truss_and_states
+    _, result = truss_and_states
     other = np.pi - STEP - TWIST
     low = np.sqrt(HEIGHT**2 + 2 * RADIUS**2 * (np.cos(other) - np.cos(TWIST)))
-    heights = sorted(state.shape.positions[APEX, 2] - RADIUS for state in found.states)
+    heights = sorted(state.shape.positions[APEX, 2] - RADIUS for state in result.states)
     agree("heights of both states", heights, [low, HEIGHT], unit="m", by="bars of equal length", abs=1e-9)
-    agree("energies of both states", [state.energy for state in found.states], 0, unit="J", by="no stress", abs=1e-18)
+    agree("energies of both states", [state.energy for state in result.states], 0, unit="J", by="no stress", abs=1e-18)
 
 
 def test_the_barrier_is_that_of_the_closed_form(truss_and_states, agree):
-    net, found = truss_and_states
-    saddle = find_saddle(net, *found.states)
+    net, result = truss_and_states
+    saddle = find_saddle(net, *result.states)
     assert saddle is not None
     assert saddle.joins
     top = minimize_scalar(

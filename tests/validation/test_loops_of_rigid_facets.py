@@ -45,9 +45,9 @@ def test_a_flat_foldable_vertex_satisfies_the_half_angle_tangent_relations(agree
     sine, cosine = math.sin(math.radians(one - two) / 2), math.cos(math.radians(one - two) / 2)
     # each of the two folding modes has its own constant ratio
     ratios = [abs(sine / math.sin(math.radians(one + two) / 2)), abs(math.cos(math.radians(one + two) / 2) / cosine)]
-    ratios += [1 / each for each in ratios]
+    ratios += [1 / ratio for ratio in ratios]
     started = math.tan(angles[0, 0] / 2) / math.tan(angles[0, 1] / 2)
-    ratio = min(ratios, key=lambda each: abs(each - started))
+    ratio = min(ratios, key=lambda item: abs(item - started))
     known = np.degrees(2 * np.arctan(ratio * np.tan(angles[:, 1] / 2)))
     agree("fold angles of its neighbour", degrees[:, 0], known, by="tan half angles", **close)
 
@@ -153,4 +153,4 @@ def test_a_run_with_open_loops_is_unreliable():
     )
     assert record.diverged_at is not None or "come apart by" in record.doubt
     outcome = measure(record)
-    assert not outcome.verdict.tells
+    assert not outcome.verdict.conclusive

@@ -154,8 +154,8 @@ def test_a_kelvin_voigt_tendon_damps_a_free_hinge_with_its_logarithmic_decrement
     # small swings: second-order error of the lever, (0.5 deg)^2 / 8
     known = 2 * math.pi * ratio / math.sqrt(1 - ratio**2)
     agree(f"decrement at {viscosity:g} Pa s", decrement, known, by="2π ζ / √(1 - ζ²)", rel=2e-3)
-    found = (time[peaks[4]] - time[peaks[0]]) / 4
-    agree(f"period at {viscosity:g} Pa s", 1e3 * found, 1e3 * period, unit="ms", by="damped oscillator", rel=1e-3)
+    result = (time[peaks[4]] - time[peaks[0]]) / 4
+    agree(f"period at {viscosity:g} Pa s", 1e3 * result, 1e3 * period, unit="ms", by="damped oscillator", rel=1e-3)
 
 
 def polynomial(first, second, third, extension):
@@ -184,8 +184,8 @@ def test_the_engine_gives_the_moment_of_a_polynomial_tendon(agree, compiled_hing
     length = 2 * ARM * math.cos(angle / 2)
     expected = polynomial(*spring(moduli), max(length - LENGTH, 0)) * ARM * math.sin(angle / 2)
     # rounding
-    found = -data.qfrc_passive[0] * wing.units.energy
-    agree("moment of a tendon", found, expected, unit="N m", by="its polynomial", abs=1e-13)
+    result = -data.qfrc_passive[0] * wing.units.energy
+    agree("moment of a tendon", result, expected, unit="N m", by="its polynomial", abs=1e-13)
 
 
 @pytest.mark.parametrize("moduli", LAWS)
@@ -222,8 +222,8 @@ def test_a_hinge_with_a_tendon_of_any_law_moves_as_with_an_integrator_of_fifth_o
     extension = np.maximum(2 * ARM * np.cos(angles / 2) - LENGTH, 0)
     first, second, third = spring(moduli)
     energy = first * extension**2 / 2 + second * extension**3 / 3 + third * extension**4 / 4
-    found = record.data["tendon_energy"].values[:, 0]
-    agree("energy of the tendon", found, energy, unit="J", by="integral of its force", abs=1e-13)
+    result = record.data["tendon_energy"].values[:, 0]
+    agree("energy of the tendon", result, energy, unit="J", by="integral of its force", abs=1e-13)
 
 
 # laws of second order, exact in the engine, and cubic ones, as from a fit, which it approximates in pieces
@@ -266,8 +266,8 @@ def test_the_sum_of_spring_damper_and_branches_pulls_or_is_zero(
     # the spring's onset is smoothed over 1e-6 of the resting length; laws in pieces are off by a share of
     # its largest force
     largest = polynomial(*spring(moduli), np.linspace(0, 2 * ARM - LENGTH)).max()
-    found, known = moment * -units.energy, (max(pull, 0) if length > LENGTH else 0) * lever
-    agree("moment of a tendon", found, known, unit="N m", by="sum of its parts", abs=max(1e-7, miss * largest * lever))
+    result, known = moment * -units.energy, (max(pull, 0) if length > LENGTH else 0) * lever
+    agree("moment of a tendon", result, known, unit="N m", by="sum of its parts", abs=max(1e-7, miss * largest * lever))
 
 
 def fold_time(angles, record):
@@ -307,9 +307,14 @@ def test_a_slack_kelvin_voigt_tendon_does_not_push_the_hinge(agree, one_hinge, v
         for pushes in (False, True)
     )
     assert not len(pushed) or pushed[0] > 1.1 * known[0]
-    found = fold_time(angles, record)
+    result = fold_time(angles, record)
     agree(
-        f"time to 150° at {viscosity:g} Pa s", 1e3 * found, 1e3 * known[0], unit="ms", by="pull-only equation", rel=2e-3
+        f"time to 150° at {viscosity:g} Pa s",
+        1e3 * result,
+        1e3 * known[0],
+        unit="ms",
+        by="pull-only equation",
+        rel=2e-3,
     )
     balance = ff.measure(record).energy_balance
     assert balance.letting_go is None

@@ -22,13 +22,13 @@ from tests.statics.net.nets import mechanisms, miura, sheet
 @pytest.mark.parametrize(("size", "fold", "expected"), [(4, 0.0, 6), (4, 0.6, 1), (8, 0.0, 14), (8, 0.6, 1)])
 def test_a_flat_sheet_has_many_mechanisms_and_a_folded_one_has_one(agree, size, fold, expected):
     net, diagonals = sheet(*miura(size, size, fold=fold))
-    found = rigidity(net, built_shape(net), diagonals)
+    result = rigidity(net, built_shape(net), diagonals)
     what = f"mechanisms of {size} x {size} facets, {'folded' if fold else 'flat'}"
-    agree(what, found.degrees_of_freedom, expected, by="Schenk and Guest 2011")
-    assert found.rigid_motions == 6
+    agree(what, result.degrees_of_freedom, expected, by="Schenk and Guest 2011")
+    assert result.rigid_motions == 6
     # Calladine's (1978) count: columns less rows
     rows = len(net.springs.points) + np.count_nonzero(diagonals)
-    assert found.degrees_of_freedom + 6 - found.self_stresses == 3 * len(net.nodes) - rows
+    assert result.degrees_of_freedom + 6 - result.self_stresses == 3 * len(net.nodes) - rows
     assert len(mechanisms(net, diagonals)) == expected
 
 

@@ -24,8 +24,8 @@ def test_a_taut_string_of_masses_has_lagranges_frequencies(agree, count):
     across, along = np.sqrt(tension / (mass * apart)) * shares, np.sqrt(stiffness / mass) * shares
     known = np.sort(np.concatenate((across, across, along)))[:12]
     modes = natural_modes(net, built_shape(net), 12)
-    found = 2 * np.pi * modes.frequencies
-    agree(f"frequencies of a string of {count} masses", found, known, unit="rad/s", by="Lagrange 1788", rel=1e-7)
+    result = 2 * np.pi * modes.frequencies
+    agree(f"frequencies of a string of {count} masses", result, known, unit="rad/s", by="Lagrange 1788", rel=1e-7)
     assert not modes.rigid.any()
 
 
@@ -44,8 +44,8 @@ def test_a_pendulum_has_the_frequency_of_its_length(agree):
     net = truss([[0, 0, 0], [0.3, 0, -0.4]], [[0, 1]], stiffness=1e7, held=[0], gravity=9.81)
     hanging = minimum(net, built_shape(net))
     modes = natural_modes(net, hanging.shape)
-    found = 2 * np.pi * modes.frequencies[:2]
-    agree("frequencies of a pendulum", found, np.sqrt(9.81 / 0.5), unit="rad/s", by="√(g / L)", rel=1e-5)
+    result = 2 * np.pi * modes.frequencies[:2]
+    agree("frequencies of a pendulum", result, np.sqrt(9.81 / 0.5), unit="rad/s", by="√(g / L)", rel=1e-5)
     agree(
         "position of the hanging mass", hanging.shape.positions[1], (0, 0, -0.5), unit="m", by="straight down", abs=1e-5
     )

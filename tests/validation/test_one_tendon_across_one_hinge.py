@@ -78,8 +78,8 @@ def test_the_bar_has_the_inertia_of_a_cylinder_about_its_end(agree, one_hinge, r
     inertia = np.zeros((1, 1))
     mujoco.mj_fullM(wing.engine, data, inertia)
     # rounding
-    found = inertia[0, 0] * wing.units.mass * wing.units.length**2
-    agree("inertia of the bar", found, hinge.inertia, unit="kg m²", by="m (r²/4 + l²/3)", rel=1e-12)
+    result = inertia[0, 0] * wing.units.mass * wing.units.length**2
+    agree("inertia of the bar", result, hinge.inertia, unit="kg m²", by="m (r²/4 + l²/3)", rel=1e-12)
 
 
 @cases
@@ -102,8 +102,8 @@ def test_the_engine_gives_the_moment_of_the_tendon(agree, one_hinge, tendon, ang
     mujoco.mj_forward(wing.engine, data)
     # rounding
     scale = wing.design.tendon.stiffness * min(tendon[1:]) * sum(tendon[1:])
-    found = -data.qfrc_passive[0] * wing.units.energy / scale
-    agree("moment divided by k a (a + b)", found, hinge.moment(angle) / scale, by="law of cosines", abs=1e-12)
+    result = -data.qfrc_passive[0] * wing.units.energy / scale
+    agree("moment divided by k a (a + b)", result, hinge.moment(angle) / scale, by="law of cosines", abs=1e-12)
 
 
 @settings(max_examples=12, deadline=None)
@@ -122,9 +122,9 @@ def test_without_resting_length_the_hinge_folds_in_the_time_of_a_pendulum(one_hi
     time = one_hinge(start=phi).time_scale * ellipk(math.cos(phi / 2) ** 2)
     hinge = one_hinge(timestep=time / 1000, duration=1.01 * time, start=phi)
     angles, record = hinge.run()
-    found = crossing(angles, record.design.protocol.timestep, math.pi)
+    result = crossing(angles, record.design.protocol.timestep, math.pi)
     # half a step: 1 / 2000
-    agree(f"time from {start} deg to 180 deg", 1e3 * found, 1e3 * time, unit="ms", by="t* K(cos²(φ₀/2))", rel=1e-3)
+    agree(f"time from {start} deg to 180 deg", 1e3 * result, 1e3 * time, unit="ms", by="t* K(cos²(φ₀/2))", rel=1e-3)
 
 
 @pytest.mark.parametrize("rest_length", REST_LENGTHS)

@@ -64,8 +64,8 @@ def test_statics_give_the_energy_of_the_closed_form(agree, drawn, tangent, hub, 
     position = np.zeros((1, wings.size))
     position[:, list(hinges_of(wings.structure, "ring"))] = drawn
     inner, outer = np.array(drawn).reshape(-1, 2).T
-    found, known = line_energy(wings.lines, position)[0], energies(design, inner, outer)
-    agree("energy of the tendons", found, known, unit="J", by="chain of three bars", rel=1e-9, abs=1e-12)
+    result, known = line_energy(wings.lines, position)[0], energies(design, inner, outer)
+    agree("energy of the tendons", result, known, unit="J", by="chain of three bars", rel=1e-9, abs=1e-12)
 
 
 def test_the_simulation_gives_the_lengths_and_energies_of_the_closed_form(agree):
@@ -76,8 +76,8 @@ def test_the_simulation_gives_the_lengths_and_energies_of_the_closed_form(agree)
     assert rings.min() < -math.radians(89)
     inner, outer = np.moveaxis(rings, -1, 0)
     by = "a chain of three bars"
-    found, known = 100 * run.series["tendon_length"], 100 * lengths(THICK, inner, outer)
-    agree("length of the tendons", found, known, unit="cm", by=by, rel=1e-9)
+    result, known = 100 * run.series["tendon_length"], 100 * lengths(THICK, inner, outer)
+    agree("length of the tendons", result, known, unit="cm", by=by, rel=1e-9)
     total, stored = run.series["tendon_energy"].sum(axis=1), energies(THICK, inner, outer)
     time = ("time (s)", run.time)
     agree("energy of the tendons", total, stored, unit="J", by=by, rel=1e-7, abs=1e-9, over=time)

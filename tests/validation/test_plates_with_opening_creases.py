@@ -43,8 +43,8 @@ def test_a_plate_on_a_spring_has_the_period_of_an_oscillator(agree):
     stages = [{"name": "swing", "limit": "0.6 s"}]
     record = run(plates(pleats(2, "V"), crease=crease, more=HELD, stages=stages))
     angle = record.measured("creases")[:, 0]
-    found, known = period(record.time, angle, math.radians(40)), 2 * math.pi * math.sqrt(INERTIA / stiffness)
-    agree("period of a plate on a spring", 1e3 * found, 1e3 * known, unit="ms", by="2π √(I / κ)", rel=1e-3)
+    result, known = period(record.time, angle, math.radians(40)), 2 * math.pi * math.sqrt(INERTIA / stiffness)
+    agree("period of a plate on a spring", 1e3 * result, 1e3 * known, unit="ms", by="2π √(I / κ)", rel=1e-3)
     agree("amplitude of the swing", np.degrees(angle.max()), 80, unit="deg", by="twice the rest angle", abs=0.2)
 
 
@@ -56,8 +56,8 @@ def test_a_hanging_plate_has_the_period_of_a_pendulum_of_large_amplitude(agree, 
     record = run(design)
     angle = record.measured("creases")[:, 0]
     expected = 4 * math.sqrt(INERTIA / (MASS * 9.81 * LENGTH / 2)) * ellipk(math.sin(math.pi / 4) ** 2)
-    found = period(record.time, angle, math.pi / 2)
-    agree("period of a plate that swings by 90 deg", found, expected, unit="s", by="a pendulum's K(m)", rel=2e-3)
+    result = period(record.time, angle, math.pi / 2)
+    agree("period of a plate that swings by 90 deg", result, expected, unit="s", by="a pendulum's K(m)", rel=2e-3)
     # beyond fully folded back, without a jump: level on the other side is 180 deg
     agree("amplitude of the swing", np.degrees(angle.max()), 180, unit="deg", by="horizontal on the other side", abs=1)
     holds("missing energy", energy_balance(record).residual, below=5e-3, by="conservation of energy")
@@ -157,8 +157,8 @@ def flattened_energy(design):
         return total / (EXTENSION * RADIUS**3)
 
     start = np.zeros(12)
-    found = minimize(energy, start, method="BFGS", options={"gtol": 1e-12})
-    return found.fun * EXTENSION * RADIUS**3
+    result = minimize(energy, start, method="BFGS", options={"gtol": 1e-12})
+    return result.fun * EXTENSION * RADIUS**3
 
 
 def test_the_springs_of_flattened_plates_store_the_energy_of_the_closed_form(agree):
@@ -195,8 +195,8 @@ def symmetric_rest(stiffness, start):
 
     closed = minimize(lambda state: energy(state, place(*state)[1]), [0.3, 0.0], method="BFGS", options={"gtol": 1e-12})
     rest = place(*closed.x)[1]
-    found = minimize(energy, start, args=(rest,), method="BFGS", options={"gtol": 1e-12})
-    return abs(place(*found.x)[1]) * math.copysign(1, found.x[0]), found.fun * EXTENSION * RADIUS**3
+    result = minimize(energy, start, args=(rest,), method="BFGS", options={"gtol": 1e-12})
+    return abs(place(*result.x)[1]) * math.copysign(1, result.x[0]), result.fun * EXTENSION * RADIUS**3
 
 
 @pytest.fixture(scope="module")
@@ -208,10 +208,10 @@ def test_four_plates_snap_down_and_up_and_rest_at_the_energy_minima(agree, holds
     for end, start in ((1, [-0.3, 0.0]), (3, [0.3, 0.0])):
         row = int(np.searchsorted(snapped.time, snapped.stages[end].end - 1e-9))
         angle, energy = symmetric_rest(4e-4, start)
-        found = snapped.measured("creases")[row]
+        result = snapped.measured("creases")[row]
         assert snapped.stages[end].at_rest
         by = "least of a symmetric energy"
-        agree("fold angle at rest", np.degrees(found), math.degrees(angle), unit="deg", by=by, abs=0.05)
+        agree("fold angle at rest", np.degrees(result), math.degrees(angle), unit="deg", by=by, abs=0.05)
         stored = sum(snapped.series[name][row].sum() for name in ("hinge_energy", "spring_energy"))
         least = 1e3 * EXTENSION * MISSING**2 * RADIUS**3 / 96
         agree("energy at rest", 1e6 * stored, 1e6 * energy, unit="µJ", by=by, rel=5e-3, abs=least)

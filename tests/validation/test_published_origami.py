@@ -61,7 +61,7 @@ def uniform_fields(pattern):
         turn = np.stack((-along * y - twist * x, across * x + twist * y, none), axis=1)
         rise = -(across * x**2 + along * y**2) / 2 - twist * x * y
         fields.append(np.cross(turn, corners - at) + rise[:, None] * (0, 0, 1))
-    fields += [np.stack(each, axis=1) for each in ((x, none, none), (none, y, none), (y, x, none))]
+    fields += [np.stack(item, axis=1) for item in ((x, none, none), (none, y, none), (y, x, none))]
     kinds = (2 * (line % 2) + place % 2)[:, None] == np.arange(4)
     own = kinds[:, None, :, None] * np.eye(3)[None, :, None, :]
     return np.concatenate((np.stack(fields, axis=-1), own.reshape(49, 3, 12)), axis=-1)
@@ -129,8 +129,8 @@ def test_a_waterbomb_base_has_two_states_at_the_minima_of_its_symmetric_energy(a
     least = minimize_scalar(energy, bounds=(0.02, 1.5), method="bounded", options={"xatol": 1e-9})
     assert 0.05 < least.x < 1.45
     down = shape_at(net, waterbomb_base(side, float(least.x), "down").vertices_coords, start.angles)
-    found = find_stable_states(net, [start, down], tries=2)
-    energies = sorted(state.energy for state in found.states)
+    result = find_stable_states(net, [start, down], tries=2)
+    energies = sorted(state.energy for state in result.states)
     assert len(energies) >= 2
     by = "Hanna et al. 2014, eight linear springs"
     agree(
@@ -166,9 +166,9 @@ def test_the_second_state_of_a_kresling_tower_is_that_of_the_closed_form(agree, 
         rel=1e-6,
     )
     placed = kresling_pattern(sides, 1, radius, other.height, other.twist)
-    there = shape_at(net, placed.vertices_coords)
-    found = find_stable_states(net, [built_shape(net), there], tries=4)
-    rests = sorted((state.shape.positions[sides:, 2].mean(), state.energy) for state in found.states)
+    present = shape_at(net, placed.vertices_coords)
+    result = find_stable_states(net, [built_shape(net), present], tries=4)
+    rests = sorted((state.shape.positions[sides:, 2].mean(), state.energy) for state in result.states)
     found_heights = [100 * rest[0] for rest in (rests[0], rests[-1])]
     known = [100 * other.height, 100 * height * radius]
     agree(

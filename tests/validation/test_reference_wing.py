@@ -210,7 +210,7 @@ def test_the_engines_membrane_forces_are_the_gradient_of_its_energy(holds, refer
 
     angles = np.random.default_rng(seed).normal(scale=bend, size=wing.engine.nq)
     step = 1e-5
-    slope = [(energy(angles + each) - energy(angles - each)) / (2 * step) for each in step * np.eye(wing.engine.nq)]
+    slope = [(energy(angles + item) - energy(angles - item)) / (2 * step) for item in step * np.eye(wing.engine.nq)]
     energy(angles)
     # error of central differences: (step / bend)^2, at most 1e-6, for an energy of fourth power
     apart = np.abs(data.qfrc_passive + slope).max() / np.abs(slope).max()

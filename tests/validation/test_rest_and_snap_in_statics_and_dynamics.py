@@ -11,7 +11,7 @@ from forficula.design import load_design, with_values
 from forficula.statics.net.load import point_forces
 from forficula.statics.net.load_path import load_path
 from forficula.statics.net.minimum import minimum
-from forficula.statics.net.net_of import net_of, places, start_shape
+from forficula.statics.net.net_of import net_of, point_positions, start_shape
 from forficula.structure import structure_of
 from forficula.study.running.runs import run
 
@@ -22,7 +22,7 @@ EDGE = 0.02
 
 def apart(one, other):
     """Largest difference of distances between points, m, which does not depend on position and orientation."""
-    first, second = (np.linalg.norm(each[:, None] - each[None], axis=2) for each in (one, other))
+    first, second = (np.linalg.norm(item[:, None] - item[None], axis=2) for item in (one, other))
     return float(np.abs(first - second).max())
 
 
@@ -34,7 +34,7 @@ def both(design):
     record = run(design)
     assert statics.stable
     assert record.diverged_at is None
-    return places(net, statics.shape)[: len(structure.points)], record.series["point_position"][-1]
+    return point_positions(net, statics.shape)[: len(structure.points)], record.series["point_position"][-1]
 
 
 def small(name, **values):

@@ -98,8 +98,8 @@ def test_a_slowly_growing_torque_folds_a_fan_at_its_least_slow_torque(agree):
     """Snaps computed in long steps had led to another state, and to a torque that was 26 % too large."""
     least, helped = slow_fold(fan(SHORT_DISTAL))
     assert helped is None
-    found = snap_torque(fan(SHORT_DISTAL), 1.3 * least)
-    agree("torque at which the last hinge folds", 100 * found, 100 * least, unit="N cm", by="statics", rel=0.03)
+    result = snap_torque(fan(SHORT_DISTAL), 1.3 * least)
+    agree("torque at which the last hinge folds", 100 * result, 100 * least, unit="N cm", by="statics", rel=0.03)
 
 
 def test_where_inertia_decides_a_fan_folds_at_the_snap_predicted_by_statics(agree):
@@ -107,10 +107,10 @@ def test_where_inertia_decides_a_fan_folds_at_the_snap_predicted_by_statics(agre
     least, helped = slow_fold(fan(NARROW_MARGIN))
     assert helped is not None
     assert least > 1.5 * helped.torque
-    found = snap_torque(fan(NARROW_MARGIN), 1.3 * helped.torque)
+    result = snap_torque(fan(NARROW_MARGIN), 1.3 * helped.torque)
     agree(
         "torque at which the fan folds by inertia",
-        100 * found,
+        100 * result,
         100 * helped.torque,
         unit="N cm",
         by="statics",

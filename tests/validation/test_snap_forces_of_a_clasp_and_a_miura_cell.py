@@ -138,7 +138,7 @@ def test_the_band_of_a_clasp_closed_on_its_stop_stores_the_energy_of_its_length(
 def test_a_stop_yields_by_its_moment_divided_by_its_stiffness(agree):
     """The default stiffness is 1000 times that of the crease, 20 N m/rad for 0.02 N m/rad; a design can set another."""
     settle = {"protocol.stages": [CLASP.as_tables()["protocol"]["stages"][0]]}
-    designs = [with_values(CLASP, settle | given) for given in ({}, {"crease.stop_stiffness": 500.0})]
+    designs = [with_values(CLASP, settle | provided) for provided in ({}, {"crease.stop_stiffness": 500.0})]
     records = simulate([compile_model(design) for design in designs])
     for record, stiffness in zip(records, (20.0, 500 * 0.02), strict=True):
         angle = float(record.series["hinge_angle"][-1, 0])

@@ -89,8 +89,8 @@ def least_at_once(wings, start, drive, goal, most):
     low, high = 0.0, most
     while high - low > 0.01 * high:
         torque = (low + high) / 2
-        there = gets_to(wings, goal, rest(wings, start, driven(wings, drive, torque)).position)
-        low, high = (low, torque) if there else (torque, high)
+        present = gets_to(wings, goal, rest(wings, start, driven(wings, drive, torque)).position)
+        low, high = (low, torque) if present else (torque, high)
     return high
 
 
@@ -146,8 +146,8 @@ def test_the_wing_under_half_its_least_torque_rests_at_the_same_angles_and_energ
         assert run.series["kinetic_energy"][-1] < 1e-9
         off.append(np.abs(angles(run, -1) - static.position).max())
         agree("energy of its tendons", run.series["tendon_energy"][-1].sum(), tendons, unit="J", by="statics", rel=1e-4)
-        found = 1e3 * run.series["membrane_energy"][-1]
-        agree("energy of its membrane", found, 1e3 * membrane, unit="mJ", by="statics", rel=1e-3)
+        result = 1e3 * run.series["membrane_energy"][-1]
+        agree("energy of its membrane", result, 1e3 * membrane, unit="mJ", by="statics", rel=1e-3)
     assert math.degrees(np.ptp(static.position)) > 90
     # the wing's softest mode amplifies the yielding of the stops ten times
     holds("difference of angles under half the least torque", math.degrees(off[0]), below=0.1, unit="deg", by="statics")
@@ -201,10 +201,10 @@ def test_the_least_opening_torque_is_that_of_a_damped_simulation_and_below_it_th
     tendons, membrane = energies(wings, released.position)
     assert released.rests.all()
     # hinges at their stops and one folded; a wing with a slack tendon, which no force holds, creeps
-    found = below.series["tendon_energy"][-1].sum()
-    agree("energy of its tendons, released", found, tendons, unit="J", by=by, rel=1e-4)
-    found = 1e3 * below.series["membrane_energy"][-1]
-    agree("energy of its membrane, released", found, 1e3 * membrane, unit="mJ", by=by, rel=0.01)
+    result = below.series["tendon_energy"][-1].sum()
+    agree("energy of its tendons, released", result, tendons, unit="J", by=by, rel=1e-4)
+    result = 1e3 * below.series["membrane_energy"][-1]
+    agree("energy of its membrane, released", result, 1e3 * membrane, unit="mJ", by=by, rel=0.01)
 
 
 @pytest.mark.parametrize("stiffness", ["rigid", 0.1])
@@ -214,8 +214,8 @@ def test_the_least_torque_of_one_motor_on_coupled_veins_is_that_of_a_damped_simu
     wings = ensemble_of([with_values(coupled, {"protocol.folded_angle": FOLDED})])
     flat = start_state(wings).position
     least = least_slow_torque(wings, flat, wings.structure.transitions[0], 0.5).torque[0]
-    found = 100 * least_at_once(wings, flat, "fold", "folded", 0.5)
-    agree("least torque applied at once", found, 100 * least, unit="N cm", by="least slow torque", rel=0.02)
+    result = 100 * least_at_once(wings, flat, "fold", "folded", 0.5)
+    agree("least torque applied at once", result, 100 * least, unit="N cm", by="least slow torque", rel=0.02)
     for share, folds in ((0.97, False), (1.03, True)):
         run = damped(coupled, [stage("fold", "fold", "folded", 40.0)], 0.005, fold_torque=share * least)
         assert (run.stages[1].goal_time is not None) == folds
@@ -241,7 +241,7 @@ def test_two_ring_folds_held_partly_folded_by_a_torque_rest_as_in_statics(agree)
     static = rest(wings, held, driven(wings, "fold", torque)).position
     by = "simulation"
     agree("angles at rest", np.degrees(static), np.degrees(held), unit="deg", by=by, abs=0.2)
-    found, known = line_energy(wings.lines, static)[0], below.series["tendon_energy"][-1].sum()
-    agree("energy of its tendons", found, known, unit="J", by=by, rel=2e-3)
-    found, known = 1e3 * sheet_energy(wings.sheet, static)[0], 1e3 * below.series["membrane_energy"][-1]
-    agree("energy of its membrane", found, known, unit="mJ", by=by, rel=0.02)
+    result, known = line_energy(wings.lines, static)[0], below.series["tendon_energy"][-1].sum()
+    agree("energy of its tendons", result, known, unit="J", by=by, rel=2e-3)
+    result, known = 1e3 * sheet_energy(wings.sheet, static)[0], 1e3 * below.series["membrane_energy"][-1]
+    agree("energy of its membrane", result, known, unit="mJ", by=by, rel=0.02)

@@ -48,8 +48,8 @@ def drop(damping_ratio, steps):
 
 @pytest.mark.parametrize("damping_ratio", [0.3, 0.6, 1.0])
 def test_the_rebound_of_a_joint_from_its_stop_is_that_of_the_closed_form(damping_ratio, agree):
-    found, _ = drop(damping_ratio, 400)
-    agree("rebound", found, rebound(damping_ratio), unit="", by="exp(-z phase / sqrt(1 - z^2))", abs=3e-3)
+    result, _ = drop(damping_ratio, 400)
+    agree("rebound", result, rebound(damping_ratio), unit="", by="exp(-z phase / sqrt(1 - z^2))", abs=3e-3)
 
 
 def test_the_depth_of_a_critically_damped_stop_is_proportional_to_speed_and_time_constant(agree):
@@ -57,17 +57,17 @@ def test_the_depth_of_a_critically_damped_stop_is_proportional_to_speed_and_time
 
 
 def test_four_steps_per_time_constant_are_close_to_the_closed_form(holds):
-    found = [abs(drop(ratio, 4)[0] - rebound(ratio)) for ratio in (0.6, 1.0)]
-    holds("error of the rebound", max(found), below=0.06, by="closed form")
+    result = [abs(drop(ratio, 4)[0] - rebound(ratio)) for ratio in (0.6, 1.0)]
+    holds("error of the rebound", max(result), below=0.06, by="closed form")
 
 
 def test_the_reference_opens_in_the_same_time_at_every_timestep(holds):
     steps = ("0.2 ms", "0.1 ms", "0.05 ms")
     designs = [ff.load_design("binder2025", {"protocol.timestep": step}) for step in steps]
     outcomes = [measure(record) for _, record in sorted(run_each(designs, sparse=True), key=lambda pair: pair[0])]
-    assert [each.verdict for each in outcomes] == [Verdict.REACHED] * 3
+    assert [outcome.verdict for outcome in outcomes] == [Verdict.REACHED] * 3
     for name, resolution in (("fold", 1e-3), ("unfold", 2e-4)):
-        times = np.array([each.transitions[name].time for each in outcomes])
+        times = np.array([outcome.transitions[name].time for outcome in outcomes])
         holds(f"scatter of the {name} time", float(np.ptp(times)), below=resolution, by="the same time, s")
 
 
@@ -80,7 +80,7 @@ def test_a_run_with_unresolved_stops_is_unreliable_and_names_both_keys():
 
 def test_stops_do_not_depend_on_the_timestep():
     models = [
-        compile_model(ff.load_design("binder2025", {"protocol.timestep": each})) for each in ("0.2 ms", "0.05 ms")
+        compile_model(ff.load_design("binder2025", {"protocol.timestep": item})) for item in ("0.2 ms", "0.05 ms")
     ]
     first, second = (model.engine.jnt_solref * [model.units.time, 1] for model in models)
     assert np.array_equal(first, second)

@@ -38,7 +38,7 @@ def mirrored(design):
 def others(reference):
     """Wings of the same topology with other motions."""
     values = [{"tendon.rest_length": 0.07}, {"tendon.stiffness": 6000.0, "tendon.rest_length": 0.0}]
-    return [with_values(reference, each) for each in values]
+    return [with_values(reference, value) for value in values]
 
 
 def test_the_mirror_image_of_the_wing_has_the_mirrored_motion(agree, reference, reference_run):
@@ -66,7 +66,7 @@ def test_the_opposite_turning_sense_of_the_veins_is_another_mechanism(holds, ref
     """The sense in which the veins turn matters (docs/model/theory.md, section Fan pattern)."""
     left = ff.measure(ff.run(with_values(reference, {"pattern.tangent": "left"}), confirm=False))
     assert reference_outcome.holds["folded"]
-    angles = [each.states["folded"].readings["distal_angle"].mean for each in (left, reference_outcome)]
+    angles = [item.states["folded"].readings["distal_angle"].mean for item in (left, reference_outcome)]
     apart = np.degrees(np.abs(angles[0] - angles[1]).max())
     holds("difference of folded angles from those with the opposite turning sense", apart, above=5, unit="deg")
 

@@ -98,8 +98,8 @@ def test_tendon_lengths_follow_from_the_geometry_in_other_fans(agree, reference,
     assert record.diverged_at is None
     # rounding
     lengths = tendon_length(record.design, record.angles("ring"))
-    found = 100 * record.data["tendon_length"].values
-    agree("length of tendons", found, 100 * lengths, unit="cm", by="Rodrigues", abs=1e-10)
+    result = 100 * record.data["tendon_length"].values
+    agree("length of tendons", result, 100 * lengths, unit="cm", by="Rodrigues", abs=1e-10)
 
 
 def test_open_tendons_are_about_11_cm_long(reference_outcome, agree):

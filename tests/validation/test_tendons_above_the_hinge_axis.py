@@ -31,7 +31,7 @@ def test_raising_one_end_by_twice_the_height_equals_raising_both_ends_to_first_o
     agree("angle of the energy maximum, one end at 6.2 mm", top, math.degrees(both.top), unit="deg", by=ends, rel=0.013)
     first, second, flush = map(hinge_landscape, (one, both, hinge(reference, {})))
     agree("barrier, one end at 6.2 mm", 1e3 * first.barrier, 1e3 * second.barrier, unit="mJ", by=ends, rel=0.02)
-    torques = (100 * each.holding_torque for each in (first, second))
+    torques = (100 * item.holding_torque for item in (first, second))
     agree("holding torque, one end at 6.2 mm", *torques, unit="N cm", by=ends, rel=0.02)
     barriers = 1e3 * second.barrier, 1e4 * flush.barrier
     agree("barrier, both ends at 3.1 mm", *barriers, unit="mJ", by="ten times", rel=0.02)

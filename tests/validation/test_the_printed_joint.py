@@ -128,14 +128,14 @@ def test_the_least_torques_of_simulated_joints_are_those_of_statics(agree, key, 
 
 
 def test_simulated_as_its_parts_are_made_it_has_two_stable_states_with_the_numbers_of_the_readme():
-    made = as_made(ff.make_parts(JOINT, "joint"))
+    made = as_made(ff.make.parts(JOINT, "joint"))
     outcome = ff.measure(ff.run(made, confirm=False))
     assert outcome.status == "folded and opened"
     flat = {f"tendon.{end}_offset": "0 mm" for end in ("proximal", "distal")}
-    told = [
+    output = [
         f"{1e3 * hinge.barrier:.2f} mJ and a holding torque of {1e2 * hinge.holding_torque:.2f} N cm"
         for design in (made, JOINT.with_values(flat))
         for hinge in ff.landscape(design).tendons
     ]
     text = " ".join((Path(__file__).parents[2] / "README.md").read_text("utf-8").split())
-    assert f"a barrier of {told[0]}, instead of {told[1].replace('a holding torque of ', '')}" in text
+    assert f"a barrier of {output[0]}, instead of {output[1].replace('a holding torque of ', '')}" in text

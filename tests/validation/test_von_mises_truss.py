@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import ElasticLaw
-from forficula.statics.net.collapse import collapse, snapped
+from forficula.statics.net.collapse import collapse, state_after_collapse
 from forficula.statics.net.energy import built_shape, expand
 from forficula.statics.net.load import acceleration, held_displacements, point_forces
 from forficula.statics.net.load_path import load_path
@@ -66,8 +66,8 @@ def test_the_limit_of_a_shallow_truss_is_found_although_an_increment_could_step_
     net = von_mises(height)
     path = load_path(net, built_shape(net), point_forces(net, APEX, DOWN), step=step, increments=20, events=1)
     assert [event.kind for event in path.events] == ["limit"]
-    found, known = path.events[0].point.factor, limit(height)
-    agree("limit load", found, known, unit="N", by="von Mises 1923", rel=1e-6)
+    result, known = path.events[0].point.factor, limit(height)
+    agree("limit load", result, known, unit="N", by="von Mises 1923", rel=1e-6)
 
 
 def test_the_path_under_a_displacement_has_no_limit(agree):
@@ -125,8 +125,8 @@ def test_the_path_has_a_corner_where_a_tendon_goes_slack(agree):
     assert path.ended == "count"
     z = np.array([point.shape.positions[1, 2] for point in path.points])
     known = force(0.3, z) - pull * np.maximum(z - slack, 0)
-    found, by = [point.factor for point in path.points], "von Mises 1923 and a tendon"
-    agree("force", found, known, unit="N", by=by, abs=1e-8)
+    result, by = [point.factor for point in path.points], "von Mises 1923 and a tendon"
+    agree("force", result, known, unit="N", by=by, abs=1e-8)
     assert z[-1] < -0.3
     assert [event.kind for event in path.events] == ["limit", "limit"]
     agree("force at the corner", path.events[0].point.factor, force(0.3, slack), unit="N", by=by, rel=1e-3)
@@ -165,10 +165,10 @@ def test_a_tall_truss_buckles_sideways_first(agree):
 
 def test_the_saddle_between_both_states_has_straight_bars(agree):
     net = von_mises(0.3)
-    found = find_stable_states(net, [built_shape(net)], tries=10)
-    heights = sorted(state.shape.positions[1, 2] for state in found.states)
+    result = find_stable_states(net, [built_shape(net)], tries=10)
+    heights = sorted(state.shape.positions[1, 2] for state in result.states)
     agree("heights of both states", heights, [-0.3, 0.3], unit="m", by="bars of equal length", rel=1e-6)
-    saddle = find_saddle(net, *found.states)
+    saddle = find_saddle(net, *result.states)
     assert saddle is not None
     assert saddle.joins
     barrier = STIFFNESS * (np.hypot(HALF, 0.3) - HALF) ** 2
@@ -190,21 +190,21 @@ def test_the_truss_snaps_from_its_limit_to_the_inverted_shape_under_the_same_for
     net = von_mises(0.3)
     state = minimum(net, built_shape(net))
     lost = collapse(net, state, point_forces(net, APEX, DOWN))
-    there = snapped(net, lost)
-    assert there.stable
+    present = state_after_collapse(net, lost)
+    assert present.stable
     z = brentq(lambda z: force(0.3, z) - 1.001 * limit(0.3), -1.0, -0.3)
-    agree("height after the snap", there.shape.positions[1], (0, 0, z), unit="m", by="von Mises 1923", abs=1e-8)
-    assert minimum(net, there.shape).shape.positions[1, 2] == pytest.approx(-0.3)
+    agree("height after the snap", present.shape.positions[1], (0, 0, z), unit="m", by="von Mises 1923", abs=1e-8)
+    assert minimum(net, present.shape).shape.positions[1, 2] == pytest.approx(-0.3)
     held = collapse(net, state, point_forces(net, APEX, DOWN), most=1.0)
     with pytest.raises(InputError, match="lost: need a state that collapses"):
-        snapped(net, held)
+        state_after_collapse(net, held)
 
 
 def test_the_frequency_of_the_apex_follows_from_its_stiffness(agree):
     net = von_mises(0.3)
     modes = natural_modes(net, built_shape(net))
     squares = 2 * STIFFNESS * np.array([0.3**2, HALF**2]) / (0.3**2 + HALF**2)
-    found = 2 * np.pi * modes.frequencies
+    result = 2 * np.pi * modes.frequencies
     # the relative error of a square is twice that of its base
-    agree("frequencies", found, np.sqrt(squares), unit="rad/s", by="√(k / m)", rel=0.5e-9)
+    agree("frequencies", result, np.sqrt(squares), unit="rad/s", by="√(k / m)", rel=0.5e-9)
     assert not modes.rigid.any()

@@ -46,9 +46,9 @@ class Served:
         whole = path if path.startswith("/") else urlsplit(self.address).path + path
         connection.request(method, whole, body, headers)
         answer = connection.getresponse()
-        found = answer.status, answer.read()
+        result = answer.status, answer.read()
         connection.close()
-        return found
+        return result
 
     def ask(self, what, **asked):
         """What it says to a design."""
@@ -66,8 +66,8 @@ class Served:
 def printed_address(process):
     """The next address on the terminal of a workbench."""
     while line := process.stdout.readline():
-        if found := re.search(r"http://\S+/open/\S+", line):
-            return found[0]
+        if result := re.search(r"http://\S+/open/\S+", line):
+            return result[0]
     raise AssertionError(process.communicate()[1])
 
 

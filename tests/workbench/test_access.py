@@ -179,13 +179,13 @@ def test_what_no_page_can_send_is_refused_with_a_reason(served):
     status, answer = served.request("POST", "design", "{}", JSON | {"Origin": "http://["})
     assert status == 403
     assert b"this workbench answers requests of its own page" in answer
-    for asked, reason in (
+    for requested, reason in (
         (
             {"files": [{"name": "\N{GRINNING FACE}" * 90 + ".toml", "text": ""}]},
             b"need a file name of at most 255 bytes",
         ),
         ({"settings": {"a." * 3000 + "b": "1"}}, b"need keys of at most 300 letters"),
     ):
-        status, answer = served.request("POST", "design", json.dumps(asked), JSON)
+        status, answer = served.request("POST", "design", json.dumps(requested), JSON)
         assert status == 400
         assert reason in answer

@@ -106,25 +106,25 @@ def test_requests_larger_than_a_design_are_refused(served):
     ],
 )
 def test_requests_that_its_page_cannot_send_are_refused(served, method, body, kind, status, why):
-    found, content = served.request(method, "design", body, {"Content-Type": kind})
-    assert found == status
+    result, content = served.request(method, "design", body, {"Content-Type": kind})
+    assert result == status
     assert why in json.loads(content)["refused"]
 
 
 def test_the_response_for_a_design_has_its_keys_its_file_and_its_command(served):
-    told = served.ask("design", settings={"tendon.0.stiffness": "0.6 N/cm"})
+    output = served.ask("design", settings={"tendon.0.stiffness": "0.6 N/cm"})
     design = load_design("letter-fold", {"tendon.0.stiffness": "0.6 N/cm"})
-    assert design_from_text(told["text"]).hash == design.hash
-    assert told["command"] == 'forficula run letter-fold --set tendon.0.stiffness="0.6 N/cm"'
-    values = {key["key"]: key["value"] for key in told["keys"]}
+    assert design_from_text(output["text"]).hash == design.hash
+    assert output["command"] == 'forficula run letter-fold --set tendon.0.stiffness="0.6 N/cm"'
+    values = {key["key"]: key["value"] for key in output["keys"]}
     assert values["tendon.0.stiffness"] == "0.6 N/cm"
     assert values["tendon.1.stiffness"] == served_value("letter-fold", "tendon.1.stiffness")
 
 
 def served_value(name, key):
-    from forficula.design.files.held_keys import held_keys
+    from forficula.design.files.design_keys import design_keys
 
-    return next(each.value for each in held_keys(load_design(name)) if each.fact.key == key)
+    return next(item.value for item in design_keys(load_design(name)) if item.fact.key == key)
 
 
 @pytest.mark.parametrize(
@@ -142,17 +142,17 @@ def served_value(name, key):
     ],
 )
 def test_invalid_designs_are_refused_with_the_message_of_the_package(served, asked, refused):
-    told = served.ask("design", **asked)
-    assert told["refused"].startswith(refused)
-    assert "/tmp" not in told["refused"]
+    output = served.ask("design", **asked)
+    assert output["refused"].startswith(refused)
+    assert "/tmp" not in output["refused"]
 
 
 def test_a_dropped_fold_file_is_a_design(served):
     files = sent("door.fold", json.dumps(SQUARE))
-    told = served.ask("design", files=files)
-    assert told["name"] == "door"
-    assert told["command"] == "forficula run door.fold"
-    assert {key["key"] for key in told["keys"] if key["chosen"]} >= {"facet.thickness"}
+    output = served.ask("design", files=files)
+    assert output["name"] == "door"
+    assert output["command"] == "forficula run door.fold"
+    assert {key["key"] for key in output["keys"] if key["chosen"]} >= {"facet.thickness"}
     assert "mountain" not in served.ask("pattern", files=files)["said"]
     model = served.ask("model", files=files)
     assert model["live"]["refused"]
@@ -165,9 +165,9 @@ def test_a_drawing_without_a_unit_takes_that_of_the_page(served):
     (first, *_) = served.ask("model", files=files)["warnings"]
     assert first.startswith("door.fold: the file states no unit of length")
     assert "unit" in served.ask("design", files=files, unit="3")["refused"]
-    told = served.ask("design", files=files, unit="1 mm")
-    assert told["command"] == 'forficula run door.fold --unit "1 mm"'
-    x = next(key["value"] for key in told["keys"] if key["key"] == "pattern.vertices_x")
+    output = served.ask("design", files=files, unit="1 mm")
+    assert output["command"] == 'forficula run door.fold --unit "1 mm"'
+    x = next(key["value"] for key in output["keys"] if key["key"] == "pattern.vertices_x")
     assert json.loads(x) == ["0 cm", "0.4 cm", "0.8 cm", "0.8 cm", "0.4 cm", "0 cm"]
 
 
@@ -175,20 +175,20 @@ def test_a_design_is_dropped_with_the_files_that_it_names(served):
     head = 'based_on = "miura-sheet"\ntendon = []\nsupport = []\nmeasure = []\n'
     design = {"name": "mine.toml", "text": f'{head}[pattern]\nkind = "fold-file"\npath = "door.fold"\n'}
     files = [design, {"name": "door.fold", "text": json.dumps(SQUARE)}]
-    told = served.ask("design", files=files)
-    assert told.get("name") == "mine", told
+    output = served.ask("design", files=files)
+    assert output.get("name") == "mine", output
     assert served.ask("design", files=files[:1])["refused"].startswith("mine.toml: ")
 
 
 def test_the_model_is_the_one_that_the_package_builds_for_a_page(served):
-    from forficula.show.page.bench_page import at_start
     from forficula.show.page.data.live_data import live_data
+    from forficula.show.page.live_page import start_clip
 
-    told = served.ask("model", settings={"tendon.0.stiffness": "0.6 N/cm"})
+    output = served.ask("model", settings={"tendon.0.stiffness": "0.6 N/cm"})
     design = load_design("letter-fold", {"tendon.0.stiffness": "0.6 N/cm"})
-    clip = at_start(design)
-    own = live_data(design, [each.measure for each in clip.readings], clip.mesh.anchors.tolist())
-    assert told["live"] == json.loads(json.dumps(own))
+    clip = start_clip(design)
+    own = live_data(design, [reading.measure for reading in clip.readings], clip.mesh.anchors.tolist())
+    assert output["live"] == json.loads(json.dumps(own))
 
 
 def lines(served, what, **asked):

@@ -17,15 +17,15 @@ from forficula.design import Design, FanDesign, JointDesign, SheetDesign, stage_
 from forficula.dynamics import Record
 from forficula.quantities import show_value
 from forficula.statics.net.net_of import is_net
-from forficula.statics.slow_margin import MORE, least_slow_torques
+from forficula.statics.slow_margin import LARGEST_TORQUE_FACTOR, least_slow_torques
 from forficula.structure import (
     Structure,
     Transition,
+    distance_to_goal,
     drive_of,
     drive_unit,
     goal_coordinates,
     goal_of,
-    short_of,
     structure_of,
 )
 
@@ -104,7 +104,7 @@ def _more_time(record: Record, ending: Ending, transition: Transition) -> Advice
     if end.goal_time is not None:  # the run missed the rest of a later stage
         return NOTHING
     stage, key = end.stage, _stage_key(record.design, transition.stage, "time_limit")
-    if not (end.at_goal or ending.why or _approaches(record, transition)):
+    if not (end.at_goal or ending.why or _approaches_goal(record, transition)):
         last = show_value(min(record.design.protocol.window, end.end - end.start), "s")
         return Advice(
             text=f'In the last {last} of the stage "{stage.name}" it approached its goal no faster than a structure'
@@ -117,7 +117,7 @@ def _more_time(record: Record, ending: Ending, transition: Transition) -> Advice
     return Advice(kind="more time", text=text, values={key: limit})
 
 
-def _approaches(record: Record, transition: Transition) -> bool:
+def _approaches_goal(record: Record, transition: Transition) -> bool:
     """Return whether the coordinate furthest from a transition's goal approached it at the end of the driven stage.
 
     Its mean speed over the last window must exceed the speed that counts as rest, because more time does not help a
@@ -134,7 +134,7 @@ def _approaches(record: Record, transition: Transition) -> bool:
     )
     resting = record.design.protocol.rest_speed * (end.end - start)
     least = resting if transition.kind == "angle" else _MOVED_SHARE * record.structure.span
-    return short_of(before, goal) - short_of(after, goal) > least
+    return distance_to_goal(before, goal) - distance_to_goal(after, goal) > least
 
 
 def _longer_hold(record: Record, transition: Transition) -> Advice:
@@ -169,7 +169,7 @@ def _stronger(record: Record, transition: Transition) -> Advice:
     if math.isnan(least):
         softer = _softer(design)
         with_softer = _least_torques([with_values(design, values) for values in softer], transition) if softer else []
-        most = show_value(MORE * abs(strength), unit)
+        most = show_value(LARGEST_TORQUE_FACTOR * abs(strength), unit)
         none = f"No slowly growing torque up to {most} makes it {verb}."
         for values, torque in zip(softer, with_softer, strict=True):
             if _SURELY * torque <= abs(strength):

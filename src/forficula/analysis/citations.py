@@ -275,15 +275,15 @@ def citations(design: Design) -> tuple[Citation, ...]:
         The program and the engine first, then the publications of the pattern and of the model, each once.
     """
     structure = structure_of(design)
-    found = {
+    result = {
         _software(): "all results",
         _ENGINE: "simulated runs",
         **{_PAPERS[key]: used_for for key, used_for in design.papers.items()},
     }
     for key, used_for, has in _FEATURES:
         if has(structure):
-            found.setdefault(_PAPERS[key], used_for)
-    return tuple(Citation(publication=publication, used_for=used_for) for publication, used_for in found.items())
+            result.setdefault(_PAPERS[key], used_for)
+    return tuple(Citation(publication=publication, used_for=used_for) for publication, used_for in result.items())
 
 
 def _software() -> Publication:

@@ -129,14 +129,14 @@ def uncertainties(values: Values, timestep: float, checks: Sequence[NumericalChe
     Returns:
         Uncertainties by name, with the shapes of the values.
     """
-    found = {}
+    result = {}
     for name, value in values.items():
         if not checks or not all(len(check.values.get(name, ())) == len(value) for check in checks):
             continue
         others = ((check, np.array(check.values[name])) for check in checks)
         least = timestep if name.endswith(".time") else 0.0
-        found[name] = tuple(_largest_difference(np.array(value), timestep, others, least).tolist())
-    return found
+        result[name] = tuple(_largest_difference(np.array(value), timestep, others, least).tolist())
+    return result
 
 
 def _largest_difference(

@@ -61,17 +61,17 @@ def facets_that_cross(record: Record) -> list[CrossingFacets]:
         return []
     rows = np.unique(np.linspace(0, len(places) - 1, _ROWS).astype(np.int64))
     pieces = _pieces(record.structure)
-    found = [
+    result = [
         CrossingFacets(names=(pieces.names[one], pieces.names[other]), time=float(record.time[rows[row]]))
         for one, other, row in _first_crossings(pieces, places[rows])
     ]
-    return sorted([*_turned_through(record), *found], key=lambda crossing: crossing.time)
+    return sorted([*_turned_through(record), *result], key=lambda crossing: crossing.time)
 
 
 def _turned_through(record: Record) -> list[CrossingFacets]:
     """Find the pairs of facets between points that are folded through each other at their common crease."""
     angles, structure = record.series.get("hinge_angle"), record.structure
-    found: dict[tuple[str, ...], float] = {}
+    result: dict[tuple[str, ...], float] = {}
     for number, hinge in enumerate(structure.hinges if angles is not None else ()):
         past = np.flatnonzero(np.abs(angles[:, number]) > np.pi + _SWINGS) if angles is not None else np.zeros(0)
         if hinge.flaps is None or not len(past):
@@ -82,8 +82,8 @@ def _turned_through(record: Record) -> list[CrossingFacets]:
         )
         time = float(record.time[past[0]])
         if len(names) == 2:
-            found[names] = min(time, found.get(names, time))
-    return [CrossingFacets(names=(one, other), time=time) for (one, other), time in found.items()]
+            result[names] = min(time, result.get(names, time))
+    return [CrossingFacets(names=(one, other), time=time) for (one, other), time in result.items()]
 
 
 def crossing_facets(structure: Structure, places: Array) -> list[tuple[str, str]]:
@@ -128,21 +128,21 @@ def _first_crossings(pieces: _Pieces, places: Array) -> list[tuple[int, int, int
     if the segments that they cut out of the line of intersection of both planes overlap by more than that. Pieces that
     touch along a side or at a corner, or that lie on one another, therefore do not count.
     """
-    found: dict[tuple[int, int], int] = {}
+    result: dict[tuple[int, int], int] = {}
     for first in range(0, len(places) if len(pieces.corners) > 1 else 0, _TOGETHER):
         corners = np.moveaxis(places[first : first + _TOGETHER, pieces.corners], 1, 0)
-        pair, row = _near(pieces, corners)
+        pair, row = _overlapping_boxes(pieces, corners)
         normals = polygon_normal(corners)
         normals /= np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-300)
         crosses = _cross(corners[pair, row], normals[pair, row], pieces.half[pair])
         owners = pieces.owner[pair[:, crosses]]
         order = np.argsort(row[crosses], kind="stable")
         for one, other, when in np.vstack([np.sort(owners, axis=0), row[crosses]]).T[order].tolist():
-            found.setdefault((one, other), first + when)
-    return sorted(((one, other, row) for (one, other), row in found.items()), key=lambda entry: entry[2])
+            result.setdefault((one, other), first + when)
+    return sorted(((one, other, row) for (one, other), row in result.items()), key=lambda entry: entry[2])
 
 
-def _near(pieces: _Pieces, corners: Array) -> tuple[Indices, Indices]:
+def _overlapping_boxes(pieces: _Pieces, corners: Array) -> tuple[Indices, Indices]:
     """Return pairs of pieces, (2, case), and rows, (case,), whose boxes overlap; corners, (piece, row, corner, 3)."""
     low, high = corners.min(axis=2), corners.max(axis=2)
     # first compare the boxes over all rows

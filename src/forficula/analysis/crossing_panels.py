@@ -89,37 +89,37 @@ def panel_crossing(record: Record, rows: Sequence[int] | None = None) -> PanelCr
         return None
     if rows is not None:
         return _deepest(record, meshes, rows)
-    rows = _telling_rows(record)
-    found = _deepest(record, meshes, rows)
+    rows = _evenly_spaced_rows(record)
+    result = _deepest(record, meshes, rows)
     # search once more between the rows next to the deepest one
-    near = int(np.searchsorted(record.time[rows], found.time))
+    near = int(np.searchsorted(record.time[rows], result.time))
     low, high = rows[max(near - 1, 0)], rows[min(near + 1, len(rows) - 1)]
     closer = _deepest(record, meshes, np.unique(np.linspace(low, high, _CLOSER).round().astype(np.int64)).tolist())
-    return max(found, closer, key=lambda crossing: crossing.depth)
+    return max(result, closer, key=lambda crossing: crossing.depth)
 
 
 def _deepest(record: Record, meshes: Sequence[PanelMesh], rows: Sequence[int]) -> PanelCrossing:
     """Find the deepest crossing in some rows."""
-    places = panel_places(record, rows)
-    found = PanelCrossing(depth=0.0, time=float(record.time[rows[0]]))
+    places = panel_positions(record, rows)
+    result = PanelCrossing(depth=0.0, time=float(record.time[rows[0]]))
     for (one, first_nodes), (other, second_nodes) in combinations(zip(meshes, places, strict=True), 2):
         depths = crossing_depths(one, first_nodes, other, second_nodes)
         row = int(np.argmax(depths))
-        if depths[row] > found.depth:
+        if depths[row] > result.depth:
             names = (one.name, other.name)
-            found = PanelCrossing(depth=float(depths[row]), names=names, time=float(record.time[rows[row]]))
-    return found
+            result = PanelCrossing(depth=float(depths[row]), names=names, time=float(record.time[rows[row]]))
+    return result
 
 
-def _telling_rows(record: Record) -> list[int]:
+def _evenly_spaced_rows(record: Record) -> list[int]:
     """Return rows of every stage between which the panels move by equal distances, with the ends of the stage."""
     steps = np.linalg.norm(np.diff(record.series["membrane_position"], axis=0), axis=2).max(axis=1)
-    way = np.concatenate([[0.0], np.cumsum(steps)])
+    path = np.concatenate([[0.0], np.cumsum(steps)])
     bounds = np.searchsorted(record.time, [[end.start, end.end] for end in record.stages])
     rows = []
-    for (first, last), end in zip(bounds.clip(max=len(way) - 1).tolist(), record.stages, strict=True):
-        wanted = np.linspace(way[first], way[last], _DRIVEN if stage_drives(end.stage) else _OTHERS)
-        rows += [first, last, *(first + np.searchsorted(way[first : last + 1], wanted)).clip(max=last).tolist()]
+    for (first, last), end in zip(bounds.clip(max=len(path) - 1).tolist(), record.stages, strict=True):
+        wanted = np.linspace(path[first], path[last], _DRIVEN if stage_drives(end.stage) else _OTHERS)
+        rows += [first, last, *(first + np.searchsorted(path[first : last + 1], wanted)).clip(max=last).tolist()]
     return sorted(set(rows))
 
 
@@ -132,7 +132,7 @@ def panel_meshes(structure: Structure) -> list[PanelMesh]:
     ]
 
 
-def panel_places(record: Record, rows: Sequence[int]) -> list[Array]:
+def panel_positions(record: Record, rows: Sequence[int]) -> list[Array]:
     """Return the positions of the nodes of every panel, in the order of `panel_meshes`, m, (row, node, 3) each.
 
     A node moves with its body: its position is a weighted sum of the positions of the recorded points and nodes of that
@@ -148,7 +148,7 @@ def panel_places(record: Record, rows: Sequence[int]) -> list[Array]:
     places = np.concatenate(
         [[point.place for point in structure.points], *(membrane.places for membrane in structure.membranes)]
     )
-    found = []
+    result = []
     for surface in (membrane.surface for membrane in structure.membranes if membrane.surface is not None):
         nodes = np.zeros((len(known), len(surface.bodies), 3))
         for body in np.unique(surface.bodies).tolist():
@@ -157,8 +157,8 @@ def panel_places(record: Record, rows: Sequence[int]) -> list[Array]:
             wanted = np.vstack([surface.places[of_body].T / structure.span, np.ones((1, int(of_body.sum())))])
             weights = np.linalg.lstsq(np.vstack([places[of_points].T / structure.span, ones]), wanted, rcond=1e-9)[0]
             nodes[:, of_body] = np.einsum("rkx,kn->rnx", known[:, of_points], weights)
-        found += [nodes[:, np.unique(surface.triangles[surface.panels == n])] for n in range(len(surface.names))]
-    return found
+        result += [nodes[:, np.unique(surface.triangles[surface.panels == n])] for n in range(len(surface.names))]
+    return result
 
 
 def crossing_depths(one: PanelMesh, first_nodes: Array, other: PanelMesh, second_nodes: Array) -> Array:

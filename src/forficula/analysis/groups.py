@@ -309,8 +309,8 @@ def _widths(structure: Structure) -> list[float]:
     for membrane in structure.membranes:
         joined = sorted(bodies & set(membrane.bodies.tolist()))
         if len(joined) > 1:
-            ways = (origins[one] - origins[other] for one, other in combinations(joined, 2))
-            widths.append(min(float(np.linalg.norm(way)) for way in ways))
+            offsets = (origins[one] - origins[other] for one, other in combinations(joined, 2))
+            widths.append(min(float(np.linalg.norm(offset)) for offset in offsets))
             continue
         corners = membrane.built[membrane.triangles]
         widths.append(math.sqrt(float(triangle_areas(corners).sum())))
@@ -373,25 +373,25 @@ def _times(structure: Structure, scale: Scale, timestep: float | Literal["auto"]
 
 def _shape(structure: Structure, scale: Scale, widths: Sequence[float]) -> Iterator[Group]:
     """Yield ratios of lengths of the tendon; and bars, margin and thickness divided by the sheet's width."""
-    found: list[tuple[str, str, float, str]] = []
+    result: list[tuple[str, str, float, str]] = []
     if scale.tendon is not None:
         tendon, (near, far) = structure.tendons[scale.tendon], scale.arms
-        found += [
+        result += [
             ("rest_length", "resting length", tendon.law.rest_length / (near + far), "of the tendon, divided by a + b"),
             ("arms", "arms", far / near, "of the tendon, b / a"),
         ]
     if structure.bars:
         slender = max(bar.diameter / float(np.linalg.norm(bar.end)) for bar in structure.bars)
-        found.append(("bar_slenderness", "bars", slender, "diameter of the stoutest bar, divided by its length"))
+        result.append(("bar_slenderness", "bars", slender, "diameter of the stoutest bar, divided by its length"))
     if widths:
         narrow, sheet = min(widths), structure.membranes[0]
         thick = max((bar.diameter for bar in structure.bars), default=0.0)
-        found += [
+        result += [
             ("bar_width", "bars beside the membrane", thick / narrow, "their diameter, divided by its width"),
             ("margin", "margin", sheet.margin / narrow, "of the membrane, divided by its width"),
             ("thickness", "thickness", sheet.law.thickness / narrow, "of the membrane, divided by its width"),
         ]
-    for name, label, value, meaning in found:
+    for name, label, value, meaning in result:
         if value:
             yield Group(name=name, label=label, value=value, meaning=meaning, kind="shape")
 

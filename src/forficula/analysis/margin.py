@@ -8,7 +8,7 @@ import numpy as np
 
 from forficula.analysis.outcome import Outcome, State
 from forficula.dynamics import Record
-from forficula.structure import StageGoal, Transition, goal_coordinates, goal_of, short_of
+from forficula.structure import StageGoal, Transition, distance_to_goal, goal_coordinates, goal_of
 
 # least missing share of a failed transition, so that its margin is never 0
 _LEAST_SHORT = 1e-3
@@ -33,7 +33,7 @@ def transition_margins(record: Record, outcome: Outcome) -> dict[str, float]:
     return {transition.name: _margin(record, outcome, transition) for transition in record.structure.transitions}
 
 
-def chained(margins: Sequence[float]) -> float:
+def combined_margin(margins: Sequence[float]) -> float:
     """Combine the margins of consecutive transitions into one margin.
 
     If all transitions succeeded, it is the least of their margins. Otherwise it is the sum of the margin of the first
@@ -51,7 +51,7 @@ def chained(margins: Sequence[float]) -> float:
 
 def _margin(record: Record, outcome: Outcome, transition: Transition) -> float:
     made, state = outcome.transitions[transition.name], outcome.states[transition.state]
-    if not outcome.verdict.tells or made is None or state is None or transition.stage is None:
+    if not outcome.verdict.conclusive or made is None or state is None or transition.stage is None:
         return NOT_TRIED
     limit = record.design.protocol.stages[transition.stage].time_limit
     if made.succeeded:
@@ -71,8 +71,8 @@ def _share_short(record: Record, transition: Transition, state: State, goal: Sta
         record.series["hinge_angle"][row : row + 1],
         None if distances is None else distances[row : row + 1],
     )[0]
-    way, left = short_of(start, goal), short_of(state.coordinates, goal)
-    share = left / way if way > 0 else 1.0
+    distance, left = distance_to_goal(start, goal), distance_to_goal(state.coordinates, goal)
+    share = left / distance if distance > 0 else 1.0
     return float(np.clip(share, _LEAST_SHORT, 1.0))
 
 
@@ -81,6 +81,8 @@ def margin_column(name: str) -> str:
     return f"{name}_margin"
 
 
-def chained_row(row: Mapping[str, object], transitions: Sequence[Transition]) -> float:
+def combined_row_margin(row: Mapping[str, object], transitions: Sequence[Transition]) -> float:
     """Return the combined margin of all transitions in a row of a study."""
-    return chained([float(str(row.get(margin_column(transition.name), NOT_TRIED))) for transition in transitions])
+    return combined_margin(
+        [float(str(row.get(margin_column(transition.name), NOT_TRIED))) for transition in transitions]
+    )

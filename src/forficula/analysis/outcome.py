@@ -302,7 +302,7 @@ def measure(run: AnyRun) -> Outcome:
         InputError: the folder does not contain a run, or it cannot be read.
     """
     record = as_record(run)
-    return held_against(_outcome(record), record.checks, record.design)
+    return compared_outcome(_outcome(record), record.checks, record.design)
 
 
 def outcome_values(outcome: Outcome) -> dict[str, tuple[float, ...]]:
@@ -317,7 +317,7 @@ def outcome_values(outcome: Outcome) -> dict[str, tuple[float, ...]]:
     return values
 
 
-def held_against(outcome: Outcome, checks: Sequence[NumericalCheck], design: Design) -> Outcome:
+def compared_outcome(outcome: Outcome, checks: Sequence[NumericalCheck], design: Design) -> Outcome:
     """Compare an outcome with second runs of its design.
 
     Args:
@@ -329,7 +329,7 @@ def held_against(outcome: Outcome, checks: Sequence[NumericalCheck], design: Des
         The outcome with its confirmation. If the verdicts differ, the verdict is "undecided". For each state on which
         the runs disagree, `holds` is None and the transition to it has no time.
     """
-    if not checks or not outcome.verdict.tells:
+    if not checks or not outcome.verdict.conclusive:
         return outcome
     values: Values = outcome_values(outcome)
     timestep = float(design.protocol.timestep)
@@ -349,7 +349,7 @@ def held_against(outcome: Outcome, checks: Sequence[NumericalCheck], design: Des
         advise=edge_advice,
         holds=holds,
         state_names={
-            state.name: _called(state, outcome.states[state.name], holds) for state in outcome.structure.states
+            state.name: _rest_name(state, outcome.states[state.name], holds) for state in outcome.structure.states
         },
         transitions={
             name: replace(transition, succeeded=False, time=None)
@@ -372,19 +372,19 @@ def _outcome(record: Record) -> Outcome:
         verdict = Verdict.UNTRUSTED
     else:
         verdict = _verdict(record.structure, missed)
-    if not verdict.tells:
+    if not verdict.conclusive:
         missed = next((run.driven for run in runs if run.driven is not None), None)
     decisive = missed or next((run.driven for run in reversed(runs) if run.driven is not None), None)
     run = None if decisive is None else _transition_run_of(runs, decisive)
     ending = Ending(
         verdict=verdict,
         transition=None if run is None else run.transition,
-        reading=run.state.furthest if verdict.tells and run is not None and run.state is not None else None,
+        reading=run.state.furthest if verdict.conclusive and run is not None and run.state is not None else None,
         time=record.diverged_at,
         residual=balance.residual if record.diverged_at is None else None,
-        why=record.doubt or unresolved or _why(record, verdict, missed),
+        why=record.doubt or unresolved or _reason_text(record, verdict, missed),
     )
-    holds = {run.transition.state: run.holds if verdict.tells else None for run in runs}
+    holds = {run.transition.state: run.holds if verdict.conclusive else None for run in runs}
     led_to = {run.transition.state: run.state for run in runs}
     states = {
         state.name: led_to[state.name] if state.name in led_to else _named_state(record, state)
@@ -395,9 +395,9 @@ def _outcome(record: Record) -> Outcome:
         status=ending_text(ending),
         holds=holds,
         states=states,
-        state_names={state.name: _called(state, states[state.name], holds) for state in structure.states},
+        state_names={state.name: _rest_name(state, states[state.name], holds) for state in structure.states},
         transitions={run.transition.name: _transition(record, run, holds) for run in runs},
-        stages=tuple(_stage(record, end, tells=verdict.tells) for end in record.stages),
+        stages=tuple(_stage(record, end, conclusive=verdict.conclusive) for end in record.stages),
         energy_balance=balance,
         name=record.design.name,
         structure=structure,
@@ -417,7 +417,7 @@ def early_goal(record: Record, end: StageEnd) -> str:
     return ENDING_TEXTS["not held, early"].format(stage=end.stage.name) if early else ""
 
 
-def _why(record: Record, verdict: Verdict, missed: StageEnd | None) -> str:
+def _reason_text(record: Record, verdict: Verdict, missed: StageEnd | None) -> str:
     """Return why a stage missed its goal where the wording of its transition would mislead; else an empty text."""
     if missed is None or verdict not in (Verdict.MOVING, Verdict.NOT_HELD):
         return ""
@@ -439,7 +439,13 @@ def _transition_run(record: Record, transition: Transition) -> _TransitionRun:
     driven = record.stages[number]
     names = structure.stage_states
     named = next((place for place in range(number, len(names)) if names[place] == transition.state), number)
-    end = record.stages[named] if _sound(record, named) else driven if _sound(record, number) else None
+    end = (
+        record.stages[named]
+        if _ended_without_divergence(record, named)
+        else driven
+        if _ended_without_divergence(record, number)
+        else None
+    )
     rest_state = state_of(structure, transition.state)
     state = None if end is None else _state(record, end, transition.state)
     stage_goal = goal_of(structure, driven.stage.until)
@@ -449,7 +455,7 @@ def _transition_run(record: Record, transition: Transition) -> _TransitionRun:
     if state is not None and rest_state is not None:
         # a stage that does not end at a bound cannot reach it, so its final state decides
         kept = goal_of(structure, transition.released if ends_transition else rest_state.goal)
-        holds = reached and _within(state.coordinates, kept)
+        holds = reached and _within_bounds(state.coordinates, kept)
         # a goal that was met before the drive acted is not an effect of the drive
         holds = holds and not early_goal(record, driven)
     return _TransitionRun(transition=transition, driven=driven, state=state, holds=holds)
@@ -489,17 +495,17 @@ def _named_state(record: Record, state: RestState) -> State | None:
     """Return a state that no transition leads to, at the end of the stage that names it."""
     names = record.structure.stage_states
     number = names.index(state.name) if state.name in names else len(names)
-    return _state(record, record.stages[number], state.name) if _sound(record, number) else None
+    return _state(record, record.stages[number], state.name) if _ended_without_divergence(record, number) else None
 
 
-def _called(state: RestState, found: State | None, holds: Mapping[str, bool | None]) -> str:
+def _rest_name(state: RestState, found: State | None, holds: Mapping[str, bool | None]) -> str:
     if state.name in holds:
         held = holds[state.name]
         return state.unknown if held is None else state.name if held else state.missed
     return state.name if found is None or found.within else state.missed
 
 
-def _within(coordinates: Array, bounds: StageGoal) -> bool:
+def _within_bounds(coordinates: Array, bounds: StageGoal) -> bool:
     return bool(np.all((coordinates >= bounds.least) & (coordinates <= bounds.most)))
 
 
@@ -509,7 +515,7 @@ def _same_goal(one: StageGoal, other: StageGoal) -> bool:
     return one.kind == other.kind and same_bounds
 
 
-def _sound(record: Record, stage: int) -> bool:
+def _ended_without_divergence(record: Record, stage: int) -> bool:
     """Return whether a stage took place without diverging."""
     return len(record.stages) > stage and (record.diverged_at is None or stage < len(record.stages) - 1)
 
@@ -563,7 +569,7 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
         hinge_energy=hinges,
         spring_energy=springs,
         coupling_energy=couplings,
-        within=rest_state is not None and _within(mean, goal_of(record.structure, rest_state.goal)),
+        within=rest_state is not None and _within_bounds(mean, goal_of(record.structure, rest_state.goal)),
         swings=any(bool(np.any(reading.high - reading.low > _STIR)) for reading in swung)
         or any(bool(np.any(reading.high - reading.low > far)) for reading in moved),
         furthest=furthest,
@@ -598,15 +604,20 @@ def _transition(record: Record, run: _TransitionRun, holds: Mapping[str, bool | 
         work=_work(record, end),
         largest_force=_largest_force(record, drive, end),
         held=holds[transition.state] if released else None,
-        sprung_back=None if released else _sprung_back(record, transition),
+        sprung_back=None if released else _readings_at_release(record, transition),
     )
 
 
-def _sprung_back(record: Record, transition: Transition) -> tuple[float, float] | None:
+def _readings_at_release(record: Record, transition: Transition) -> tuple[float, float] | None:
     """Return the readings furthest from a transition's goal before and after a release that ends in no named state."""
     names, number = record.structure.stage_states, transition.stage
     after = (number or 0) + 1
-    if number is None or not _sound(record, after) or names[after] or stage_drives(record.stages[after].stage):
+    if (
+        number is None
+        or not _ended_without_divergence(record, after)
+        or names[after]
+        or stage_drives(record.stages[after].stage)
+    ):
         return None
     before, later = (_state(record, record.stages[stage], transition.state).furthest for stage in (number, after))
     return None if before is None or later is None else (before, later)
@@ -623,14 +634,14 @@ def _largest_force(record: Record, drive: Drive, end: StageEnd) -> float | None:
     return float(max(forces, key=abs)) if any(displaced) and len(forces) else None
 
 
-def _stage(record: Record, end: StageEnd, *, tells: bool) -> StageOutcome:
+def _stage(record: Record, end: StageEnd, *, conclusive: bool) -> StageOutcome:
     timed = end.stage.until == "time"
     moment = end.end if timed else end.goal_time
     return StageOutcome(
         name=end.stage.name,
         drive=stage_drives(end.stage),
         goal=end.stage.until,
-        reached=end.goal_time is not None if tells and not timed else None,
+        reached=end.goal_time is not None if conclusive and not timed else None,
         time=None if moment is None else moment - end.start,
         work=_work(record, end),
         waited=end.waited or None,

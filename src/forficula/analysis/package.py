@@ -97,18 +97,18 @@ def packages(record: Record) -> dict[str, tuple[float, Package]]:
     A run that diverged, and a structure on a line, have none. The balls have the radius of the thickest bar, or half
     the thickness of the thickest plate or facet.
     """
-    structure, found = record.structure, dict[str, tuple[float, Package]]()
+    structure, result = record.structure, dict[str, tuple[float, Package]]()
     named = [(end.end, name) for end, name in zip(record.stages, structure.stage_states, strict=False) if name]
-    if record.diverged_at is not None or not named or not _spread_out(_places(record, 0)):
-        return found
+    if record.diverged_at is not None or not named or not _not_collinear(_places(record, 0)):
+        return result
     begin = open_package(record).area
     for time, name in named:
         row = min(int(np.searchsorted(record.time, time - _ROUNDING)), len(record.time) - 1)
         places = _places(record, row)
-        if _spread_out(places) and _holds(record, name, row):
+        if _not_collinear(places) and _holds(record, name, row):
             package = package_of(places, _radius(structure))
-            found[name] = (float(record.time[row]), replace(package, area_ratio=package.area / begin))
-    return found
+            result[name] = (float(record.time[row]), replace(package, area_ratio=package.area / begin))
+    return result
 
 
 def _holds(record: Record, name: str, row: int) -> bool:
@@ -131,14 +131,14 @@ def open_package(record: Record) -> Package:
 
 def smallest_package(record: Record) -> tuple[str, float, Package] | None:
     """Return name, time, s, and packaged size of the state with the least area; None without states."""
-    found = packages(record)
-    if not found:
+    result = packages(record)
+    if not result:
         return None
-    name = min(found, key=lambda shape: found[shape][1].area)
-    return (name, *found[name])
+    name = min(result, key=lambda shape: result[shape][1].area)
+    return (name, *result[name])
 
 
-def _spread_out(places: Array) -> bool:
+def _not_collinear(places: Array) -> bool:
     """Return whether positions do not all lie on a line."""
     sizes = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
     return len(sizes) > 1 and bool(sizes[1] > _FLAT * sizes[0])

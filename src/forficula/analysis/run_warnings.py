@@ -31,11 +31,11 @@ def run_warnings(record: Record) -> list[str]:
     return [
         *filter(None, early),
         *_missed(record),
-        *_broken(record),
+        *_overstressed_parts(record),
         *_stretched_membranes(record),
         *_crossing_facets(record),
         *_crossing_panels(record),
-        *_giving_contacts(record),
+        *_energy_adding_contacts(record),
         *_fast_tendons(record),
     ]
 
@@ -47,7 +47,7 @@ def _missed(record: Record) -> list[str]:
     return [missed_text(missed, int(bounded.sum()))] if missed else []
 
 
-def _broken(record: Record) -> list[str]:
+def _overstressed_parts(record: Record) -> list[str]:
     """Warn of parts whose stress exceeds the strength of their material."""
     if record.structure.strength is None:
         return []
@@ -80,41 +80,40 @@ def _stretched_membranes(record: Record) -> list[str]:
 
 def _crossing_facets(record: Record) -> list[str]:
     """Warn of the first two facets that pass through each other, with the number of further pairs."""
-    found = facets_that_cross(record)
-    if not found:
+    result = facets_that_cross(record)
+    if not result:
         return []
-    names, more = " and ".join(found[0].names), len(found) - 1
+    names, more = " and ".join(result[0].names), len(result) - 1
     others = f", and {more} more pair{'s' * (more > 1)} later" if more else ""
     kind = "plates" if record.structure.plates else "facets"
     return [
-        f"{names} pass through each other from {found[0].time:.3g} s{others}: contact between {kind} is not modelled"
+        f"{names} pass through each other from {result[0].time:.3g} s{others}: contact between {kind} is not modelled"
     ]
 
 
 def _crossing_panels(record: Record) -> list[str]:
     """Warn of the two panels that pass furthest through each other, unless the depth is negligible."""
-    found = panel_crossing(record)
-    if found is None or found.depth <= _TRIFLE * record.structure.span:
+    result = panel_crossing(record)
+    if result is None or result.depth <= _TRIFLE * record.structure.span:
         return []
-    crossing = (
-        f"{' and '.join(found.names)} pass through each other by {show_value(found.depth, 'm')} at {found.time:.3g} s"
-    )
+    names, depth = " and ".join(result.names), show_value(result.depth, "m")
+    crossing = f"{names} pass through each other by {depth} at {result.time:.3g} s"
     if record.structure.contact is None:
         return [f"{crossing}: contact is switched off; protocol.contact = true keeps panels apart"]
     return [f"{crossing}, more than contact should allow: a shorter timestep reduces the depth"]
 
 
-def _giving_contacts(record: Record) -> list[str]:
+def _energy_adding_contacts(record: Record) -> list[str]:
     """Warn of contacts that supplied more energy than may be missing from the balance."""
     if "contact_work" not in record.series or record.diverged_at is not None:
         return []
     balance = energy_balance(record)
-    given = -(balance.contacts or 0.0)
-    if not given > record.design.protocol.residual_limit * balance.exchanged:
+    energy = -(balance.contacts or 0.0)
+    if not energy > record.design.protocol.residual_limit * balance.exchanged:
         return []
-    share = f", {100 * given / balance.exchanged:.2g} % of the exchanged energy," if balance.exchanged else ""
+    share = f", {100 * energy / balance.exchanged:.2g} % of the exchanged energy," if balance.exchanged else ""
     return [
-        f"contacts supplied {show_value(given, 'J')}{share} although real contacts only dissipate energy: the timestep"
+        f"contacts supplied {show_value(energy, 'J')}{share} although real contacts only dissipate energy: the timestep"
         " does not resolve them, and the energy balance counts this energy as missing"
     ]
 
@@ -172,7 +171,7 @@ def _rounded(ratio: float) -> str:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Missed:
+class MissedTarget:
     """A crease that is not at its target.
 
     Attributes:
@@ -188,7 +187,7 @@ class Missed:
     within: float
 
 
-def missed_targets(record: Record) -> list[Missed]:
+def missed_targets(record: Record) -> list[MissedTarget]:
     """Return creases that were not at their targets when the stage with this goal ended, the furthest first.
 
     Returns:
@@ -199,15 +198,17 @@ def missed_targets(record: Record) -> list[Missed]:
         return []
     (lower, upper), hinges = hinge_bounds(record.structure, goal_of(record.structure, TARGET)), record.structure.hinges
     row = max(int(np.searchsorted(record.time, ends[-1].end, side="right")) - 1, 0)
-    found = []
+    result = []
     for hinge, angle, least, most in zip(hinges, record.series["hinge_angle"][row], lower, upper, strict=True):
         if not least <= angle <= most:
             target, within = (least + most) / 2, (most - least) / 2
-            found.append(Missed(label=hinge.label or hinge.name, angle=float(angle), target=target, within=within))
-    return sorted(found, key=lambda hinge: -abs(hinge.angle - hinge.target))
+            result.append(
+                MissedTarget(label=hinge.label or hinge.name, angle=float(angle), target=target, within=within)
+            )
+    return sorted(result, key=lambda hinge: -abs(hinge.angle - hinge.target))
 
 
-def missed_text(missed: list[Missed], creases: int) -> str:
+def missed_text(missed: list[MissedTarget], creases: int) -> str:
     """Return which creases missed their targets, as a clause.
 
     Args:

@@ -72,7 +72,7 @@ def scale_of(structure: Structure) -> Scale | None:
     )
     crossing = crossings[number] if moment else None
     if crossing is None:
-        return _of_creases(structure)
+        return _crease_scale(structure)
     _, weight_arm, reach = _turning(structure, crossing.hinge)
     if structure.tendons[number].ideal is not None:
         body = structure.hinges[crossing.hinge].body
@@ -81,7 +81,7 @@ def scale_of(structure: Structure) -> Scale | None:
         name=structure.tendons[number].name,
         hinge=crossing.hinge,
         moment=moment,
-        inertia=_weighs(crossing.inertia - structure.hinges[crossing.hinge].armature),
+        inertia=_usable_inertia(crossing.inertia - structure.hinges[crossing.hinge].armature),
         weight_arm=weight_arm,
         reach=reach,
         tendon=number,
@@ -96,12 +96,12 @@ def _largest(moments: Sequence[float]) -> tuple[int, float]:
     return number, moments[number] if most else 0.0
 
 
-def _weighs(inertia: float) -> float:
+def _usable_inertia(inertia: float) -> float:
     """Return an inertia, or 0 if it is outside the usable range."""
     return inertia if _LEAST < inertia < _MOST else 0.0
 
 
-def _of_creases(structure: Structure) -> Scale | None:
+def _crease_scale(structure: Structure) -> Scale | None:
     """Return the scale of the stiffest spring in a hinge or a crease; bends of facets do not count."""
     groups = hinge_groups(structure)
     folds = [number for kind in ("hinges", "creases") for number in groups.get(kind, ())]
@@ -113,7 +113,7 @@ def _of_creases(structure: Structure) -> Scale | None:
         name=structure.hinges[folds[place]].name,
         hinge=folds[place],
         moment=moment,
-        inertia=_weighs(inertia),
+        inertia=_usable_inertia(inertia),
         weight_arm=weight_arm,
         reach=reach,
     )
@@ -134,12 +134,12 @@ def _turning(structure: Structure, number: int) -> tuple[float, float, float]:
         origin, axis = origins[hinge.body], frames[hinge.body] @ hinge.axis
         ends = [place for place, point in zip(points, structure.points, strict=True) if point.body in turned]
         reach = max((float(np.linalg.norm(np.cross(axis, end - origin))) for end in ends), default=0.0)
-        return *_about(structure, turned, origin, axis), reach
+        return *_inertia_about(structure, turned, origin, axis), reach
     tail, head, left, _, _, right = hinge.flaps
     along = (points[head] - points[tail]) / np.linalg.norm(points[head] - points[tail])
     bodies = [structure.points[corner].body for corner in (left, right)]
     free = [body for body in bodies if body != GROUND and structure.bodies[body].slides]
-    sides = [_about(structure, [body], points[tail], along) for body in free]
+    sides = [_inertia_about(structure, [body], points[tail], along) for body in free]
     heavy = [side for side in sides if side[0] > 0]
     reach = max(float(np.linalg.norm(np.cross(along, points[corner] - points[tail]))) for corner in (left, right))
     if not heavy:
@@ -147,7 +147,7 @@ def _turning(structure: Structure, number: int) -> tuple[float, float, float]:
     return 1 / sum(1 / inertia for inertia, _ in heavy), min(arm for _, arm in heavy), reach
 
 
-def _about(structure: Structure, bodies: list[int], origin: Array, axis: Array) -> tuple[float, float]:
+def _inertia_about(structure: Structure, bodies: list[int], origin: Array, axis: Array) -> tuple[float, float]:
     """Compute inertia of bodies about an axis as built, kg m^2, and mass times distance of their centre, kg m."""
     origins, frames = built_frames(structure)
     inertia, first = 0.0, np.zeros(3)

@@ -10,7 +10,7 @@ from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.statics import EnergyLandscape
 from forficula.statics.landscape import net_states
-from forficula.statics.net.net_of import places as net_places
+from forficula.statics.net.net_of import point_positions as net_places
 
 
 def rest_distances(landscape: EnergyLandscape, record: Record) -> Mapping[str, float]:
@@ -23,8 +23,8 @@ def rest_distances(landscape: EnergyLandscape, record: Record) -> Mapping[str, f
         landscape: of the simulated design; without sliding points, nothing is compared.
         record: of the run.
     """
-    places = record.series.get("point_position")
-    if landscape.net is None or places is None or record.diverged_at is not None:
+    point_positions = record.series.get("point_position")
+    if landscape.net is None or point_positions is None or record.diverged_at is not None:
         return {}
     shapes = {state.name: state.rest.shape for state in net_states(landscape)}
     shapes |= {
@@ -32,14 +32,16 @@ def rest_distances(landscape: EnergyLandscape, record: Record) -> Mapping[str, f
     }
     count, net = len(landscape.structure.points), landscape.net.net
     known = {name: net_places(net, shape)[:count] for name, shape in shapes.items()}
-    found = {}
+    result = {}
     for end in record.stages:
         if end.stage.state in known:
             row = int(np.searchsorted(record.time, end.end, side="right")) - 1
-            found[end.stage.state] = float(np.abs(_apart(places[row]) - _apart(known[end.stage.state])).max())
-    return found
+            result[end.stage.state] = float(
+                np.abs(_distances(point_positions[row]) - _distances(known[end.stage.state])).max()
+            )
+    return result
 
 
-def _apart(places: Array) -> Array:
+def _distances(point_positions: Array) -> Array:
     """Return distances between all points, m, (point, point)."""
-    return np.asarray(np.linalg.norm(places[:, None] - places[None], axis=2))
+    return np.asarray(np.linalg.norm(point_positions[:, None] - point_positions[None], axis=2))

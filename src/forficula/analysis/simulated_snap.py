@@ -144,7 +144,7 @@ def simulated_snap(record: Record, crossed: CrossedHinge) -> SimulatedSnap | Non
     time, fold = record.time[before], -folding_sense(structure.hinges[hinge]) * angle
     folded, start = folded_angle(structure, hinge), max(own.fold_start - own.hinge.top, -own.hinge.overbend)
     folded_time = None if folded is None else _snap_time(time, fold, start, folded)
-    leaves = _passes(time, fold, start)
+    leaves = _passage_times(time, fold, start)
     moving = time >= leaves[0] if len(leaves) else np.zeros(len(time), dtype=bool)
     return SimulatedSnap(
         folded_time=folded_time,
@@ -157,15 +157,15 @@ def simulated_snap(record: Record, crossed: CrossedHinge) -> SimulatedSnap | Non
 
 def _snap_time(time: Array, fold: Array, start: float, end: float) -> float | None:
     """Return the time from the last passing of the start to the first arrival at the end, s; None without arrival."""
-    arrivals = _passes(time, fold, end)
+    arrivals = _passage_times(time, fold, end)
     if not len(arrivals) or start >= end:
         return None
-    leaves = _passes(time, fold, start)
+    leaves = _passage_times(time, fold, start)
     leaves = leaves[leaves < arrivals[0]]
     return float(arrivals[0] - leaves[-1]) if len(leaves) else None
 
 
-def _passes(time: Array, fold: Array, angle: float) -> Array:
+def _passage_times(time: Array, fold: Array, angle: float) -> Array:
     """Return the times at which a folding hinge passes an angle, s."""
     rows = np.flatnonzero((fold[:-1] < angle) & (fold[1:] >= angle))
     share = (angle - fold[rows]) / (fold[rows + 1] - fold[rows])

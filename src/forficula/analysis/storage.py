@@ -65,7 +65,7 @@ class Storage:
 
 def storages(record: Record) -> tuple[Storage, ...]:
     """Return the stages that completed their wait, in order."""
-    found, waited, states = [], record.series.get("waited"), record.structure.stage_states
+    result, waited, states = [], record.series.get("waited"), record.structure.stage_states
     for number, end in enumerate(record.stages):
         if waited is None or not end.stage.wait or end.goal_time is None:
             continue
@@ -75,7 +75,7 @@ def storages(record: Record) -> tuple[Storage, ...]:
         clock = record.time[last] + waited[last]
         pulls = record.series.get("tendon_pull")
         heat = record.series.get("branch_damping_work", np.zeros(len(record.time)))
-        found.append(
+        result.append(
             Storage(
                 stage=number,
                 name=end.stage.name,
@@ -88,7 +88,7 @@ def storages(record: Record) -> tuple[Storage, ...]:
                 membrane=float(record.series["membrane_energy"][last[-1]]),
             )
         )
-    return tuple(found)
+    return tuple(result)
 
 
 def storage_texts(record: Record, outcome: Outcome) -> list[str]:
@@ -124,7 +124,7 @@ def _storage_text(record: Record, outcome: Outcome, storage: Storage) -> str:
         ),
         None,
     )
-    if then is None or outcome.verdict is Verdict.UNTRUSTED or (found := outcome.transitions[then.name]) is None:
+    if then is None or outcome.verdict is Verdict.UNTRUSTED or (result := outcome.transitions[then.name]) is None:
         return first
     words = then.wording
-    return f"{first} Then it {words.did or words.done if found.succeeded else f'did not {words.verb}'}."
+    return f"{first} Then it {words.did or words.done if result.succeeded else f'did not {words.verb}'}."

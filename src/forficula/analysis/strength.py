@@ -61,8 +61,8 @@ def strain_peaks(record: Record) -> tuple[Peak, ...]:
     """
     if record.diverged_at is not None:
         return ()
-    found = (_bars(record), *membrane_peaks(record), _tendons(record))
-    return tuple(peak for peak in found if peak is not None)
+    result = (_bars(record), *membrane_peaks(record), _tendons(record))
+    return tuple(peak for peak in result if peak is not None)
 
 
 def fold_peak(record: Record) -> FoldPeak | None:

@@ -230,7 +230,7 @@ def _named(stages: Sequence[StageOutcome]) -> dict[str, StageOutcome]:
 
 
 def _transition(structure: Structure, transition: Transition, outcome: Outcome) -> TransitionSummary:
-    drive, found = (
+    drive, result = (
         drive_strength(structure, drive_of(structure, transition.drive)),
         outcome.transitions[transition.name],
     )
@@ -238,10 +238,10 @@ def _transition(structure: Structure, transition: Transition, outcome: Outcome) 
     halves = [None if sure is None else sure.of(f"{transition.name}.{value}") for value in ("time", "work")]
     return TransitionSummary(
         drive=drive,
-        succeeded=found is not None and found.succeeded,
-        time=None if found is None else found.time,
-        work=None if found is None else found.work,
-        largest_force=None if found is None else found.largest_force,
+        succeeded=result is not None and result.succeeded,
+        time=None if result is None else result.time,
+        work=None if result is None else result.work,
+        largest_force=None if result is None else result.largest_force,
         time_uncertainty=halves[0],
         work_uncertainty=halves[1],
     )
@@ -306,12 +306,12 @@ def _energies(structure: Structure, state: State) -> Iterator[_StateNumbers]:
         for group, hinges in groups.items():
             if group != "hinges":
                 yield _StateNumbers(
-                    name=f"{group.replace(' ', '_')}_energy", unit="J", numbers=partial(_summed, hinges)
+                    name=f"{group.replace(' ', '_')}_energy", unit="J", numbers=partial(_hinge_energy, hinges)
                 )
     yield _StateNumbers(name="tendon_length", unit="m", numbers=itemgetter("tendon.length"))
     yield _StateNumbers(name="tendon_energy", unit="J", numbers=itemgetter("tendon.energy"))
     yield _StateNumbers(name="membrane_energy", unit="J", numbers=lambda values: values["membrane.energy"][0])
 
 
-def _summed(hinges: Sequence[int], values: StateValues) -> float:
+def _hinge_energy(hinges: Sequence[int], values: StateValues) -> float:
     return float(values["hinge.energy"][list(hinges)].sum())

@@ -23,7 +23,7 @@ class Verdict(StrEnum):
     NOT_BUILT = "not built"
 
     @property
-    def tells(self) -> bool:
+    def conclusive(self) -> bool:
         """Return whether the verdict is conclusive: about the structure and not about the computation."""
         return self in (Verdict.REACHED, Verdict.MOVING, Verdict.STUCK, Verdict.NOT_HELD)
 
@@ -104,7 +104,7 @@ def ending_text(ending: Ending) -> str:
             return ENDING_TEXTS["untrusted, why"].format(why=f"the energy balance misses {share}")
         case Verdict.NOT_BUILT:
             return ENDING_TEXTS["not built, why"].format(why=ending.why)
-        case Verdict.STUCK if _on_the_way(ending) and ending.reading is not None:
+        case Verdict.STUCK if _stuck_on_the_way(ending) and ending.reading is not None:
             return ENDING_TEXTS["stuck, reading"].format(reading=_reading_text(ending.transition, ending.reading))
         case Verdict.MOVING | Verdict.NOT_HELD if ending.why:
             return ending.why
@@ -121,7 +121,7 @@ def ending_text(ending: Ending) -> str:
 def ending_word(ending: Ending) -> str:
     """Return the outcome of a run without its numbers, so that equal outcomes have equal words."""
     wording = None if ending.transition is None else ending.transition.wording
-    return verdict_word(ending.verdict, wording, under_way=_on_the_way(ending))
+    return verdict_word(ending.verdict, wording, under_way=_stuck_on_the_way(ending))
 
 
 def verdict_word(verdict: Verdict, wording: Wording | None, *, under_way: bool = False) -> str:
@@ -132,7 +132,7 @@ def verdict_word(verdict: Verdict, wording: Wording | None, *, under_way: bool =
         wording: of the transition; None without a transition.
         under_way: whether the structure had left its first state for good.
     """
-    if not verdict.tells:
+    if not verdict.conclusive:
         return ENDING_TEXTS[verdict]
     if wording is None:
         return ENDING_TEXTS["settled"]
@@ -146,7 +146,7 @@ def _reading_text(transition: Transition | None, reading: float) -> str:
     return f"{math.degrees(reading):.1f} deg"
 
 
-def _on_the_way(ending: Ending) -> bool:
+def _stuck_on_the_way(ending: Ending) -> bool:
     transition, reading = ending.transition, ending.reading
     if transition is None or transition.begun is None or reading is None:
         return False

@@ -128,12 +128,12 @@ def page(of: object, path: AnyPath, *, engine: bool = True) -> None:
     >>> ff.page(result, "run.html")
     """
     from forficula.show.folder.presentation import write_page
-    from forficula.show.page.bench_page import write_bench_page
+    from forficula.show.page.live_page import write_live_page
     from forficula.show.page.page import page_path
 
     file = page_path(path)
     if isinstance(of, Design):
-        write_bench_page(of, file)
+        write_live_page(of, file)
     else:
         write_page(of, file, engine=engine)
 

@@ -86,7 +86,7 @@ def _takes_several(function: Callable[..., object]) -> bool:
     except (TypeError, ValueError):
         return False
     positional = (Parameter.POSITIONAL_ONLY, Parameter.POSITIONAL_OR_KEYWORD)
-    return sum(each.kind in positional and each.default is Parameter.empty for each in parameters) > 1
+    return sum(parameter.kind in positional and parameter.default is Parameter.empty for parameter in parameters) > 1
 
 
 def _in_notebook() -> bool:

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from time import monotonic
 from typing import Any
 
-from forficula.quantities import show_duration
 from forficula.terminal import is_quiet
 
 LONG = 10.0  # s; a shorter command is not announced
@@ -15,7 +14,11 @@ _MEASURED = 1.0  # s of work from which the rest is estimated
 
 
 def _rounded(seconds: float) -> str:
-    return show_duration(float(f"{seconds:.2g}"))
+    """Return a duration of two digits."""
+    for unit, length in (("d", 86400.0), ("h", 3600.0), ("min", 60.0)):
+        if seconds >= length:
+            return f"{seconds / length:.2g} {unit}"
+    return f"{seconds:.2g} s"
 
 
 class _Estimate:

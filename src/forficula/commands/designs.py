@@ -99,7 +99,9 @@ def open_design(
     unit: DrawingUnit = None,
     out: Annotated[
         OutIfGiven,
-        Parameter(help="Write a page (.html) instead, in which the keys that apply to a moving structure can be set."),
+        Parameter(
+            help="Write a page (.html) instead of a workbench. Keys that need no new structure can be set there."
+        ),
     ] = None,
     port: Annotated[int | None, WHOLE_NUMBER, Parameter(help="Port of the server; default: any free port.")] = None,
     no_browser: Annotated[bool, Parameter(help="Print the address, and open no browser.", negative=())] = False,
@@ -108,7 +110,7 @@ def open_design(
     if port is not None and not 1 <= port <= _LAST_PORT:
         raise InputError(f"--port: need 1 to {_LAST_PORT}, got {port}")
     if out is not None:
-        from forficula.show.page.bench_page import write_bench_page
+        from forficula.show.page.live_page import write_live_page
         from forficula.show.page.page import page_path
 
         if port is not None or no_browser:
@@ -116,7 +118,7 @@ def open_design(
                 f"{'--no-browser' if port is None else '--port'}: --out writes a file, which is not served"
             )
         read_option("--out", lambda: page_path(out))
-        write_bench_page(read_design(design, settings, unit), out)
+        write_live_page(read_design(design, settings, unit), out)
         print(f"written to {out}")
         return
 
@@ -137,7 +139,7 @@ def scale(
     unit: DrawingUnit = None,
     settings: Settings = None,
 ) -> None:
-    """Scale a design to another size of the same materials, and list the dimensionless groups that change."""
+    """Scale a design to another size with the same materials, and list the dimensionless groups that change."""
     from forficula.design import design_text, save_design, scale_design
     from forficula.files import check_new
 
@@ -270,7 +272,7 @@ def _sheet(
     kind = PATTERN_FILES.get(Path(name).suffix.lower())
     if kind is None:
         if unit is not None:
-            raise InputError(f"--unit: a design has units of its own, got {as_written(unit)}")
+            raise InputError(f"--unit: a design already has units, got {as_written(unit)}")
         chosen = load_design(name, read_settings(settings))
         return design_pattern(chosen), [], lambda: design_frames(chosen), lambda: _attachments(chosen)
     if settings:

@@ -39,7 +39,10 @@ if TYPE_CHECKING:
     from forficula.study.running.run_study import Evaluate
 
 
-_Shard = Annotated[str, Parameter(help="Share the runs with other processes, such as 2/8; each writes the result.")]
+_Shard = Annotated[
+    str,
+    Parameter(help="Share the runs with other processes: 2/8 is process 2 of 8. Each process writes the whole result."),
+]
 _ALL = "1/1"  # the shard of all runs
 _ROWS_KEPT = "; the rows are kept"
 
@@ -80,7 +83,7 @@ def optimise(
     """Search for the design that meets a goal best, or resume a search."""
     from forficula.goals import load_goal
     from forficula.goals.optimise.optimise import estimate_optimise
-    from forficula.goals.optimise.telling import filling_text
+    from forficula.goals.optimise.summary import filling_text
     from forficula.study.running.kept_runs import check_most
 
     check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})

@@ -59,7 +59,8 @@ def landscape(
         ),
     ] = None,
     simulated: Annotated[
-        Path | None, Parameter(help="Folder of a study of this design over the same keys, to compare with the map.")
+        Path | None,
+        Parameter(help="Folder of a study of this design over the keys of --over, to compare with the map."),
     ] = None,
     tolerate: Tolerate = False,
     ok_if: OkIf = None,

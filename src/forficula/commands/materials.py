@@ -32,7 +32,7 @@ def material(
     ] = None,
     area: Annotated[
         str | None,
-        Parameter(help='Cross-section of every specimen, such as "5 mm^2", likewise.'),
+        Parameter(help='Cross-section of every specimen, such as "5 mm^2", where the files do not state it.'),
     ] = None,
     law: Annotated[
         str | None,
@@ -44,11 +44,11 @@ def material(
     keep_first: Annotated[
         bool, Parameter(help="Include the first cycle of every specimen in the fit.", negative=())
     ] = False,
-    band: Annotated[str, Parameter(help="Ignore reversals smaller than this share of the largest travel.")] = "5 %",
+    band: Annotated[str, Parameter(help="Ignore reversals of the extension below this share of its range.")] = "5 %",
     out: Annotated[Out, Parameter(help="Output folder; its name is the name of the material.")] = Path("out/material"),
     open_report: OpenReport = False,
 ) -> None:
-    """Fit a material law to tensile tests: cycles, moduli, drift, and a law for tendons."""
+    """Fit a material law for tendons to tensile tests, and report cycles, moduli and their drift."""
     from forficula.material.characterisation import AREA, BAND_SHARE, LENGTH, characterise
     from forficula.material.law.law_family import family_forms
     from forficula.material.machine.specimen_files import read_specimens
@@ -106,7 +106,7 @@ def size(
     from forficula.material.characterisation import LENGTH
     from forficula.material.law.law_file import load_law
     from forficula.material.law.law_keys import law_unit
-    from forficula.material.law.material_law import chosen, known_moduli
+    from forficula.material.law.material_law import known_moduli, with_linear_modulus
     from forficula.show.material.size_table import print_sizes, sizes_csv, sizes_json
 
     if out is not None and out.suffix != ".csv":
@@ -114,7 +114,7 @@ def size(
     law = load_law(material)
     if modulus is not None:
         value = read_quantity("--modulus", modulus, law_unit("modulus.linear"))
-        law = read_option("--modulus", lambda: chosen(law, value))
+        law = read_option("--modulus", lambda: with_linear_modulus(law, value))
     elif not law.no_tendon:
         read_option("--modulus", lambda: known_moduli(law))
     natural = None if length is None else read_quantity("--length", length, LENGTH)

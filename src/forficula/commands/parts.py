@@ -34,13 +34,14 @@ def make(
     *,
     part: Annotated[
         Literal["all", "sheet", "joint", "section"],
-        Parameter(help="Parts to make: the sheet, the first joint, all joints with their bars (section), or all."),
+        Parameter(help="Parts to make: sheet; joint (the first joint); section (all joints with their bars); or all."),
     ] = "all",
     settings: Settings = None,
     unit: DrawingUnit = None,
     out: Annotated[OutIfGiven, Parameter(help="Output folder; default: out/<name of the design>-parts.")] = None,
     record: Annotated[
-        Path | None, Parameter(help="Folder of a run of this design, to check its motion for parts that collide.")
+        Path | None,
+        Parameter(help="Folder of a run of this design; the parts are checked for collisions in its motion."),
     ] = None,
     step: Annotated[
         bool, Parameter(help='Also write solids as STEP; needs pip install "forficula[step]".', negative=())
@@ -48,7 +49,8 @@ def make(
     simulate: Annotated[
         bool,
         Parameter(
-            help="Run the design and the design as made, and report which of its changes alter the result.", negative=()
+            help="Run the design, then with the values of the made parts, and report which values alter the result.",
+            negative=(),
         ),
     ] = False,
     strict: Annotated[

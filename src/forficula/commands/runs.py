@@ -52,8 +52,8 @@ def run(
         int | None,
         WHOLE_NUMBER,
         Parameter(
-            help="Also run the design with its tendons as they are after several numbers of load cycles, up to this"
-            " number, such as 100."
+            help="Also run the design with its tendons as changed by 1, 2, 3 and more load cycles, up to this number,"
+            " such as 100."
         ),
     ] = None,
     no_confirm: Annotated[
@@ -184,7 +184,7 @@ def compare(
     ],
     out: Annotated[Out, Parameter(help="Page to write (.html).")],
 ) -> None:
-    """Show runs side by side on one clock, in a page for any browser."""
+    """Show runs side by side, played at the same time, in a page for any browser."""
     from forficula.show.page import compare_runs
 
     compare_runs(runs, out)
@@ -202,7 +202,7 @@ def figure(
         Parameter(help="Width of a journal's column (3.5 in, the default) or of its page (7.1 in)."),
     ] = None,
 ) -> None:
-    """Draw one figure of results again, as PDF, SVG or PNG, at the width of a journal."""
+    """Draw one figure of results again, as PDF, SVG or PNG, at the width of a journal's column."""
     from forficula.show.folder.presentation import write_figure
     from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 

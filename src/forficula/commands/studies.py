@@ -48,7 +48,9 @@ def study(
     *,
     out: Annotated[OutIfGiven, Parameter(help="Output folder; default: out/<name of the study>.")] = None,
     dry_run: Annotated[bool, Parameter(help="Only estimate the number of runs and their time.")] = False,
-    shard: Annotated[str, Parameter(help="Run a part of the points, such as 2/8; then --collect.")] = _ALL,
+    shard: Annotated[
+        str, Parameter(help="Run one part of the points, such as 2/8 for part 2 of 8; then use --collect.")
+    ] = _ALL,
     collect: Annotated[bool, Parameter(help="Build the table from the rows of all shards.")] = False,
     slurm: Annotated[
         int | None, WHOLE_NUMBER, Parameter(help="Write a SLURM job array of this number of shards, and run nothing.")
@@ -180,7 +182,9 @@ def studies() -> None:
         keys = [parameter.key for parameter in goal.parameters]
         print(f"{name}\n    {goal.source}\n    a goal: {objectives} of {goal.base.name} over {listed(keys)}")
         facts = {"name": name, "kind": "goal", "source": goal.source, "design": goal.base.name}
-        listing.append(facts | {"objectives": [each.quantity.name for each in goal.objectives], "factors": keys})
+        listing.append(
+            facts | {"objectives": [objective.quantity.name for objective in goal.objectives], "factors": keys}
+        )
     for name in named_observations():
         observations = load_observations(name)
         observed, keys = [fact.name for fact in observations.facts], [prior.key for prior in observations.priors]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.design.sheets.sheet_parts import Crease, FacetSection, largest_extension
+from forficula.design.sheets.sheet_sections import Crease, FacetSection, largest_extension
 from forficula.pattern import CreasePattern, triangulated
 from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.shared_edges import shared_edges

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, cast
 
 from pydantic import Field, field_validator
 
-from forficula.design.files.provenance import WORDS, check_paper
+from forficula.design.files.provenance import DESCRIPTIVE_KEYS, check_paper
 from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
 from forficula.design.named_protocol import NamedProtocol
@@ -158,7 +158,7 @@ class Design(Displayed, Section):
 
     def hash_values(self) -> dict[str, Any]:
         """Return the values that affect a run: all but names, sources, and how the parts are made."""
-        return {key: value for key, value in super().hash_values().items() if key not in (*WORDS, "make")}
+        return {key: value for key, value in super().hash_values().items() if key not in (*DESCRIPTIVE_KEYS, "make")}
 
 
 def _hash(values: dict[str, Any]) -> str:

@@ -12,7 +12,7 @@ from forficula.material.law.drift import Drift
 from forficula.material.law.law_cycle import drifts_of
 from forficula.material.law.law_file import load_law
 from forficula.material.law.law_keys import law_unit, show_range, show_value
-from forficula.material.law.material_law import MaterialLaw, MaxwellBranch, check_rates, chosen, require
+from forficula.material.law.material_law import MaterialLaw, MaxwellBranch, check_rates, require, with_linear_modulus
 from forficula.material.law.softening import OgdenRoxburgh, pulls
 from forficula.quantities import Unit, as_written
 
@@ -38,7 +38,10 @@ class LawSoftening(Section):
     r: Annotated[float, Field(strict=True, ge=1, description="1/r is the largest share of the stress that is lost")]
     m: float = quantity(law_unit("softening.m"), "constant part of the energy scale of softening", at_least=0)
     beta: Annotated[
-        float, Field(strict=True, ge=0, description="share of the largest stored energy that adds to the energy scale")
+        float,
+        Field(
+            strict=True, ge=0, description="share of the largest stored energy that is added to m, for the energy scale"
+        ),
     ] = 0.0
 
     @model_validator(mode="after")
@@ -57,8 +60,13 @@ class LawDrift(Section):
 
     about: ClassVar[str] = "A change of a material over the cycles of a test; see `Drift`"
 
-    kind: Annotated[Literal["none", "logarithm", "plateau"], Field(description="shape of the change over the cycles")]
-    rate: Annotated[Number, Field(description="rate of the change")] = 0.0
+    kind: Annotated[
+        Literal["none", "logarithm", "plateau"], Field(description="how the value changes from cycle to cycle")
+    ]
+    rate: Annotated[
+        Number,
+        Field(description="rate a of the change in cycle N: a ln N, or a (1 - exp(-(N - 1) / cycles)) for a plateau"),
+    ] = 0.0
     interval: Annotated[tuple[Number, Number], Field(description="95 % confidence interval of the rate")] = (0.0, 0.0)
     cycles: Annotated[Number, Field(description="decay constant of the approach to a plateau, in cycles")] = 0.0
     seen: Annotated[tuple[Whole, Whole], Field(description="first and last cycle of the data")]
@@ -241,7 +249,7 @@ def _check_choice(material: MaterialLaw, given: object, *, si: bool) -> None:
     except InputError:  # validation of the field reports the error
         return
     try:
-        chosen(material, float(value or 0.0))
+        with_linear_modulus(material, float(value or 0.0))
     except InputError as error:
         raise InputError(f"{key}: {error}") from None
 

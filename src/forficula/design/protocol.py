@@ -91,7 +91,7 @@ class Protocol(Section):
     window: float = quantity(
         TIME,
         "averaging window of a state; a run is stuck once it has rested short of its goal for this long plus three"
-        " relaxation times of the slowest Maxwell branch that is no slower than the stages",
+        " relaxation times of the slowest Maxwell branch; branches slower than the stages are not counted",
         above=0,
     )
     least_hold: Annotated[
@@ -203,7 +203,7 @@ def check_states(protocol: Protocol, states: Sequence[str]) -> None:
         if stage.state not in states:
             raise InputError(f"{key}: need {one_of(states, stage.state)}")
         if stage.state in previous:
-            raise InputError(f"{key}: need a name of its own, got {as_written(stage.state)} again")
+            raise InputError(f"{key}: need a name that is not used yet, got {as_written(stage.state)} again")
         previous.append(stage.state)
 
 

@@ -237,7 +237,7 @@ class Section(BaseModel):
 def _with_unit(value: object, unit: Unit) -> object:
     """Return a value whose repr has its unit: a number or several; words stay."""
     if isinstance(value, tuple):
-        return [_with_unit(each, unit) for each in value]
+        return [_with_unit(item, unit) for item in value]
     return _Text(show_quantity(value, unit, _DIGITS)) if isinstance(value, float) else value
 
 
@@ -262,7 +262,7 @@ def _readers(section: type[Section]) -> dict[str, Quantity | None]:
 
 
 def is_list(field: FieldInfo) -> bool:
-    """Whether a field is a list."""
+    """Return whether a field is a list."""
     return get_origin(field.annotation) is tuple
 
 

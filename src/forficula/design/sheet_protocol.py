@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from forficula.design.named_protocol import Action, Drive, NamedProtocol, RestState, Transition, Wording
 from forficula.design.protocol import StageSection, read_goal, stage_drives
-from forficula.design.sheets.sheet_course import RestAngleDrive, SheetDrive, TorqueDrive, places_of
 from forficula.design.sheets.sheet_creases import creases_of, fold_edges
+from forficula.design.sheets.sheet_drives import RestAngleDrive, SheetDrive, TorqueDrive, places_of
 from forficula.names import listed
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def sheet_protocol(design: SheetDesign) -> NamedProtocol:
 
 
 def _is_bound(stage: StageSection) -> bool:
-    """Whether a stage ends at a goal on measures, not at a time or at rest."""
+    """Return whether a stage ends at a goal on measures, not at a time or at rest."""
     return stage.until not in ("time", "rest")
 
 

@@ -2,7 +2,7 @@ from forficula.dynamics.energies.energy_balance import EnergyBalance, energy_bal
 from forficula.dynamics.engine.knobs import Knob, knobs_of
 from forficula.dynamics.engine.model import Model, compile_model, compile_structure
 from forficula.dynamics.engine.portable_model import portable_model, why_not_portable
-from forficula.dynamics.engine.sharing import but_last_drive
+from forficula.dynamics.engine.sharing import key_without_last_drive
 from forficula.dynamics.engine.units import design_in_model_units
 from forficula.dynamics.record import (
     AnyRun,
@@ -37,12 +37,12 @@ __all__ = [
     "StageEnd",
     "SteppedProtocol",
     "as_record",
-    "but_last_drive",
     "compile_model",
     "compile_structure",
     "design_in_model_units",
     "energy_balance",
     "goal_in_units",
+    "key_without_last_drive",
     "knobs_of",
     "load_record",
     "portable_model",

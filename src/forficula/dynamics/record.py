@@ -48,7 +48,7 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
 }
 # variables of records with dry friction, contacts, springs in hinges, displacements, elastic couplings, measured
 # distances, Maxwell branches, tendons that yield or are clamped, and in air or water
-SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
+OPTIONAL_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "friction_work": ((), "J", "work of the hinges' dry friction since the start"),
     "contact_work": ((), "J", "work of contacts, their friction and rigid couplings since the start"),
     "hinge_energy": (("hinge",), "J", "energy of the hinge's spring"),
@@ -135,7 +135,7 @@ class Record(Displayed):
         design: the simulated design.
         structure: structure of the design, SI.
         time: s, (time,): at the sample interval and at the end of every stage.
-        series: an array for every name of `VARIABLES`, SI, (time, ...), and for those of `SOMETIMES` that it has.
+        series: an array for every name of `VARIABLES`, SI, (time, ...), and for some of `OPTIONAL_VARIABLES`.
         stages: the stages that took place, in order.
         diverged_at: when the run diverged, s, or None.
         doubt: why the run is unreliable apart from its energy balance; mostly empty.
@@ -210,7 +210,7 @@ class Record(Displayed):
         import xarray
 
         built = self.structure
-        known = {name: meaning for name, meaning in (VARIABLES | SOMETIMES).items() if name in self.series}
+        known = {name: meaning for name, meaning in (VARIABLES | OPTIONAL_VARIABLES).items() if name in self.series}
         variables = {
             name: (("time", *dimensions), self.series[name], {"units": unit, "long_name": meaning})
             for name, (dimensions, unit, meaning) in known.items()
@@ -397,7 +397,7 @@ def _read(file: Any) -> Record:
         design=design,
         structure=structure_of(design),
         time=file["time"][()],
-        series={name: file[name][()] for name in (*VARIABLES, *(name for name in SOMETIMES if name in file))},
+        series={name: file[name][()] for name in (*VARIABLES, *(name for name in OPTIONAL_VARIABLES if name in file))},
         stages=stages,
         diverged_at=None if np.isnan(diverged_at) else diverged_at,
         doubt=str(file.attrs["doubt"]),

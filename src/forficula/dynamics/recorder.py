@@ -8,8 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
-from forficula.dynamics.energies.account import motor_force_name, motor_power_name, motor_setting_name, motor_work_name
 from forficula.dynamics.energies.energy import state_energies, state_series
+from forficula.dynamics.energies.work_balance import (
+    motor_force_name,
+    motor_power_name,
+    motor_setting_name,
+    motor_work_name,
+)
 from forficula.dynamics.engine.closures import APART_TEXT, LARGEST_GAP
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.record import Record, StageEnd
@@ -163,7 +168,7 @@ class Recorder:
             series=series,
             stages=stages,
             diverged_at=diverged_at,
-            doubt=self._doubt(account),
+            doubt=self._closure_doubt(account),
             kinetic_peak=self._kinetic_peak(),
             strain_rates=self._strain_rates(),
         )
@@ -182,7 +187,7 @@ class Recorder:
             return None
         return float(number * self._timestep), float(self.model.units.energy * energy)
 
-    def _doubt(self, account: Mapping[str, float]) -> str:
+    def _closure_doubt(self, account: Mapping[str, float]) -> str:
         """Return why the run is unreliable if closures opened by more than a thousandth of the structure's size."""
         gap, span = account.get("closure_gap", 0.0), self.model.structure.span
         if gap <= LARGEST_GAP * span:
@@ -224,7 +229,7 @@ class Recorder:
         parts[:] = [_joined(parts)]
 
 
-def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
+def keep_rows(recorders: Sequence[Recorder], chunk: Chunk) -> None:
     """Keep the states of a chunk's structures at their sample intervals and at the beginning of stages."""
     steps, step = chunk.steps, np.arange(chunk.steps.after.shape[1])
     number = chunk.first[:, None] + step

@@ -13,7 +13,7 @@ import scipy
 from forficula.arrays import Array
 from forficula.design import Design, check_keys_once, key_quantity, key_value, numbered_key
 from forficula.design.file_fields import entry
-from forficula.design.files.rejection import read_part
+from forficula.design.files.rejection import read_section
 from forficula.design.section import Quantity, Section, field_quantity
 from forficula.errors import InputError, error_prefix
 from forficula.material.law.law_file import load_law
@@ -138,7 +138,7 @@ def read_deviations(given: Mapping[str, object], design: Design) -> tuple[Deviat
                 raise InputError(f'{key}: has no tolerance that "none" could remove{near_name(key, deviations)}')
             continue
         with error_prefix(f"{key}."):
-            table = read_part(ToleranceEntry, value if isinstance(value, Mapping) else {"size": value})
+            table = read_section(ToleranceEntry, value if isinstance(value, Mapping) else {"size": value})
         if table.intervals_of is None:
             deviations[key] = _deviation(key, table, design)
             continue
@@ -199,7 +199,7 @@ def deviation_widths(design: Design, deviations: Sequence[Deviation]) -> Array:
     return np.array([deviation.width(float(key_value(design, deviation.key))) for deviation in deviations])
 
 
-def off_values(design: Design, deviations: Sequence[Deviation], offsets: Sequence[float]) -> dict[str, object]:
+def deviating_values(design: Design, deviations: Sequence[Deviation], offsets: Sequence[float]) -> dict[str, object]:
     """Return deviating values of a design, limited to what their keys allow.
 
     Args:

@@ -42,8 +42,8 @@ class Goal(Displayed):
         base: the design that is varied, with the settings of the goal and the torques of `given`.
         parameters: what may vary.
         limits: limits on quantities, including the probability of working within tolerances.
-        given: upper limits on least torques. They become the torques of the protocol: a design that works with these
-            torques needs no larger ones.
+        torque_limits: upper limits on least torques. They become the torques of the protocol: a design that works with
+            these torques needs no larger ones.
         objectives: one, or two or three, which give a Pareto front.
         deviations: manufacturing tolerances; empty if the structure is built exactly as designed.
         simulate: whether a run must reach the goals of the protocol. Otherwise only statics is computed.
@@ -59,7 +59,7 @@ class Goal(Displayed):
     base: Design
     parameters: tuple[Parameter, ...]
     limits: tuple[Limit, ...]
-    given: tuple[Limit, ...]
+    torque_limits: tuple[Limit, ...]
     objectives: tuple[Objective, ...]
     deviations: tuple[Deviation, ...]
     simulate: bool

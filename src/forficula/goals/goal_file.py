@@ -20,7 +20,7 @@ from forficula.design.file_fields import (
     YesOrNo,
     entry,
 )
-from forficula.design.files.rejection import read_part
+from forficula.design.files.rejection import read_section
 from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.goals.deviation import SIZE, Deviation, ToleranceEntry, read_deviations
@@ -129,7 +129,7 @@ def goal_of(tables: Mapping[str, Any]) -> Goal:
     Raises:
         InputError: an unknown key, or a value that is not allowed.
     """
-    return _goal(read_part(GoalFile, tables), Path())
+    return _goal(read_section(GoalFile, tables), Path())
 
 
 def named_goals() -> list[str]:
@@ -159,7 +159,7 @@ def _goal(file: GoalFile, folder: Path) -> Goal:
         base=base,
         parameters=parameters,
         limits=limits,
-        given=torque_limits,
+        torque_limits=torque_limits,
         objectives=objectives,
         deviations=deviations,
         simulate=file.simulate,

@@ -37,14 +37,14 @@ class OutcomeQuantity:
 
     Attributes:
         name: name as in goal files; for a value of the design, its key.
-        told_as: name in rows, without its unit: the same except for spaces in names of states.
+        row_name: name in rows, without its unit: the same except for spaces in names of states.
         unit: display unit and SI unit.
         meaning: in words.
         source: how it is computed.
     """
 
     name: str
-    told_as: str
+    row_name: str
     unit: Unit
     meaning: str
     source: Source
@@ -57,7 +57,7 @@ class OutcomeQuantity:
     @property
     def column(self) -> str:
         """Name in rows, with the SI unit."""
-        return self.told_as + unit_suffix(self.unit.si)
+        return self.row_name + unit_suffix(self.unit.si)
 
 
 def quantities_of(design: Design) -> Mapping[str, OutcomeQuantity]:
@@ -111,12 +111,12 @@ def quantity_of(design: Design, name: str) -> OutcomeQuantity:
         if key_unit is None:
             raise InputError(f"{name}: need a key whose value has a unit")
         meaning = f"the design's {name}"
-        return OutcomeQuantity(name=name, told_as=name, unit=key_unit.unit, meaning=meaning, source="design")
+        return OutcomeQuantity(name=name, row_name=name, unit=key_unit.unit, meaning=meaning, source="design")
     raise InputError(f"{name}: need a key of the design, or one of {', '.join(known)}{near_name(name, known)}")
 
 
 def _quantity(name: str, unit: Unit, meaning: str, source: Source) -> OutcomeQuantity:
-    return OutcomeQuantity(name=name.replace(" ", "_"), told_as=name, unit=unit, meaning=meaning, source=source)
+    return OutcomeQuantity(name=name.replace(" ", "_"), row_name=name, unit=unit, meaning=meaning, source=source)
 
 
 def _of_transition(structure: Structure, transition: Transition) -> list[OutcomeQuantity]:
@@ -163,11 +163,11 @@ def _energies_of(structure: Structure, state: str) -> list[OutcomeQuantity]:
     # the first of these names contains only the tendons' energy in rows of studies
     column = f"{state}_stored_energy"
     return [
-        replace(stored, told_as=column, source="record" if structure.membranes else "run"),
+        replace(stored, row_name=column, source="record" if structure.membranes else "run"),
         replace(
             stored,
             name=f"{state}_tendon_energy".replace(" ", "_"),
-            told_as=f"{state}_energy",
+            row_name=f"{state}_energy",
             meaning=f"energy of the tendons, {state}",
         ),
     ]

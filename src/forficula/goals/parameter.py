@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 from forficula.design import Design, key_quantity, key_value
 from forficula.design.file_fields import DesignValue, entry
-from forficula.design.files.rejection import read_part
+from forficula.design.files.rejection import read_section
 from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
-from forficula.goals.value_at import choice_at, written
+from forficula.goals.value_at import choice_at, design_file_value
 from forficula.quantities import as_written, parse_quantity, show_quantity
 from forficula.study.factors import Factor, read_factor, undivided
 
@@ -60,7 +60,7 @@ class Parameter:
         share = min(max(share, 0.0), 1.0)
         if self.choices:
             return choice_at(self.choices, share)
-        return written(self.low + share * (self.high - self.low), self.factor.unit)
+        return design_file_value(self.low + share * (self.high - self.low), self.factor.unit)
 
     def share(self, value: object) -> float:
         """Return the fraction of the range at which a value lies (SI, or as in a design file).
@@ -102,7 +102,7 @@ def read_parameter(key: str, value: object, design: Design) -> Parameter:
     """
     if isinstance(value, Mapping):
         with error_prefix(f"{key}."):
-            table = read_part(RangeEntry, value)
+            table = read_section(RangeEntry, value)
         return _between(key, table.model_dump(exclude_unset=True), design)
     factor = read_factor(key, value, type(design))
     values = [_si(factor, choice) for choice in factor.values]

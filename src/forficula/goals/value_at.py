@@ -15,7 +15,7 @@ def choice_at(choices: Sequence[object], share: float) -> object:
     return choices[min(int(share * len(choices)), len(choices) - 1)]
 
 
-def written(number: float, unit: Unit | None) -> object:
+def design_file_value(number: float, unit: Unit | None) -> object:
     """Return a number, SI, as in a design file: as text with its display unit, if it has one."""
     if unit is None:
         return float(f"{number:.{_DIGITS}g}")

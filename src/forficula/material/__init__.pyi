@@ -29,9 +29,9 @@ from .law.material_law import MaterialLaw as MaterialLaw
 from .law.material_law import MaxwellBranch as MaxwellBranch
 from .law.material_law import Unknown as Unknown
 from .law.material_law import area_for as area_for
-from .law.material_law import chosen as chosen
 from .law.material_law import require as require
 from .law.material_law import scaled as scaled
+from .law.material_law import with_linear_modulus as with_linear_modulus
 from .law.softening import OgdenRoxburgh as OgdenRoxburgh
 from .law.tendon_law import ElasticLaw as ElasticLaw
 from .law.tendon_law import TendonBranch as TendonBranch

@@ -30,7 +30,7 @@ from .facts.vertex_closure import vertex_walk as vertex_walk
 from .facts.vertex_creases import VertexCreases as VertexCreases
 from .facts.vertex_creases import vertex_creases as vertex_creases
 from .facts.vertex_facts import VertexFacts as VertexFacts
-from .facts.vertex_facts import fault_words as fault_words
+from .facts.vertex_facts import fault_labels as fault_labels
 from .facts.vertex_facts import vertex_facts as vertex_facts
 from .families.earwig import EarwigFan as EarwigFan
 from .families.earwig import Tangent as Tangent
@@ -64,7 +64,7 @@ from .files.fold_writer import write_fold as write_fold
 from .files.pattern_file import PATTERN_FILES as PATTERN_FILES
 from .files.pattern_file import read_pattern as read_pattern
 from .fold_angles import built_fold_angles as built_fold_angles
-from .fold_angles import kept_as_built as kept_as_built
+from .fold_angles import with_built_fold_angles as with_built_fold_angles
 from .kinematics import degree4_fold_angles as degree4_fold_angles
 from .kinematics import fan_fold_angles as fan_fold_angles
 from .kinematics import folded_coordinates as folded_coordinates

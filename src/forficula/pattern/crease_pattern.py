@@ -200,7 +200,7 @@ def check_flat(pattern: CreasePattern) -> None:
 
 
 def is_unfolded(pattern: CreasePattern) -> bool:
-    """Whether a sheet lies in a plane of constant z and no face is turned over, as in a flat-folded sheet."""
+    """Return whether a sheet lies in a plane of constant z and no face is turned over, as in a flat-folded sheet."""
     coords = pattern.vertices_coords
     if np.ptp(coords[:, 2]) > 0:
         return False

@@ -54,7 +54,7 @@ def built_fold_angles(pattern: CreasePattern) -> Array:
     return angles
 
 
-def kept_as_built(pattern: CreasePattern) -> CreasePattern:
+def with_built_fold_angles(pattern: CreasePattern) -> CreasePattern:
     """Return a pattern with its fold angles as built.
 
     Returns:

@@ -16,7 +16,7 @@ from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.families.earwig import EarwigFan, earwig_pattern
-from forficula.pattern.rotation import STILL, RigidMotion, turn_about
+from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion, turn_about
 from forficula.pattern.shared_edges import shared_edges
 
 Mode = Literal["earwig", "miura"]
@@ -140,7 +140,7 @@ def folded_coordinates(pattern: CreasePattern, fold_angles: ArrayLike, fixed_fac
     around = _neighbours(pattern, np.asarray(fold_angles, dtype=np.float64))
     if not 0 <= fixed_face < len(faces):
         raise InputError(f"fixed_face: need a face from 0 to {len(faces) - 1}, got {fixed_face}")
-    placed, reached = {fixed_face: STILL}, [fixed_face]
+    placed, reached = {fixed_face: IDENTITY_MOTION}, [fixed_face]
     for face in reached:
         for _, neighbour, turn in around[face]:
             if neighbour not in placed:

@@ -31,7 +31,7 @@ class RigidMotion(NamedTuple):
         return RigidMotion(self.rotation @ first.rotation, self.rotation @ first.shift + self.shift)
 
 
-STILL = RigidMotion(np.eye(3), np.zeros(3))
+IDENTITY_MOTION = RigidMotion(np.eye(3), np.zeros(3))
 
 
 def rotation_about(axis: Array, angle: float) -> Array:

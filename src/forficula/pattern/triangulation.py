@@ -130,7 +130,7 @@ def _in_own_plane(points: Array, facet: int) -> list[complex]:
 
 
 def _is_ear(ear: tuple[int, int, int], left: list[int], places: dict[int, complex], size: float) -> bool:
-    """Whether a corner is convex, and no other corner lies in its triangle or on its sides."""
+    """Return whether a corner is convex, and no other corner lies in its triangle or on its sides."""
     start, corner, end = (places[vertex] for vertex in ear)
     sides = [(start, corner), (corner, end), (end, start)]
     heights = [_beside(side, third) for side, third in zip(sides, [end, start, corner], strict=True)]

@@ -49,7 +49,7 @@ _INCONCLUSIVE = [
     *(
         ending_word(Ending(verdict=verdict))
         for verdict in Verdict
-        if not verdict.tells and verdict is not Verdict.UNDECIDED
+        if not verdict.conclusive and verdict is not Verdict.UNDECIDED
     ),
     *FORMER_WORDS,
 ]
@@ -69,10 +69,10 @@ def check(study: Study) -> None:
 
 def _check(dims: Iterable[str], *, searched: bool, opens: bool) -> None:
     if set(dims) != set(FACTORS) or not searched:
-        given = ", ".join(sorted(dim.replace("_", ".", 1) for dim in dims))
+        provided = ", ".join(sorted(dim.replace("_", ".", 1) for dim in dims))
         raise InputError(
             f"the paper searched for the least torques over tendon.stiffness and tendon.rest_length, got a study over"
-            f" {given or 'nothing'}"
+            f" {provided or 'nothing'}"
         )
     if not opens:
         raise InputError("the paper also searched for the least torques that open, got a search without unfold torques")
@@ -305,12 +305,12 @@ def _holds_from_first(holds: Mask, counts: Mask) -> bool:
 
 def _flat_above_opened(search: TendonSearch) -> Claim:
     flat, opened = search.values("flat_energy"), search.values("opened_energy")
-    found = np.isfinite(flat) & np.isfinite(opened)
+    result = np.isfinite(flat) & np.isfinite(opened)
     claim, paper = "tendons' energy, flat and opened", "E_flat > E_opened"
-    if not found.any():
+    if not result.any():
         return _row(claim, paper, "none opens", None, _NONE_OPENS)
-    apart = (flat - opened)[found] / flat[found]
-    higher, count = int((apart > _EQUAL).sum()), int(found.sum())
+    apart = (flat - opened)[result] / flat[result]
+    higher, count = int((apart > _EQUAL).sum()), int(result.sum())
     equal = bool((np.abs(apart) <= _EQUAL).all())
     ours = f"equal in all {count}" if equal else f"E_flat > E_opened in {higher} of {count}"
     why = "Both states rest at the same stops of the hinges, so the tendons are equally long." if equal else ""
@@ -329,33 +329,33 @@ def _unfold_work(search: TendonSearch) -> Claim:
 
 def _ordering(claim: str, paper: str, larger: Array, smaller: Array) -> Claim:
     """Compare two quantities: whether one is larger wherever both are known."""
-    found = np.isfinite(larger) & np.isfinite(smaller)
-    if not found.any():
+    result = np.isfinite(larger) & np.isfinite(smaller)
+    if not result.any():
         return _row(claim, paper, "none opens", None, _NONE_OPENS)
-    holds, count = int((larger > smaller)[found].sum()), int(found.sum())
+    holds, count = int((larger > smaller)[result].sum()), int(result.sum())
     return _row(claim, paper, f"{paper} in {holds} of {count}", holds == count)
 
 
 def _residual_energy(search: TendonSearch) -> Claim:
     claim, paper = "tendons' energy left when folded", "some, where l0 is short"
     flat, folded = search.values("flat_energy"), search.values("folded_energy")
-    found = np.isfinite(flat) & np.isfinite(folded)
-    left = found & (folded > _EQUAL * flat)
-    if not found.any():
+    result = np.isfinite(flat) & np.isfinite(folded)
+    left = result & (folded > _EQUAL * flat)
+    if not result.any():
         return _row(claim, paper, "none folds", None)
-    ours = f"in {int(left.sum())} of {int(found.sum())}" + (f": {search.names(left)}" if left.any() else "")
+    ours = f"in {int(left.sum())} of {int(result.sum())}" + (f": {search.names(left)}" if left.any() else "")
     # if a tendon keeps some energy, so do all shorter ones of its stiffness
-    return _row(claim, paper, ours, left.any() and _holds_from_first(left[:, ::-1], found[:, ::-1]))
+    return _row(claim, paper, ours, left.any() and _holds_from_first(left[:, ::-1], result[:, ::-1]))
 
 
 def _works(search: TendonSearch) -> Claim:
     claim, paper = "work of folding and of unfolding", "W_fold << W_unfold"
     fold, unfold = search.values("fold_work"), search.values("unfold_work")
-    found = np.isfinite(fold) & np.isfinite(unfold)
-    if not found.any():
+    result = np.isfinite(fold) & np.isfinite(unfold)
+    if not result.any():
         return _row(claim, paper, "none opens", None, _NONE_OPENS)
-    share = fold[found] / unfold[found]
-    ours = f"W_fold is {share.min():.2g} to {share.max():.2g} of W_unfold in {int(found.sum())}"
+    share = fold[result] / unfold[result]
+    ours = f"W_fold is {share.min():.2g} to {share.max():.2g} of W_unfold in {int(result.sum())}"
     return _row(claim, paper, ours, share.max() < _MUCH_LESS)
 
 

@@ -11,16 +11,16 @@ from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.goals import Goal
 from forficula.goals.identify import Observations
-from forficula.goals.identify.fact_text import asked_text
+from forficula.goals.identify.fact_text import requirement_text
 from forficula.material import MaterialLaw
 from forficula.names import counted, listed
-from forficula.show.folder.cell import heading, picture, printed
+from forficula.show.folder.notebook_cell import heading, picture, printed
 from forficula.show.folder.presentation import presentation, result_kind
 from forficula.show.material.material_table import law_table
 from forficula.show.page.parts.design_tables import design_tables
 from forficula.show.page.parts.html import paragraph, table
 from forficula.show.page.parts.outcome_tables import outcome_tables
-from forficula.show.page.parts.words import outcome_sentence
+from forficula.show.page.parts.run_sentences import outcome_sentence
 from forficula.show.structure.pattern_figure import draw_pattern
 from forficula.structure import structure_of
 from forficula.study.factors import Factor
@@ -83,11 +83,13 @@ def _study(study: Study) -> Iterator[str]:
 
 @_parts.register
 def _goal(goal: Goal) -> Iterator[str]:
-    aims = listed([f"the {each.kind} {each.quantity.name}" for each in goal.objectives])
+    aims = listed([f"the {objective.kind} {objective.quantity.name}" for objective in goal.objectives])
     yield heading(goal.name)
     yield paragraph(f"{aims[0].upper()}{aims[1:]} of {goal.base.name}, of at most {counted(goal.runs, 'design')}.")
-    yield table("Parameters", ("", ""), [tuple(str(each).split(" ", 1)) for each in goal.parameters], numbers=False)
-    yield table("Limits", ("",), [(str(each),) for each in (*goal.given, *goal.limits)], numbers=False)
+    yield table(
+        "Parameters", ("", ""), [tuple(str(parameter).split(" ", 1)) for parameter in goal.parameters], numbers=False
+    )
+    yield table("Limits", ("",), [(str(limit),) for limit in (*goal.torque_limits, *goal.limits)], numbers=False)
 
 
 @_parts.register
@@ -101,7 +103,10 @@ def _observations(observations: Observations) -> Iterator[str]:
         numbers=False,
     )
     yield table(
-        "Facts", ("fact", "observed"), [(fact.name, asked_text(fact)) for fact in observations.facts], numbers=False
+        "Facts",
+        ("fact", "observed"),
+        [(fact.name, requirement_text(fact)) for fact in observations.facts],
+        numbers=False,
     )
 
 

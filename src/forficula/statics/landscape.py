@@ -267,14 +267,14 @@ def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
     """
     states = stable_states(landscape)
     numbers = {state.name: number for number, state in enumerate(states)}
-    first, last = (_number_of(landscape, numbers, name) for name in (start, end))
+    first, last = (_numbered(landscape, numbers, name) for name in (start, end))
     top = _lowest_top(landscape, first, last)
     if top is None:
         raise InputError(f'{landscape.design.name}: no saddle was found that leads from "{start}" to "{end}"')
     return top - states[first].energy
 
 
-def _number_of(landscape: EnergyLandscape, numbers: Mapping[str, int], name: str) -> int:
+def _numbered(landscape: EnergyLandscape, numbers: Mapping[str, int], name: str) -> int:
     if name in numbers:
         return numbers[name]
     path, whole = landscape.fold_path, landscape.structure.appearance.whole

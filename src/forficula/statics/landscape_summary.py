@@ -24,8 +24,8 @@ from forficula.statics.landscape import (
 )
 from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_course import Course, displaces, gone, reaction
-from forficula.statics.net.net_of import places
+from forficula.statics.net.net_course import Course, drive_displacement, prescribes_displacement, reaction
+from forficula.statics.net.net_of import point_positions
 from forficula.statics.net.net_state import Mobility, NetState
 from forficula.statics.tree.fold_path import FoldPath, rigid_fold
 from forficula.statics.tree.hinge_landscape import HingeLandscape
@@ -301,7 +301,7 @@ def _net_state(structure: Structure, net: Net, state: NetState) -> dict[str, Any
 
 
 def _points(structure: Structure, net: Net, shape: NetShape) -> WithUnit:
-    return WithUnit(places(net, shape)[: len(structure.points)], "m")
+    return WithUnit(point_positions(net, shape)[: len(structure.points)], "m")
 
 
 def _mobility(found: Mobility | None) -> dict[str, int | None]:
@@ -318,10 +318,14 @@ def _course(structure: Structure, net: Net, course: Course) -> dict[str, Any]:
     along = "rad" if driven_motor(structure, drive).direction is None else "m"
 
     def path(points: Sequence[PathPoint]) -> dict[str, Any]:
-        forces = [reaction(structure, net, drive, point.shape) for point in points if displaces(structure, drive)]
+        forces = [
+            reaction(structure, net, drive, point.shape)
+            for point in points
+            if prescribes_displacement(structure, drive)
+        ]
         return {
             "drive": WithUnit([size * point.factor for point in points], shown),
-            "gone": WithUnit([gone(structure, net, drive, point.shape) for point in points], along),
+            "gone": WithUnit([drive_displacement(structure, net, drive, point.shape) for point in points], along),
             **({"force": WithUnit(forces, "N")} if forces else {}),
             "energy": WithUnit([point.energy for point in points], "J"),
             "ways_downhill": [point.index for point in points],

@@ -19,7 +19,7 @@ from forficula.statics.tree.quasi_static import (
 from forficula.structure import Transition, drive_of
 
 # If the protocol's torque is not sufficient, torques up to this many times as large are tried.
-MORE = 10.0
+LARGEST_TORQUE_FACTOR = 10.0
 
 
 def least_slow_torques(designs: Sequence[Design], names: Collection[str] | None = None) -> tuple[Array, ...]:
@@ -42,7 +42,7 @@ def least_slow_torques(designs: Sequence[Design], names: Collection[str] | None 
     wanted = [
         transition.stage is not None and (names is None or transition.name in names) for transition in transitions
     ]
-    found = []
+    result = []
     for number, transition in enumerate(transitions):
         # the start of a transition depends on the transitions before it
         tried = transition.stage is not None and any(wanted[number:])
@@ -53,15 +53,15 @@ def least_slow_torques(designs: Sequence[Design], names: Collection[str] | None 
             start = state_after(structures, transition, slow.torque, slow.position).position
         elif any(wanted[number:]):
             start = state_beyond(structures, transition).position
-        found.append(least)
-    return tuple(found)
+        result.append(least)
+    return tuple(result)
 
 
 def _slow(structures: Ensemble, start: Array, transition: Transition) -> SlowTransition:
     strength = abs(drive_of(structures.structure, transition.drive).strength)
     least, position = np.full(len(start), np.nan), start.copy()
     # the protocol's own torque is tried first, because a smaller range is resolved more finely
-    for most in (strength, MORE * strength) if strength > 0 else ():
+    for most in (strength, LARGEST_TORQUE_FACTOR * strength) if strength > 0 else ():
         left = np.flatnonzero(np.isnan(least))
         if len(left):
             slow = least_slow_torque(structures.only(left), start[left], transition, most)

@@ -63,12 +63,12 @@ def slow_drives(structure: Structure) -> dict[str, SlowDrive]:
             else SlowDrive(least=None)
             for transition in structure.transitions
         }
-    return _of_joints(structure)
+    return _joint_drives(structure)
 
 
-def _of_joints(structure: Structure) -> dict[str, SlowDrive]:
+def _joint_drives(structure: Structure) -> dict[str, SlowDrive]:
     """Compute least drives of bodies on joints in a tree, to 1 %."""
-    structures, found = ensemble([structure]), dict[str, SlowDrive]()
+    structures, result = ensemble([structure]), dict[str, SlowDrive]()
     before, held = start_state(structures), True
     for transition in structure.transitions:
         least = math.nan
@@ -79,6 +79,6 @@ def _of_joints(structure: Structure) -> dict[str, SlowDrive]:
             before = state_after(structures, transition, slow.torque, slow.position)
         else:
             before = state_beyond(structures, transition)
-        found[transition.name] = SlowDrive(least=None if math.isnan(least) else least)
+        result[transition.name] = SlowDrive(least=None if math.isnan(least) else least)
         held = bool(at_goal(structures, before.position, goal_of(structure, transition.released))[0])
-    return found
+    return result

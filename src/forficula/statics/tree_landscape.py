@@ -107,7 +107,7 @@ def _protocol(
                 torques = np.where(np.isnan(shifted.torque), np.inf, shifted.torque)
                 span = float(torques.min()), float(torques.max())
             after = state_after(structures, transition, slow.torque, slow.position)
-        helped = _help(structures, transition, slow)
+        helped = _inertial_help(structures, transition, slow)
         courses.append(
             LeastTorque(
                 name=transition.name,
@@ -160,7 +160,7 @@ def _largest_torque(structures: Ensemble, transition: Transition, peak: float) -
     return max(_MOST_OPENING * peak, strength) if crosses(structures, drive) else strength
 
 
-def _help(structures: Ensemble, transition: Transition, found: SlowTransition | None) -> InertialHelp | None:
+def _inertial_help(structures: Ensemble, transition: Transition, found: SlowTransition | None) -> InertialHelp | None:
     if found is None or not found.torque[0] > 0:
         return None
     return inertial_help(structures, found.paths[0], drive_of(structures.structure, transition.drive))
@@ -247,7 +247,7 @@ def slow_remarks(
     verb, does = transition.wording.verb, transition.wording.does
     makes = f"makes it {verb}" if " " in verb else f"{does} it"
     if found is None:
-        before = _before(structure, transition)
+        before = _start_state(structure, transition)
         return (f'no slowly growing torque {makes} from the state "{before}", because it does not rest in this state',)
     if found.torque[0] == 0:
         return (
@@ -275,7 +275,7 @@ def slow_remarks(
         )
     if not math.isnan(found.torque[0]):
         return spread
-    started = "" if transition is structure.transitions[0] else f" from {_before(structure, transition)}"
+    started = "" if transition is structure.transitions[0] else f" from {_start_state(structure, transition)}"
     folding = list(folding_hinges(structure))
     stopped = (
         f", the last hinge stops at {math.degrees(float(found.position[0, folding].max())):.4g} deg" if folding else ""
@@ -287,6 +287,6 @@ def slow_remarks(
     return (f"no slowly growing torque up to {show_quantity(most, TORQUE)} {makes}{started}{inertia}",)
 
 
-def _before(structure: Structure, transition: Transition) -> str:
+def _start_state(structure: Structure, transition: Transition) -> str:
     """Return the name of the state from which a transition after the first one starts."""
     return structure.transitions[structure.transitions.index(transition) - 1].state

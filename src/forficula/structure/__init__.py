@@ -1,9 +1,9 @@
 from forficula.design.named_protocol import Drive, RestState, Transition, Wording
 from forficula.structure.appearance import Appearance
 from forficula.structure.build import drive_keys, static_keys, structure_of
-from forficula.structure.course import Measure, Motor, RigidFold, StageGoal
 from forficula.structure.fans.crossing import bar_crossing, tendon_crossing
 from forficula.structure.goals import (
+    distance_to_goal,
     distances_of,
     drive_of,
     drive_unit,
@@ -16,12 +16,12 @@ from forficula.structure.goals import (
     measure_of,
     measure_stops,
     read_angles,
-    short_of,
     state_of,
     sums_of,
     transition_of,
 )
 from forficula.structure.mass import gathered_mass, inertia_about, mass_of
+from forficula.structure.motors_and_measures import Measure, Motor, RigidFold, StageGoal
 from forficula.structure.parts import (
     GROUND,
     Bar,
@@ -108,6 +108,7 @@ __all__ = [
     "crease_law",
     "crease_numbers",
     "crossing_tendons",
+    "distance_to_goal",
     "distances_of",
     "drawn_points",
     "drive_keys",
@@ -131,7 +132,6 @@ __all__ = [
     "measure_stops",
     "outer_ends",
     "read_angles",
-    "short_of",
     "springs_name",
     "state_of",
     "static_keys",

@@ -14,7 +14,7 @@ from forficula.design.section import ANGLE, LENGTH
 from forficula.errors import InputError
 from forficula.names import one_of
 from forficula.quantities import as_written, parse_quantity
-from forficula.structure.course import Measure, Motor, StageGoal
+from forficula.structure.motors_and_measures import Measure, Motor, StageGoal
 from forficula.structure.structure import Structure
 
 _UNITS = {"torque": "N m", "force": "N", "displacement": "m", "rest-angle": "rad"}
@@ -211,7 +211,7 @@ def _names(entries: Sequence[Drive] | Sequence[Measure] | Sequence[StageGoal]) -
     return [entry.name for entry in entries]
 
 
-def short_of(coordinates: Array, goal: StageGoal) -> float:
+def distance_to_goal(coordinates: Array, goal: StageGoal) -> float:
     """Compute the largest distance of a coordinate from its bound, rad or m, >= 0; 0 if the goal is reached.
 
     Args:

@@ -12,8 +12,8 @@ from forficula.design import Design, SheetDesign, stage_drives
 from forficula.design.named_protocol import Action, Drive, NamedProtocol
 from forficula.errors import InputError
 from forficula.quantities import as_written
-from forficula.structure.course import Motor, StageGoal
 from forficula.structure.goals import coordinate_count, drive_of, goal_of
+from forficula.structure.motors_and_measures import Motor, StageGoal
 from forficula.structure.sheets.sheet_measures import hinges_by_edge
 from forficula.structure.sheets.sheet_nodes import node_of, sheet_nodes
 from forficula.structure.structure import Structure
@@ -166,7 +166,7 @@ def _at_places(structure: Structure, design: Design, number: int, action: Action
                 )
     else:
         named = {point.name: number for number, point in enumerate(structure.points)}
-        points = tuple(named[pushed_name(action.motor, place)] for place in range(len(action.places)))
+        points = tuple(named[force_point_name(action.motor, place)] for place in range(len(action.places)))
     direction /= np.linalg.norm(direction)
     motor = Motor(name=action.motor, kind=action.kind, points=points, direction=direction)
     if action.kind == "force":
@@ -184,7 +184,7 @@ def _stiffest(structure: Structure, points: Sequence[int]) -> float:
     return max([*bars, *(law.youngs_modulus * law.thickness for law in laws)])
 
 
-def pushed_name(drive: str, number: int) -> str:
+def force_point_name(drive: str, number: int) -> str:
     """Return the name of the point of a plate at which a drive pushes, by the number of its place."""
     return f"drive_{drive}_{number}"
 

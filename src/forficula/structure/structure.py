@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from forficula.design import Imperfection
 from forficula.design.named_protocol import Drive, RestState, Transition
 from forficula.structure.appearance import Appearance
-from forficula.structure.course import Measure, Motor, RigidFold, StageGoal
+from forficula.structure.motors_and_measures import Measure, Motor, RigidFold, StageGoal
 from forficula.structure.parts import (
     Bar,
     Body,

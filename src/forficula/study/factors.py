@@ -17,8 +17,8 @@ from pydantic import BeforeValidator
 from forficula.arrays import Array
 from forficula.design import NO_LAW, Design, key_quantity, names_law, tendon_material
 from forficula.design.file_fields import ByKey, DesignValue, entry
-from forficula.design.files.provenance import WORDS
-from forficula.design.files.rejection import read_part
+from forficula.design.files.provenance import DESCRIPTIVE_KEYS
+from forficula.design.files.rejection import read_section
 from forficula.design.section import Quantity, Section
 from forficula.errors import InputError, error_prefix
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity, plain_value
@@ -122,7 +122,7 @@ def read_factor(key: str, value: object, model: type[Design]) -> Factor:
     value = plain_value(value)
     value = [plain_value(item) for item in value] if isinstance(value, list) else value
     quantity = key_quantity(key, model, value)
-    if key in WORDS:
+    if key in DESCRIPTIVE_KEYS:
         raise InputError(f"{key}: need a key on which runs depend; this one is a word about the design")
     if isinstance(value, list):
         if not value:
@@ -135,7 +135,7 @@ def read_factor(key: str, value: object, model: type[Design]) -> Factor:
         return Factor(key=key, values=values, model=model)
     if isinstance(value, Mapping):
         with error_prefix(f"{key}."):
-            table = read_part(DistributionEntry, value)
+            table = read_section(DistributionEntry, value)
         return Factor(key=key, distribution=_distribution(key, table, quantity), model=model)
     rule = 'a list, a range such as "1..5 cm step 1", or a distribution'
     if names_law(key):

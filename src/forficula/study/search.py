@@ -78,7 +78,7 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     }
     if least_first is not None and search.next_drive is not None:
         done = rows[row_key(release_design(design, search, least_first))]
-        if not Verdict(done["verdict"]).tells:
+        if not Verdict(done["verdict"]).conclusive:
             least_first, later = None, {}
     least_second, next_done = _decided(later, "" if second is None else second.state)
     residuals = [row["residual"] for row in (*tried.values(), done, *later.values()) if row.get("residual") is not None]
@@ -122,7 +122,7 @@ def _decided(tried: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
     or an empty row if nothing was tried.
     """
     for value, row in tried.items():
-        if not Verdict(row["verdict"]).tells and row.get(goal) is None:
+        if not Verdict(row["verdict"]).conclusive and row.get(goal) is None:
             return None, row
         if row.get(goal):
             return value, row
@@ -182,14 +182,14 @@ def _ending(search: Search, done: Row, next_done: Row, used: tuple[str, str]) ->
     if row is done:
         if next_done:
             ending["status"] = SEARCH_TEXTS["then"].format(text=row["status"], value=large, next=next_done["status"])
-        elif used[0] and Verdict(row["verdict"]).tells:
+        elif used[0] and Verdict(row["verdict"]).conclusive:
             ending["status"] = SEARCH_TEXTS["used"].format(text=row["status"], used=used[0])
     elif next_done[state]:
         if used[1]:
             ending["status"] = SEARCH_TEXTS["used"].format(text=row["status"], used=used[1])
     else:
         ending["status"] = SEARCH_TEXTS["failed"].format(value=large, next=next_done["status"])
-        if Verdict(next_done["verdict"]).tells:
+        if Verdict(next_done["verdict"]).conclusive:
             ending["outcome"] = _with_value(row["outcome"], large)
     return ending
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from forficula.workbench.asked import opened_with
+from forficula.workbench.requests import opened_with
 from forficula.workbench.server import serve
 
 

@@ -22,8 +22,8 @@ from forficula.design import load_design, named_designs
 from forficula.errors import InputError
 from forficula.show.page.page import page_html
 from forficula.workbench.access import Access, redirect_page, refusal, refused_page, write_redirect
-from forficula.workbench.asked import Asked, Opened, design_source
-from forficula.workbench.desk import Desk
+from forficula.workbench.requests import DesignRequest, Opened, design_source
+from forficula.workbench.session import WorkerSession
 from forficula.workbench.traffic import LARGEST_REFUSED, BoundedApplication
 from forficula.workbench.worker import StoppedError, Task, Worker
 
@@ -53,8 +53,8 @@ class Bench:
     opened: Opened
     port: int
     access: Access
-    quick: Desk
-    slow: Desk
+    quick: WorkerSession
+    slow: WorkerSession
     folder: Path
     results: int = 0
 
@@ -90,7 +90,7 @@ async def _serve(
     access = Access(f"http://{LOOPBACK}:{own_port}", own_port)
     with TemporaryDirectory(prefix="forficula-", ignore_cleanup_errors=True) as folder:
         workers = Worker(opened, Path(folder)), Worker(opened, Path(folder))
-        quick, slow = (Desk(worker) for worker in workers)
+        quick, slow = (WorkerSession(worker) for worker in workers)
         bench = Bench(opened=opened, port=own_port, access=access, quick=quick, slow=slow, folder=Path(folder))
         # the bound of a body depends on its sender
         server = HTTPServer(application(bench), max_body_size=LARGEST_REFUSED, max_buffer_size=_BUFFER)
@@ -213,13 +213,13 @@ class _Guarded(RequestHandler):
         refused = f"need GET or POST, got {self.request.method}" if status_code == 405 else "the workbench failed"
         self.finish({"refused": f"{refused} ({status_code})"})
 
-    def read_request(self) -> Asked | None:
+    def read_request(self) -> DesignRequest | None:
         """Return the request of the page; None after a refusal if it cannot be read."""
         if self.request.headers.get("Content-Type", "").partition(";")[0] != "application/json":
             self.refuse(415, "need application/json")
             return None
         try:
-            return Asked.model_validate_json(self.request.body)
+            return DesignRequest.model_validate_json(self.request.body)
         except ValidationError as error:
             first = error.errors(include_url=False)[0]
             self.refuse(400, f"{'.'.join(map(str, first['loc']))}: {first['msg'].removeprefix('Value error, ')}")
@@ -318,7 +318,7 @@ class _Report(_Guarded):
 
 def workbench_page(opened: Opened) -> str:
     """Return the page of a workbench, which requests all data of a design from the server."""
-    name = design_source(Asked(), opened)
+    name = design_source(DesignRequest(), opened)
     data = {
         "kind": "workbench",
         "opened": name,

@@ -8,6 +8,7 @@ import signal
 import tempfile
 import threading
 import traceback
+import warnings
 from collections.abc import Callable
 from contextlib import suppress
 from multiprocessing.connection import Connection
@@ -22,7 +23,7 @@ from forficula.show.folder.landscape_folder import write_landscape
 from forficula.show.folder.run_folder import write_run
 from forficula.statics import energy_landscape
 from forficula.study.running.runs import run
-from forficula.workbench.asked import Asked, Opened, asked_design, reading_for_page
+from forficula.workbench.requests import DesignRequest, Opened, reading_for_page, requested_design
 
 Task = Literal["design", "model", "pattern", "landscape", "run"]
 _BETWEEN = 0.1  # s, between reports of progress
@@ -50,7 +51,7 @@ class Worker:
         with self._lock:
             self._begin()
 
-    def do(self, task: Task, request: Asked, folder: Path | None, report: Report) -> Any:
+    def do(self, task: Task, request: DesignRequest, folder: Path | None, report: Report) -> Any:
         """Run a task, and return its result.
 
         Args:
@@ -106,9 +107,11 @@ def _work(pipe: Connection, opened: Opened, temporary: Path) -> None:
     # ctrl-C ends the server, which then ends this process
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     tempfile.tempdir = str(temporary)
+    # the page shows warnings about a design; the terminal has shown those of the opened one
+    warnings.simplefilter("ignore", UserWarning)
     threading.Thread(target=_leave_with_parent, daemon=True).start()
     # import before the first task arrives
-    import forficula.workbench.told  # noqa: F401
+    import forficula.workbench.responses  # noqa: F401
 
     with suppress(EOFError, OSError):
         while True:
@@ -136,7 +139,7 @@ def _reporter(pipe: Connection) -> Report:
     return report
 
 
-def _answer(task: Task, request: Asked, opened: Opened, folder: Path, report: Report) -> tuple[str, Any]:
+def _answer(task: Task, request: DesignRequest, opened: Opened, folder: Path, report: Report) -> tuple[str, Any]:
     """Return the kind and the content of the answer to a task."""
     try:
         # a task may read other files that a page names, such as a material
@@ -153,17 +156,17 @@ def _answer(task: Task, request: Asked, opened: Opened, folder: Path, report: Re
         return "failed", f"{type(error).__name__}: {error}"
 
 
-def _result(task: Task, request: Asked, opened: Opened, folder: Path, report: Report) -> Any:
+def _result(task: Task, request: DesignRequest, opened: Opened, folder: Path, report: Report) -> Any:
     """Return the result of a task; None if the result is in the folder."""
-    from forficula.workbench.told import design_told, model_told, pattern_told
+    from forficula.workbench.responses import design_response, model_response, pattern_response
 
     match task:
         case "design":
-            return design_told(request, opened)
+            return design_response(request, opened)
         case "model":
-            return model_told(request, opened)
+            return model_response(request, opened)
         case "pattern":
-            return pattern_told(request, opened)
+            return pattern_response(request, opened)
         case "landscape":
             _write_landscape(request, opened, folder, report)
         case "run":
@@ -171,26 +174,26 @@ def _result(task: Task, request: Asked, opened: Opened, folder: Path, report: Re
     return None
 
 
-def _write_landscape(request: Asked, opened: Opened, folder: Path, report: Report) -> None:
+def _write_landscape(request: DesignRequest, opened: Opened, folder: Path, report: Report) -> None:
     """Compute the energy landscape of a design, as `forficula landscape --no-simulation` does, and write its results.
 
     Raises:
         InputError: the design cannot be read or built.
     """
-    design = asked_design(request, opened)
+    design = requested_design(request, opened)
     report("building the structure")
     landscape = energy_landscape(design, progress=lambda step: report(f"surveying: {step}"))
     report("drawing")
     write_landscape(landscape, folder, None, shown_tendon(design))
 
 
-def _write_run(request: Asked, opened: Opened, folder: Path, report: Report) -> None:
+def _write_run(request: DesignRequest, opened: Opened, folder: Path, report: Report) -> None:
     """Simulate a design through its protocol, as `forficula run` does, and write its results.
 
     Raises:
         InputError: the design cannot be read or built.
     """
-    design = asked_design(request, opened)
+    design = requested_design(request, opened)
     report("building the structure")
     record = run(
         design,

@@ -27,8 +27,8 @@ def emulators(samples):
 
 
 def looked_for(emulators, bounds, tolerances):
-    found = zip(emulators, bounds, tolerances, strict=True)
-    return [AgreementWindow(emulator=each, low=bound - within, high=bound + within) for each, bound, within in found]
+    result = zip(emulators, bounds, tolerances, strict=True)
+    return [AgreementWindow(emulator=item, low=bound - within, high=bound + within) for item, bound, within in result]
 
 
 def test_planted_values_lie_in_ranges_much_narrower_than_the_priors(emulators):
@@ -38,8 +38,8 @@ def test_planted_values_lie_in_ranges_much_narrower_than_the_priors(emulators):
         truth = generator.random((1, 2))
         (exact,) = numbers(truth)
         within = TOLERANCE * exact
-        found = agreement(looked_for(emulators, exact + within * generator.uniform(-1, 1, 2), within), (0, 0), seed)
-        low, high = np.quantile(found.points, [0.025, 0.975], axis=0)
+        result = agreement(looked_for(emulators, exact + within * generator.uniform(-1, 1, 2), within), (0, 0), seed)
+        low, high = np.quantile(result.points, [0.025, 0.975], axis=0)
         held += ((low <= truth[0]) & (truth[0] <= high)).tolist()
         widths += (high - low).tolist()
     # benchmarks/identify.py runs a hundred of these
@@ -51,10 +51,10 @@ def test_values_between_samples_are_not_excluded_if_no_sample_but_the_truth_meet
     exact = numbers(np.array([[0.43, 0.61]]))[0]
     within = 0.01 * exact
     assert not (np.abs(numbers(samples) - exact) <= within).all(axis=1).any()
-    found = agreement(looked_for(emulators, exact, within), (0, 0), 0)
-    assert found.apart <= 1
+    result = agreement(looked_for(emulators, exact, within), (0, 0), 0)
+    assert result.apart <= 1
     # too few of 48 samples meet the facts to expect one that meets both
-    assert 0 < 48 * found.share < 1
+    assert 0 < 48 * result.share < 1
     assert least_apart(looked_for(emulators, exact, within), (0, 0), 0) <= 1
 
 
@@ -67,11 +67,11 @@ def test_contradicting_facts_deviate_by_many_standard_errors(emulators):
 
 def test_fraction_of_priors_that_meets_a_fact_equals_closed_form(samples):
     emulator = fit_emulator(samples, samples[:, 0])
-    found = agreement([AgreementWindow(emulator=emulator, low=0.4, high=0.5)], (0, 0), 0)
-    assert found.share == pytest.approx(0.1, rel=0.2)
-    assert 0.4 - 1e-3 <= found.points[:, 0].min() <= found.points[:, 0].max() <= 0.5 + 1e-3
+    result = agreement([AgreementWindow(emulator=emulator, low=0.4, high=0.5)], (0, 0), 0)
+    assert result.share == pytest.approx(0.1, rel=0.2)
+    assert 0.4 - 1e-3 <= result.points[:, 0].min() <= result.points[:, 0].max() <= 0.5 + 1e-3
     # the other value is not constrained
-    assert np.quantile(found.points[:, 1], [0.025, 0.975]).tolist() == pytest.approx([0.025, 0.975], abs=0.06)
+    assert np.quantile(result.points[:, 1], [0.025, 0.975]).tolist() == pytest.approx([0.025, 0.975], abs=0.06)
     # facts with one bound
     below = agreement([AgreementWindow(emulator=emulator, low=-np.inf, high=0.25)], (0, 0), 0)
     assert below.share == pytest.approx(0.25, rel=0.2)
@@ -83,9 +83,9 @@ def test_choices_snap_to_the_middle_of_their_part(samples):
     assert set(middles[:, 0].tolist()) == {0.25, 0.75}
     assert (middles[:, 1] == samples[:, 1]).all()
     emulator = fit_emulator(middles, middles[:, 0])
-    found = agreement([AgreementWindow(emulator=emulator, low=0.7, high=0.8)], (2, 0), 0)
-    assert (found.points[:, 0] >= 0.5).all()
-    assert found.share == pytest.approx(0.5, rel=0.2)
+    result = agreement([AgreementWindow(emulator=emulator, low=0.7, high=0.8)], (2, 0), 0)
+    assert (result.points[:, 0] >= 0.5).all()
+    assert result.share == pytest.approx(0.5, rel=0.2)
 
 
 def test_standard_errors_cover_unseen_values_even_at_a_jump():
@@ -101,7 +101,7 @@ def test_standard_errors_cover_unseen_values_even_at_a_jump():
 
 def test_a_smooth_quantity_is_predicted_far_better_than_it_scatters():
     points, elsewhere = latin_points(3, 64, 0), np.random.default_rng(1).random((200, 3))
-    values = [np.sin(3 * each[:, 0]) + 2 * each[:, 1] ** 2 + each[:, 0] * each[:, 2] for each in (points, elsewhere)]
+    values = [np.sin(3 * item[:, 0]) + 2 * item[:, 1] ** 2 + item[:, 0] * item[:, 2] for item in (points, elsewhere)]
     mean, error = fit_emulator(points, values[0]).predict(elsewhere)
     assert np.std(values[1] - mean) < 0.03 * np.std(values[1])
     assert np.mean(np.abs(values[1] - mean) <= 2 * error) >= 0.9

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from forficula.goals.binomial_interval import one_sided_upper_bound
 from forficula.goals.identify.exclusion import (
     Evidence,
     Together,
@@ -15,14 +16,13 @@ from forficula.goals.identify.exclusion import (
     triples_of,
 )
 from forficula.goals.identify.identify import directed_shares, misses, open_targets
-from forficula.goals.share_interval import largest_share
 
 
-def evidence(met, tells=None, excess=None, targets=None):
+def evidence(met, conclusive=None, excess=None, targets=None):
     """Results of samples that are conclusive for all facts, and miss unmet ones by one scale."""
     return Evidence(
         met=met,
-        tells=np.ones_like(met) if tells is None else tells,
+        conclusive=np.ones_like(met) if conclusive is None else conclusive,
         excess=np.where(met, 0.0, 1.0) if excess is None else excess,
         targets=[()] * len(met) if targets is None else targets,
     )
@@ -64,17 +64,17 @@ def test_rarely_met_facts_give_no_verdict_on_exclusion():
 
 def test_facts_that_values_between_the_samples_may_meet_do_not_exclude_one_another():
     met, targets = halves(placed=[(0, 1)])
-    asked = []
+    requested = []
 
     def open_between(facts):
-        asked.append(facts)
+        requested.append(facts)
         return True
 
     seen = replace(evidence(met, targets=targets), open_between=open_between)
     assert conjunction((0, 1), seen).verdict is Together.OPEN
     # emulators are not evaluated if samples are decisive
     assert conjunction((1, 2), seen).verdict is Together.MET
-    assert asked == [(0, 1)]
+    assert requested == [(0, 1)]
 
 
 def test_facts_that_one_sample_nearly_meets_do_not_exclude_one_another():
@@ -88,14 +88,16 @@ def test_facts_that_one_sample_nearly_meets_do_not_exclude_one_another():
 
 def test_inconclusive_samples_are_not_counted_and_widen_the_bound():
     met, targets = halves(placed=[(0, 1)])
-    tells = np.ones_like(met)
+    conclusive = np.ones_like(met)
     # 4 samples that meet fact 0 are inconclusive for fact 1; 4 that meet fact 1 are inconclusive for fact 3
-    tells[:4, 1] = tells[20:24, 3] = False
-    pair = conjunction((0, 1), evidence(met, tells=tells, targets=targets))
+    conclusive[:4, 1] = conclusive[20:24, 3] = False
+    pair = conjunction((0, 1), evidence(met, conclusive=conclusive, targets=targets))
     assert (pair.told, pair.alone) == (36, (16, 20))
-    assert pair.most == pytest.approx(largest_share(4, 40))
+    assert pair.most == pytest.approx(one_sided_upper_bound(4, 40))
     # a sample that certainly misses one fact does not meet both, whatever the other is
-    assert conjunction((0, 3), evidence(met, tells=tells, targets=targets)).most == pytest.approx(largest_share(0, 40))
+    assert conjunction((0, 3), evidence(met, conclusive=conclusive, targets=targets)).most == pytest.approx(
+        one_sided_upper_bound(0, 40)
+    )
 
 
 def test_unmet_triples_of_facts_are_listed_with_the_number_of_placed_samples():

@@ -30,8 +30,8 @@ def observed(facts, samples=64, directed=0, unknown=UNKNOWN, rows=assess):
         "sampling": {"samples": samples, "directed": directed},
         "fact": facts,
     }
-    asked = observations_of(tables)
-    return build_result(asked, identify_samples(asked, rows), 0)
+    requested = observations_of(tables)
+    return build_result(requested, identify_samples(requested, rows), 0)
 
 
 def planted(overbend, damping):
@@ -93,7 +93,7 @@ def test_contradicting_facts_are_reported_to_exclude_one_another(contradicted):
     assert result.attrs["most_met"] == 1
     said = [*together_sentences(result), *agrees_sentences(result)]
     assert "No sample meets all 2 facts, and according to a model fitted between the samples no values do" in said[0]
-    assert any(each.startswith("No values meet all facts") for each in said)
+    assert any(item.startswith("No values meet all facts") for item in said)
     assert sorted(result.attrs["met_most"]) == ["few", "many"]
 
 
@@ -123,9 +123,9 @@ def test_placed_samples_refute_an_accidental_exclusion():
         "No sample meets all 2 facts, but there are too few samples to exclude other values"
         in together_sentences(drawn)[0]
     )
-    for each in marginals(drawn):
-        planted_at = {"hinge.overbend": np.radians(2.2), "hinge.damping": 3e-4}[each.key]
-        assert each.agrees[0] <= planted_at <= each.agrees[1]
+    for marginal in marginals(drawn):
+        planted_at = {"hinge.overbend": np.radians(2.2), "hinge.damping": 3e-4}[marginal.key]
+        assert marginal.agrees[0] <= planted_at <= marginal.agrees[1]
     placed = observed(facts, samples=64, directed=96)
     assert int(placed.met_together_placed[0, 1]) > 0
     assert placed.together.values[0, 1] == Together.PLACED
@@ -144,7 +144,7 @@ def test_a_hidden_choice_is_identified_from_its_effect():
     met = result.sel(sample=result.met.all("fact"))
     assert 0 < met.sizes["sample"] < 64
     np.testing.assert_allclose(met.tendon_distal_attachment.astype(float), 0.04)
-    assert {each.key: each.agrees for each in marginals(result)}["tendon.distal_attachment"] == ("4 cm",)
+    assert {marginal.key: marginal.agrees for marginal in marginals(result)}["tendon.distal_attachment"] == ("4 cm",)
 
 
 def test_a_fact_with_inconclusive_runs_is_met_only_if_every_outcome_meets_it():
@@ -158,10 +158,10 @@ def test_a_fact_with_inconclusive_runs_is_met_only_if_every_outcome_meets_it():
     plain = count_fact("ten", equals=10, over={"tendon.rest_length": "0..9 cm step 1"}, rising=[], falling=[])
     plain["settings"] = {"protocol.fold_torque": "500 N cm"}
     assert observed([plain], samples=4).met.all()
-    told = observed([plain], samples=4, rows=silent)
-    assert (told.untold == 1).all()
-    assert not told.met.any()
-    assert (told.distance == 1).all()
+    output = observed([plain], samples=4, rows=silent)
+    assert (output.untold == 1).all()
+    assert not output.met.any()
+    assert (output.distance == 1).all()
     assert observed([{**plain, "tolerance": 1}], samples=4, rows=silent).met.all()
 
 
@@ -169,11 +169,11 @@ def silent_at(length):
     """Rows in which the runs with one resting length are inconclusive."""
 
     def rows(runs):
-        found = assess(runs)
-        for run, row in zip(runs, found, strict=True):
+        result = assess(runs)
+        for run, row in zip(runs, result, strict=True):
             if run.values["tendon.rest_length"] == length:
                 row["verdict"] = "untrusted"
-        return found
+        return result
 
     return rows
 
@@ -199,7 +199,7 @@ def test_a_number_with_an_inconclusive_run_is_decided_only_if_this_run_cannot_ma
     fact = time_fact("time", statistic=statistic, **LENGTHS, **asked)
     result = observed([fact], samples=4, rows=silent_at("9 cm"))
     assert (result.met == met).all()
-    assert (result.tells == tells).all()
+    assert (result.conclusive == tells).all()
     assert (result.untold == 1).all()
     assert np.isfinite(result.distance).all()
     assert int(result.told[0]) == (4 if tells else 0)
@@ -210,19 +210,19 @@ def test_a_number_with_an_inconclusive_run_is_decided_only_if_this_run_cannot_ma
 
 def test_a_least_value_is_bounded_by_inconclusive_values_and_the_first_success():
     def silent(runs):
-        found = assess(runs)
-        for run, row in zip(runs, found, strict=True):
+        computed = assess(runs)
+        for run, row in zip(runs, computed, strict=True):
             if run.values["protocol.fold_torque"] == "20 N cm":
                 row["verdict"] = "diverged"
-        return found
+        return computed
 
     least = {"key": "protocol.fold_torque", "values": "10..50 N cm step 10", "state": "folded"}
-    asked = {"name": "torque", "quantity": "least value", "least": least, "until": "fold"}
-    asked |= {"over": {"tendon.rest_length": "5 cm"}, "tolerance": "1 N cm"}
+    requested = {"name": "torque", "quantity": "least value", "least": least, "until": "fold"}
+    requested |= {"over": {"tendon.rest_length": "5 cm"}, "tolerance": "1 N cm"}
     unknown = {"hinge.overbend": ["3 deg", "8 deg"]}
 
     def told(**bound):
-        result = observed([{**asked, **bound}], samples=2, unknown=unknown, rows=silent)
+        result = observed([{**requested, **bound}], samples=2, unknown=unknown, rows=silent)
         return [result[name].sortby("hinge_overbend").values[:, 0].tolist() for name in ("met", "tells")]
 
     # 10 N cm suffice at 3 deg; at 8 deg 20 N cm may, and 30 N cm do
@@ -233,11 +233,11 @@ def test_a_least_value_is_bounded_by_inconclusive_values_and_the_first_success()
 
 
 def test_evidence_for_an_exclusion_is_reported_with_numbers(contradicted):
-    many, few = (int(each) for each in (contradicted.met_alone[0, 1], contradicted.met_alone[1, 0]))
-    told = together_sentences(contradicted)
-    assert "Pairs that exclude one another, as far as samples show" in told[-2]
-    assert f"many | few: 0 of 64 samples meet both, those that meet one: {many} and {few} (" in told[-1]
-    assert "would meet both if independent); at most 4.6 % of the prior (95 %); none of" in told[-1]
+    many, few = (int(item) for item in (contradicted.met_alone[0, 1], contradicted.met_alone[1, 0]))
+    output = together_sentences(contradicted)
+    assert "Pairs that exclude one another, as far as samples show" in output[-2]
+    assert f"many | few: 0 of 64 samples meet both, those that meet one: {many} and {few} (" in output[-1]
+    assert "would meet both if independent); at most 4.6 % of the prior (95 %); none of" in output[-1]
     assert int(contradicted.tried_together[0, 1]) == 32
 
 

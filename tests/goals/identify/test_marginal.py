@@ -27,12 +27,12 @@ def result(shares, agrees):
 
 
 def test_uninformative_facts_give_a_significant_unknown_in_at_most_one_of_twenty_cases():
-    told = 0
+    output = 0
     for seed in range(REPETITIONS):
         shares = np.random.default_rng(seed).random((SAMPLES, UNKNOWNS))
-        told += any(each.told for each in marginals(result(shares, np.arange(SAMPLES) < SAMPLES // 10)))
+        output += any(marginal.told for marginal in marginals(result(shares, np.arange(SAMPLES) < SAMPLES // 10)))
     # 0.05, plus three of its standard errors
-    assert told / REPETITIONS <= 0.05 + 3 * np.sqrt(0.05 * 0.95 / REPETITIONS)
+    assert output / REPETITIONS <= 0.05 + 3 * np.sqrt(0.05 * 0.95 / REPETITIONS)
 
 
 def test_the_decisive_unknown_comes_first_with_its_range():
@@ -40,4 +40,4 @@ def test_the_decisive_unknown_comes_first_with_its_range():
     first, *others = marginals(result(shares, shares[:, 7] < 0.2))
     assert (first.name, first.told) == ("u7", True)
     assert first.agrees[1] < 0.2
-    assert not any(each.told for each in others)
+    assert not any(other.told for other in others)

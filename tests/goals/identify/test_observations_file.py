@@ -6,7 +6,7 @@ from forficula.design import key_value
 from forficula.design.files.key_table import key_facts
 from forficula.errors import InputError
 from forficula.goals.identify import load_observations, named_observations, observations_of
-from forficula.goals.identify.fact_text import asked_text
+from forficula.goals.identify.fact_text import requirement_text
 from forficula.goals.identify.observations_file import ObservationsFile
 from forficula.goals.identify.prior import prior_shares, values_at
 from tests.goals.identify.closed_form import TENDONS, count_fact
@@ -29,12 +29,12 @@ def test_named_observations_have_the_values_that_the_paper_does_not_report():
     # the paper does not report lengths, angles, masses and damping, but stiffness, resting length and overbend
     assert {"pattern.hub_radius", "vein.diameter", "pattern.tangent", "hinge.damping"} <= set(keys)
     assert not {"tendon.stiffness", "tendon.rest_length", "hinge.overbend"} & set(keys)
-    asked = {fact.name: asked_text(fact) for fact in seen.facts}
-    assert asked["20 N cm is the least"] == "20 N cm"
-    assert asked["none of 9 cm folds"] == "none"
-    assert asked["least work at 7 to 8 cm"] == "least at tendon.rest_length 7 cm or 8 cm"
-    assert asked["unfolding costs twice"] == "at least 2 fold_work"
-    assert asked["32 of 60 fold"] == "32 within 2"
+    requested = {fact.name: requirement_text(fact) for fact in seen.facts}
+    assert requested["20 N cm is the least"] == "20 N cm"
+    assert requested["none of 9 cm folds"] == "none"
+    assert requested["least work at 7 to 8 cm"] == "least at tendon.rest_length 7 cm or 8 cm"
+    assert requested["unfolding costs twice"] == "at least 2 fold_work"
+    assert requested["32 of 60 fold"] == "32 within 2"
     # the values of the reference wing lie within the priors
     for prior in seen.priors:
         now = key_value(seen.base, prior.key)
@@ -122,8 +122,8 @@ def test_facts_need_names_of_their_own():
 
 
 def test_every_key_of_an_observations_file_is_listed():
-    told = {fact.key for fact in key_facts("", ObservationsFile)}
-    assert {"unknown.KEY", "fact.0.quantity", "fact.0.least.key", "sampling.directed"} <= told
+    output = {fact.key for fact in key_facts("", ObservationsFile)}
+    assert {"unknown.KEY", "fact.0.quantity", "fact.0.least.key", "sampling.directed"} <= output
     assert all(fact.meaning and fact.allowed for fact in key_facts("fact", ObservationsFile))
 
 

@@ -39,9 +39,9 @@ def observed_wing(overbend, fact):
 
 def found(overbend="3 deg", rows=assess, **fact):
     """Result of a sample for a fact, and the conditions that were run for it."""
-    asked = observed_wing(overbend, fact)
-    runs, known, ran = SampleRuns(asked.base, {"hinge.overbend": overbend}), {}, []
-    while not isinstance(result := find(asked.facts[0], runs, known), Finding):
+    requested = observed_wing(overbend, fact)
+    runs, known, ran = SampleRuns(requested.base, {"hinge.overbend": overbend}), {}, []
+    while not isinstance(result := find(requested.facts[0], runs, known), Finding):
         ran += result.values()
         known |= dict(zip(result, rows(list(result.values())), strict=True))
     return result, [run.values for run in ran]
@@ -61,13 +61,13 @@ def test_a_staircase_is_found_by_its_boundary(firsts):
     firsts = sorted(firsts)
     truth = np.array([[place >= first for place in range(10)] for first in firsts])
     known = np.full(truth.shape, OPEN, dtype=np.int8)
-    states, asked = known, 0
+    states, requested = known, 0
     while (point := next_point(states, axes=[1], reversed_axes=[0])) is not None:
-        known[point], asked = (HOLDS if truth[point] else FAILS), asked + 1
+        known[point], requested = (HOLDS if truth[point] else FAILS), requested + 1
         states = follows(known, [1], [0])
     assert (states == np.where(truth, HOLDS, FAILS)).all()
     # a boundary across 6 by 10 has at most as many corners on each side as it has steps
-    assert asked <= 17
+    assert requested <= 17
 
 
 @pytest.mark.parametrize("overbend", ["1 deg", "3 deg", "8 deg", "30 deg"])
@@ -117,7 +117,7 @@ def test_deviation_of_a_position_is_the_difference_of_its_number_to_the_least():
         "absent": "1 s",
     }
     stiff, _ = found(**fact, at={"tendon.stiffness": "40 N/cm"})
-    assert stiff == Finding(value=0.0, miss=0.0, distance=0.0, met=True, tells=True, untold=0)
+    assert stiff == Finding(value=0.0, miss=0.0, distance=0.0, met=True, conclusive=True, untold=0)
     soft, _ = found(**fact, at={"tendon.stiffness": "10 N/cm"})
     # sqrt(I / (k a b)) of 4e-4 kg m^2 and 5.5 cm twice: 11.5 ms at 10 N/cm and half of it at 40, each doubled
     assert soft.distance == pytest.approx(11.5e-3, rel=1e-2)
@@ -179,14 +179,14 @@ def test_requested_runs_do_not_depend_on_other_known_rows():
             row["folded"] |= (run.values["tendon.stiffness"], run.values["tendon.rest_length"]) == ("50 N/cm", "1 cm")
         return rows
 
-    asked = observed_wing("3 deg", fact)
-    runs = SampleRuns(asked.base, {"hinge.overbend": "3 deg"})
+    requested = observed_wing("3 deg", fact)
+    runs = SampleRuns(requested.base, {"hinge.overbend": "3 deg"})
     lazily, ran = found(rows=odd, **fact)
     conditions = [dict(zip(TENDONS, values, strict=True)) for values in itertools.product(
         [f"{k}0 N/cm" for k in range(1, 7)], [f"{length} cm" for length in range(10)])]  # fmt: skip
-    every = [runs.at({**each, "protocol.fold_torque": "50 N cm"}, "fold") for each in conditions]
+    every = [runs.at({**condition, "protocol.fold_torque": "50 N cm"}, "fold") for condition in conditions]
     known = dict(zip([run.key for run in every], odd(every), strict=True))
-    assert find(asked.facts[0], runs, known) == lazily
+    assert find(requested.facts[0], runs, known) == lazily
     assert len(ran) < 60
 
 
@@ -208,12 +208,14 @@ def test_every_condition_is_run_if_the_far_corner_has_another_boundary():
 
 def test_row_quantities_have_the_names_of_goal_quantities():
     design = load_design("force-clasp")
-    told = row_quantities(design)
-    asked = {name for name, each in quantities_of(design).items() if each.source == "run" and each.unit.si}
-    assert asked < set(told)
+    output = row_quantities(design)
+    requested = {
+        name for name, quantity in quantities_of(design).items() if quantity.source == "run" and quantity.unit.si
+    }
+    assert requested < set(output)
     # a state has its own name, and its numbers have one without spaces
-    assert {"shut again", "shut_again_energy", "shut_again_angle"} <= set(told)
+    assert {"shut again", "shut_again_energy", "shut_again_angle"} <= set(output)
     row = {"shut again_stored_energy_J": 0.2, "shut again_angle_deg": 180.0, "shut again": True}
-    assert told["shut_again_energy"].of(row) == 0.2
-    assert told["shut_again_angle"].of(row) == pytest.approx(np.pi)
-    assert told["shut again"].of(row) == 1
+    assert output["shut_again_energy"].of(row) == 0.2
+    assert output["shut_again_angle"].of(row) == pytest.approx(np.pi)
+    assert output["shut again"].of(row) == 1

@@ -150,10 +150,10 @@ def test_rows_of_another_design_are_rejected(planted, tmp_path):
 
 @pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
 def test_figures_have_alternative_texts(result, width):
-    told = {name: description(draw(width)) for name, draw in identify_drawings(result).items()}
-    assert told.keys() == {"facts", "together", "unknowns", "pairs"}
-    assert "closes as seen" in told["facts"]
-    assert "tendon.left.stiffness" in told["pairs"]
+    output = {name: description(draw(width)) for name, draw in identify_drawings(result).items()}
+    assert output.keys() == {"facts", "together", "unknowns", "pairs"}
+    assert "closes as seen" in output["facts"]
+    assert "tendon.left.stiffness" in output["pairs"]
 
 
 @pytest.mark.usefixtures("no_figures")
@@ -168,13 +168,13 @@ def test_command_writes_its_files_and_reports_agreeing_ranges(tmp_path, capsys):
     )
     out = tmp_path / "out"
     main(["identify", str(file), "--out", str(out), "--json"])
-    told = json.loads(capsys.readouterr().out)
-    assert [fact["met"] for fact in told["facts"]] == [4, 0]
-    assert told["facts"][1]["nearest"] == 1
-    (pair,) = told["pairs"]
+    output = json.loads(capsys.readouterr().out)
+    assert [fact["met"] for fact in output["facts"]] == [4, 0]
+    assert output["facts"][1]["nearest"] == 1
+    (pair,) = output["pairs"]
     assert (pair["facts"], pair["told"], pair["met"]) == (["closes", "never closes"], 4, 0)
     assert (pair["met_alone"], pair["verdict"]) == ([4, 0], "one is never met")
-    assert "Facts that no sample meets: never closes." in told["sentences"]
+    assert "Facts that no sample meets: never closes." in output["sentences"]
     names = {path.name for path in out.iterdir()}
     assert {
         "identified.nc",
@@ -189,7 +189,7 @@ def test_command_writes_its_files_and_reports_agreeing_ranges(tmp_path, capsys):
     assert len(lines) == 5
     assert lines[0].startswith("sample,tendon_left_stiffness (N/m),")
     kept = xarray.load_dataset(out / "identified.nc", engine="h5netcdf")
-    assert together_sentences(kept) == told["sentences"]
+    assert together_sentences(kept) == output["sentences"]
     # numbers of a file are numpy numbers, and are written as the same JSON
     ff.save(kept, tmp_path / "again")
     assert (tmp_path / "again" / "identified.json").read_text("utf-8") == (out / "identified.json").read_text("utf-8")

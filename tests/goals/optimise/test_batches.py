@@ -18,12 +18,12 @@ def searched(problem, axes, count, objectives=1, batch=16, seed=0):
     """All trials of a search, in their order."""
     search, trials = ParabolaSearch(axes, objectives, batch, seed), []
     while len(trials) < count and (points := search.ask()):
-        told = []
+        output = []
         for point in points:
             costs, margins = problem(np.array(point))
-            told.append(Trial(point=point, objectives=tuple(map(float, costs)), margins=tuple(map(float, margins))))
-        search.tell(told)
-        trials += told
+            output.append(Trial(point=point, objectives=tuple(map(float, costs)), margins=tuple(map(float, margins))))
+        search.tell(output)
+        trials += output
     return trials
 
 
@@ -66,10 +66,10 @@ def test_an_optimum_on_its_limits_is_found_to_a_thousandth(problem, dimension, l
 
 
 def test_many_valleys_are_searched_further_than_sobol_points_would():
-    found = [best_ranked(searched(many_valleys, [Axis()] * 2, 480, seed=seed), 1)[0] for seed in range(4)]
+    result = [best_ranked(searched(many_valleys, [Axis()] * 2, 480, seed=seed), 1)[0] for seed in range(4)]
     spread = [qmc.Sobol(2, rng=np.random.default_rng(seed)).random(512)[:480] for seed in range(4)]
     drawn = [min(many_valleys(point)[0][0] for point in points) for points in spread]
-    assert np.median([best.objectives[0] for best in found]) < np.median(drawn)
+    assert np.median([best.objectives[0] for best in result]) < np.median(drawn)
 
 
 def test_steps_and_choices_are_found_beside_a_continuous_axis():
@@ -135,7 +135,7 @@ def test_a_front_of_three_objectives_lies_on_its_sphere():
         one, two = x[:2] * np.pi / 2
         return radius * np.array([math.cos(one) * math.cos(two), math.cos(one) * math.sin(two), math.sin(one)]), []
 
-    values = np.array([each.objectives for each in pareto_front(searched(dtlz2, [Axis()] * 5, 640, objectives=3))])
+    values = np.array([item.objectives for item in pareto_front(searched(dtlz2, [Axis()] * 5, 640, objectives=3))])
     assert np.mean(np.linalg.norm(values, axis=1) - 1) < 0.02
     # every direction has a point of the front nearby
     directions = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1], [1, 1, 0], [0, 1, 1], [1, 0, 1]], dtype=float)
@@ -203,20 +203,20 @@ print(json.dumps(asked))
 
 def test_proposed_points_depend_only_on_the_trials_in_every_process():
     trials = searched(sphere, MIXED, 176, seed=3)
-    told = [
+    output = [
         [(trial.point, trial.objectives[0], trial.margins[0]) for trial in trials[first : first + 16]]
         for first in range(0, 160, 16)
     ]
     done = subprocess.run(
         [sys.executable, "-c", ASK_AGAIN],
-        input=json.dumps(told),
+        input=json.dumps(output),
         env={**os.environ, "PYTHONPATH": ":".join(sys.path)},
         capture_output=True,
         text=True,
         check=True,
     )
-    asked = [tuple(point) for batch in json.loads(done.stdout) for point in batch]
-    assert asked == [trial.point for trial in trials]
+    requested = [tuple(point) for batch in json.loads(done.stdout) for point in batch]
+    assert requested == [trial.point for trial in trials]
 
 
 def test_another_seed_proposes_other_points():

@@ -5,7 +5,7 @@ import pytest
 from forficula.goals import goal_of
 from forficula.goals.optimise import optimise_goal
 from forficula.goals.optimise.parabola_search import ParabolaSearch
-from forficula.goals.optimise.telling import filling_count, filling_text, told
+from forficula.goals.optimise.summary import filling_count, filling_text, summary_sentences
 from forficula.goals.optimise.trials import Axis, Trial
 
 AREA = {"tendon.area": {"low": "1 mm^2", "high": "9 mm^2"}}
@@ -27,12 +27,12 @@ def goal(vary=AREA, **search):
 
 def points(axes, batch, count, sign):
     """The first points of a search that minimises, or maximises, the first coordinate."""
-    search, found = ParabolaSearch(axes, 1, batch, 0), []
-    while len(found) < count:
-        asked = search.ask()
-        search.tell([Trial(point=each, objectives=(sign * each[0],)) for each in asked])
-        found += asked
-    return found[:count]
+    search, result = ParabolaSearch(axes, 1, batch, 0), []
+    while len(result) < count:
+        requested = search.ask()
+        search.tell([Trial(point=item, objectives=(sign * item[0],)) for item in requested])
+        result += requested
+    return result[:count]
 
 
 @pytest.mark.parametrize(("axes", "batch"), [(1, 4), (2, 16), (9, 16), (12, 32), (2, 64)])
@@ -48,7 +48,7 @@ def test_a_search_that_ends_before_it_uses_results_says_so(tmp_path):
     few = goal(runs=16, batch=16)
     said = "all 16 designs only fill the space evenly: the search begins to use results after 32"
     assert filling_text(few).startswith(said)
-    assert told(optimise_goal(few, tmp_path))[-1].startswith(said)
+    assert summary_sentences(optimise_goal(few, tmp_path))[-1].startswith(said)
     assert filling_text(goal(runs=32, batch=8)) is not None
     assert filling_text(goal(runs=33, batch=8)) is None
 

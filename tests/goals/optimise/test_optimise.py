@@ -12,7 +12,7 @@ from forficula.errors import InputError
 from forficula.goals.goal_file import goal_of
 from forficula.goals.optimise.optimise import optimise_goal
 from forficula.goals.optimise.parabola_search import ParabolaSearch
-from forficula.goals.optimise.telling import told
+from forficula.goals.optimise.summary import summary_sentences
 from forficula.goals.static_values import static_values
 
 JOINT = load_design("binder2025-joint")
@@ -48,8 +48,8 @@ def moment(angle, rest_length):
 
 def peak(rest_length):
     """The largest torque against opening, for 1 m^2."""
-    found = minimize_scalar(lambda angle: moment(angle, rest_length), bounds=(0.05, 3.1), method="bounded")
-    return -found.fun
+    result = minimize_scalar(lambda angle: moment(angle, rest_length), bounds=(0.05, 3.1), method="bounded")
+    return -result.fun
 
 
 def test_closed_form_of_this_test_is_that_of_the_joint():
@@ -73,15 +73,15 @@ def lightest(tmp_path_factory):
 
 def test_the_lightest_joint_that_holds_and_opens_lies_on_both_limits(lightest):
     """Mass is proportional to area and length; their ratio at both limits depends only on the length."""
-    length = brentq(lambda each: peak(each) / moment(STOP, each) - 32 / 8, 0.05, 0.085)
+    length = brentq(lambda item: peak(item) / moment(STOP, item) - 32 / 8, 0.05, 0.085)
     area = 0.08 / moment(STOP, length)
-    found = lightest
-    (best,) = found.designs
+    result = lightest
+    (best,) = result.designs
     assert best.tendons[0].rest_length == pytest.approx(length, rel=1e-3)
     assert best.tendons[0].area == pytest.approx(area, rel=1e-3)
-    assert found.effort.runs == 0
-    assert bool(found.table["best"].sum() == 1)
-    assert found.table["mass"][found.table["feasible"]].min() == found.table["mass"][found.table["best"]].item()
+    assert result.effort.runs == 0
+    assert bool(result.table["best"].sum() == 1)
+    assert result.table["mass"][result.table["feasible"]].min() == result.table["mass"][result.table["best"]].item()
 
 
 def test_a_planted_joint_is_found_from_its_outcomes(tmp_path):
@@ -126,9 +126,9 @@ def test_a_robust_optimum_keeps_its_distance_from_the_limit_and_costs_as_much(tm
     # the neighbours of every design that meets the goal were evaluated; those of worse designs were not
     table = inside.table
     assert bool((table["neighbours"].values[table["feasible"].values] > 0).all())
-    unasked = [each for each in inside.candidates if each.found.meets and each.neighbours is None]
+    unasked = [candidate for candidate in inside.candidates if candidate.found.meets and candidate.neighbours is None]
     assert unasked
-    assert not table["feasible"].values[[each in unasked for each in inside.candidates]].any()
+    assert not table["feasible"].values[[candidate in unasked for candidate in inside.candidates]].any()
 
 
 def test_an_infeasible_goal_reports_the_limits_to_relax(tmp_path):
@@ -140,15 +140,15 @@ def test_an_infeasible_goal_reports_the_limits_to_relax(tmp_path):
             "search": {"runs": 48, "batch": 16},
         }
     )
-    found = optimise_goal(goal, tmp_path)
-    assert not found.best
+    result = optimise_goal(goal, tmp_path)
+    assert not result.best
     ratio = peak(0.06) / moment(STOP, 0.06)
     # cheap limits are evaluated together, so each is known where the other is met
-    missing = {each.limit: each.alone for each in found.relaxations}
+    missing = {relaxation.limit: relaxation.alone for relaxation in result.relaxations}
     assert missing[0] == pytest.approx(-(1 - 20 / ratio / 8), abs=0.01)
     # the search minimises the total violation, so the other limit has only values on this path
     assert -1 < missing[1] <= -(8 * ratio / 20 - 1) + 1e-3
-    text = "\n".join(told(found))
+    text = "\n".join(summary_sentences(result))
     assert "none of 48 designs meets every limit" in text
     assert "hinge_opening_torque <= 20 N cm: of the designs that meet all other limits, the best misses it by" in text
 
@@ -172,7 +172,7 @@ def test_three_interruptions_do_not_change_a_search(tmp_path):
     again = optimise_goal(goal, tmp_path / "stopped")
     assert again.table.identical(whole.table)
     assert again.table.to_netcdf() == whole.table.to_netcdf()
-    assert [each.fresh for each in again.best] == [each.fresh for each in whole.best]
+    assert [item.fresh for item in again.best] == [item.fresh for item in whole.best]
     lines = (tmp_path / "stopped" / "journal.jsonl").read_text().splitlines()
     assert len([line for line in lines if line]) == len(
         [line for line in (tmp_path / "whole" / "journal.jsonl").read_text().splitlines() if line]
@@ -214,13 +214,13 @@ def test_two_objectives_give_a_front_of_designs(tmp_path):
             "search": {"runs": 96, "batch": 16},
         }
     )
-    found = optimise_goal(goal, tmp_path)
-    front = found.table.where(found.table["front"], drop=True).sortby("mass")
+    result = optimise_goal(goal, tmp_path)
+    front = result.table.where(result.table["front"], drop=True).sortby("mass")
     assert front.sizes["candidate"] > 8
     assert (front["hinge_holding_torque"].diff("candidate") > 0).all()
     # at the end of the front with the largest holding torque, the limit on opening binds
     assert front["hinge_opening_torque"].max() == pytest.approx(0.4, rel=5e-3)
-    assert 2 <= len(found.best) <= 12
+    assert 2 <= len(result.best) <= 12
 
 
 def test_designs_ruled_out_by_statics_are_not_run(tmp_path):
@@ -233,14 +233,14 @@ def test_designs_ruled_out_by_statics_are_not_run(tmp_path):
             "search": {"runs": 8, "batch": 8},
         }
     )
-    found = optimise_goal(goal, tmp_path)
-    assert found.effort.ruled_out["hinges"] == found.effort.spared_runs > 0
-    assert found.effort.runs + found.effort.spared_runs == 8
-    (best,) = found.best
+    result = optimise_goal(goal, tmp_path)
+    assert result.effort.ruled_out["hinges"] == result.effort.spared_runs > 0
+    assert result.effort.runs + result.effort.spared_runs == 8
+    (best,) = result.best
     assert best.finer.meets
     assert best.residual < JOINT.protocol.residual_limit
     assert best.timestep == pytest.approx(1e-4)
-    ruled_out = found.table.where(found.table["margin_hinge_holding_torque"] < 0, drop=True)
+    ruled_out = result.table.where(result.table["margin_hinge_holding_torque"] < 0, drop=True)
     assert set(ruled_out["outcome"].values) == {"not run"}
 
 
@@ -259,7 +259,7 @@ def test_an_optimum_at_a_bound_of_its_parameters_is_reported(lightest, tmp_path)
         "search": {"runs": 96, "batch": 16},
     }
     held = optimise_goal(goal_of(STATICS | goal), tmp_path / "held")
-    at_bounds = [each for each in told(held) if "lies at bounds of its parameters" in each]
+    at_bounds = [sentence for sentence in summary_sentences(held) if "lies at bounds of its parameters" in sentence]
     (best,) = held.designs
     at_bound = {
         f"{AREA} at its highest": best.tendons[0].area > 19.98e-6,
@@ -268,8 +268,8 @@ def test_an_optimum_at_a_bound_of_its_parameters_is_reported(lightest, tmp_path)
     }
     assert any(at_bound.values())
     for text, is_so in at_bound.items():
-        assert is_so == any(text in each for each in at_bounds)
-    assert not [each for each in told(lightest) if "lies at bounds of its parameters" in each]
+        assert is_so == any(text in bound for bound in at_bounds)
+    assert not [sentence for sentence in summary_sentences(lightest) if "lies at bounds of its parameters" in sentence]
 
 
 def test_a_design_that_fails_verification_does_not_meet_the_goal(tmp_path):
@@ -278,9 +278,9 @@ def test_a_design_that_fails_verification_does_not_meet_the_goal(tmp_path):
         "search": {"runs": 56, "batch": 8, "neighbours": 8},
         "tolerances": {AREA: {"distribution": "normal", "size": "6 %"}},
     }
-    found = optimise_goal(goal_of(ROBUST | few), tmp_path)
-    assert found.discarded
-    lost = {each.candidate.point for each in found.discarded}
-    is_lost = [each.point in lost for each in found.candidates]
-    assert not found.table["feasible"].values[is_lost].any()
-    assert not lost & {each.candidate.point for each in found.best}
+    result = optimise_goal(goal_of(ROBUST | few), tmp_path)
+    assert result.discarded
+    lost = {item.candidate.point for item in result.discarded}
+    is_lost = [candidate.point in lost for candidate in result.candidates]
+    assert not result.table["feasible"].values[is_lost].any()
+    assert not lost & {item.candidate.point for item in result.best}

@@ -26,13 +26,13 @@ class ClosedForm:
         self.base, self.deviations, self.margin = base, deviations, margin
         self.untrusted, self.killed_after = untrusted or (lambda _: False), killed_after
         self.pause = pause
-        self.own = np.array([key_value(base, each.key) for each in deviations])
+        self.own = np.array([key_value(base, deviation.key) for deviation in deviations])
         self.widths = deviation_widths(base, deviations)
         self.transitions = structure_of(base).transitions
         self.runs = 0
 
     def offsets(self, design):
-        values = np.array([key_value(design, each.key) for each in self.deviations])
+        values = np.array([key_value(design, deviation.key) for deviation in self.deviations])
         return (values - self.own) / self.widths
 
     def __call__(self, designs, _until_last):
@@ -58,8 +58,8 @@ class ClosedForm:
             "verdict": verdict,
             "outcome": last.wording.done if works else f"did not {last.wording.verb}",
             "goal": last.name,
-            **{each.state: works or each is not last for each in self.transitions},
-            **{f"{each.name}_margin": margin if each is last else 1.0 for each in self.transitions},
+            **{transition.state: works or transition is not last for transition in self.transitions},
+            **{f"{transition.name}_margin": margin if transition is last else 1.0 for transition in self.transitions},
         }
 
 

@@ -10,7 +10,7 @@ import pytest
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.goals.tolerance import assess_tolerance, estimate_tolerance
-from forficula.goals.tolerance.advice import advice, most_telling, tighten_first
+from forficula.goals.tolerance.advice import advice, most_important, tighten_first
 from forficula.goals.tolerance.nearest_failure import Answer
 from forficula.goals.tolerance.plan import PLANS
 from forficula.goals.tolerance.question_file import question_of
@@ -72,7 +72,7 @@ def test_planted_factors_are_found_and_others_are_unimportant(found):
     assert [KEYS[factor] for factor in found.order] == [KEYS[1], KEYS[3]]
     for share, low, high in zip((0.8, 0.2, 0), found.indices.total_low[0], found.indices.total_high[0], strict=True):
         assert low <= share <= high
-    assert KEYS[most_telling(found)] == KEYS[1]
+    assert KEYS[most_important(found)] == KEYS[1]
     np.testing.assert_allclose(found.effects, [0, 0.8, 0, 0.2, 0], atol=0.1)
 
 
@@ -99,10 +99,10 @@ def test_gain_of_a_halved_tolerance_equals_closed_form(found):
 
 
 def test_conclusions_name_the_tolerance_to_tighten_and_the_value_to_change(found):
-    told = " ".join(advice(found))
-    assert f"Tighten the tolerance of {KEYS[1]}, ± 10 %, first." in told
-    assert f"A smaller {KEYS[1]} than 5 cm would help" in told
-    assert "The remaining tolerances (3) together explain 0 % (0 to 0 %): they are uncritical." in told
+    output = " ".join(advice(found))
+    assert f"Tighten the tolerance of {KEYS[1]}, ± 10 %, first." in output
+    assert f"A smaller {KEYS[1]} than 5 cm would help" in output
+    assert "The remaining tolerances (3) together explain 0 % (0 to 0 %): they are uncritical." in output
 
 
 def test_map_shows_the_two_most_important_factors_and_their_failures(found):
@@ -153,45 +153,45 @@ def test_a_failing_nominal_design_has_a_probability_but_no_distance_to_failure(d
     assert failing.reaches == ()
     assert failing.nearest is None
     assert 0 < failing.probability.share < 0.5
-    told = advice(failing)
-    assert told[0].startswith("The nominal design does not work")
-    assert any(sentence.startswith(f"A smaller {KEYS[1]}") for sentence in told)
+    output = advice(failing)
+    assert output[0].startswith("The nominal design does not work")
+    assert any(sentence.startswith(f"A smaller {KEYS[1]}") for sentence in output)
 
 
 def test_constant_margins_need_no_tighter_tolerance(design, tmp_path):
     sound = assessed(design, tmp_path / "sound", SMALL, lambda _: 0.5)
     assert sound.probability.share == 1
-    assert most_telling(sound) is None
+    assert most_important(sound) is None
     assert "No tolerance changes the margin." in advice(sound)
 
 
 def test_without_failures_importance_is_reported_and_no_tolerance_tightened(design, tmp_path):
     sound = assessed(design, tmp_path / "sound", SMALL, lambda offsets: line(offsets) + 0.2)
     assert sound.probability.fails == 0
-    told = " ".join(advice(sound))
-    assert "Tighten" not in told
+    output = " ".join(advice(sound))
+    assert "Tighten" not in output
     assert (
-        f"None of the {sound.probability.works} conclusive designs fails: no tolerance needs to be tightened." in told
+        f"None of the {sound.probability.works} conclusive designs fails: no tolerance needs to be tightened." in output
     )
-    assert f"What matters most is the tolerance of {KEYS[1]}, ± 10 %: it explains" in told
+    assert f"What matters most is the tolerance of {KEYS[1]}, ± 10 %: it explains" in output
     # the distance to failure is reported, too
-    assert f"If only one value deviates, the nearest failure is {KEYS[1]} at" in told
+    assert f"If only one value deviates, the nearest failure is {KEYS[1]} at" in output
     assert tighten_first(sound) is None
 
 
 def test_without_successes_no_tolerance_is_blamed(design, tmp_path):
     hopeless = assessed(design, tmp_path / "hopeless", SMALL, lambda offsets: line(offsets) - 0.6)
     assert hopeless.probability.works == 0
-    told = " ".join(advice(hopeless))
-    assert "Tighten" not in told
-    assert "None of the designs works: change the design before its tolerances." in told
+    output = " ".join(advice(hopeless))
+    assert "Tighten" not in output
+    assert "None of the designs works: change the design before its tolerances." in output
     assert tighten_first(hopeless) is None
 
 
 def test_nearly_equal_tolerances_are_reported_as_unresolved(design, tmp_path):
     close = assessed(design, tmp_path / "close", SMALL, lambda offsets: 0.2 - float(offsets @ [0, 0.16, 0, -0.15, 0]))
-    told = " ".join(advice(close))
-    assert "There are too few runs to resolve which tolerance explains most of the variance: in resamplings" in told
+    output = " ".join(advice(close))
+    assert "There are too few runs to resolve which tolerance explains most of the variance: in resamplings" in output
     assert close.indices.leads[0].sum() == pytest.approx(1)
 
 
@@ -211,7 +211,7 @@ def test_linear_indices_find_the_important_factors_if_time_is_short(design, tmp_
 
 def test_too_few_designs_for_ranking_are_reported(design, tmp_path):
     few = assessed(design, tmp_path / "few", replace(PLANS[-1], points=8), line)
-    assert most_telling(few) is None
+    assert most_important(few) is None
     assert "There are too few designs to rank the tolerances: increase the time." in advice(few)
 
 
@@ -288,8 +288,8 @@ def test_values_beyond_bounds_are_built_at_the_bound_and_reported(design, tmp_pa
     assert at_bound == pytest.approx(64 * (1 - 5 / 17.5) / 2, abs=2)
     assert table["map_x" if found.map.first == 0 else "map_y"].values.max() <= np.pi * (1 + 1e-12)
     says = f"crease.fold_limit cannot go beyond 180 deg: {at_bound} of 64 designs would exceed this bound"
-    assert any(each.startswith(says) for each in advice(found))
-    assert not any("facet.thickness cannot" in each for each in advice(found))
+    assert any(item.startswith(says) for item in advice(found))
+    assert not any("facet.thickness cannot" in item for item in advice(found))
 
 
 @pytest.mark.parametrize(("minutes", "seed", "says"), [(0, 0, "minutes: need"), (5.0, -1, "seed: need")])

@@ -30,21 +30,21 @@ def called(tmp_path, monkeypatch, capsys):
 
 @pytest.mark.usefixtures("no_column_figures")
 def test_command_writes_a_folder_with_the_probability_and_figures(called, tmp_path):
-    told = json.loads(called("tolerance", "letter.toml", *FEW, "--keep", "1", "--json").out)
-    assert told["works"]["works"] + told["works"]["fails"] + told["works"]["unknown"] == 16
-    assert told["tolerances"] == {"facet.thickness": "± 1 %"}
+    output = json.loads(called("tolerance", "letter.toml", *FEW, "--keep", "1", "--json").out)
+    assert output["works"]["works"] + output["works"]["fails"] + output["works"]["unknown"] == 16
+    assert output["tolerances"] == {"facet.thickness": "± 1 %"}
     folder = tmp_path / "out" / "letter-fold-tolerance"
     for name in ("tolerance.nc", "table.csv", "report.html", "design.toml", "plan.json", "runs"):
         assert (folder / name).exists()
     again = called("tolerance", "letter.toml", *FEW, "--keep", "1")
     assert "replaces the tolerance of letter-fold; the rows are kept" in again.err
     assert "letter-fold: The design works in" in again.out
-    assert json.loads((folder / "tolerance.json").read_text("utf-8")) == told
+    assert json.loads((folder / "tolerance.json").read_text("utf-8")) == output
 
 
 def test_dry_run_reports_the_time_and_writes_nothing(called, tmp_path):
-    told = called("tolerance", "letter.toml", *FEW, "--dry-run").out
-    assert told.startswith(
+    output = called("tolerance", "letter.toml", *FEW, "--dry-run").out
+    assert output.startswith(
         "letter-fold: 1 value with a tolerance; 16 points for the probability, at most 17 runs in total, about"
     )
     assert not (tmp_path / "out").exists()
@@ -62,8 +62,8 @@ def test_dry_run_reports_the_time_and_writes_nothing(called, tmp_path):
     ],
 )
 def test_errors_are_one_line(called, arguments, message):
-    told = called("tolerance", "letter-fold", *arguments, expected=1).err.splitlines()
-    assert message in told[-1]
+    output = called("tolerance", "letter-fold", *arguments, expected=1).err.splitlines()
+    assert message in output[-1]
 
 
 GOAL = """
@@ -92,9 +92,9 @@ def test_a_design_runs_with_the_settings_of_the_goal_which_are_reported(called, 
 
 def test_the_design_of_the_goal_is_the_default(called, tmp_path):
     (tmp_path / "goal.toml").write_text(GOAL, "utf-8")
-    told = json.loads(called("tolerance", "--goal", "goal.toml", "--dry-run", "--json").out)
-    assert told["design"] == "letter-fold"
-    assert told["values"] == ["facet.thickness"]
-    assert told["points"] <= told["most_runs"]
+    output = json.loads(called("tolerance", "--goal", "goal.toml", "--dry-run", "--json").out)
+    assert output["design"] == "letter-fold"
+    assert output["values"] == ["facet.thickness"]
+    assert output["points"] <= output["most_runs"]
     said = called("tolerance", expected=1).err
     assert "tolerance: need a design, or --goal with a file that has one" in said

@@ -36,61 +36,61 @@ def indices(function, factors, rows, seed=0, groups=None):
 
 
 def test_ishigamis_function_has_its_closed_form_indices():
-    found = indices(ishigami, 3, 16384)
-    np.testing.assert_allclose(found.first[0], FIRST, atol=0.025)
-    np.testing.assert_allclose(found.total[0], TOTAL, atol=0.01)
+    result = indices(ishigami, 3, 16384)
+    np.testing.assert_allclose(result.first[0], FIRST, atol=0.025)
+    np.testing.assert_allclose(result.total[0], TOTAL, atol=0.01)
 
 
 def test_the_intervals_hold_ishigamis_indices_in_nine_of_ten_repetitions_or_more(monkeypatch):
     """Nine in ten of 60 repetitions, minus two standard errors of this number."""
     # 5 of them are beyond either end
     monkeypatch.setattr("forficula.goals.tolerance.indices._RESAMPLES", 199)
-    found = [indices(ishigami, 3, 128, seed) for seed in range(60)]
+    result = [indices(ishigami, 3, 128, seed) for seed in range(60)]
     for exact, low, high in (
-        (FIRST, [each.first_low[0] for each in found], [each.first_high[0] for each in found]),
-        (TOTAL, [each.total_low[0] for each in found], [each.total_high[0] for each in found]),
+        (FIRST, [item.first_low[0] for item in result], [item.first_high[0] for item in result]),
+        (TOTAL, [item.total_low[0] for item in result], [item.total_high[0] for item in result]),
     ):
         assert np.mean((np.array(low) <= exact) & (exact <= np.array(high)), axis=0).min() >= 0.82
 
 
 def test_factors_of_a_sum_have_their_weights_squared_and_no_interactions():
     shares = WEIGHTS**2 / np.sum(WEIGHTS**2)
-    found = indices(linear, 5, 4096)
-    np.testing.assert_allclose(found.first[0], shares, atol=0.03)
-    np.testing.assert_allclose(found.total[0], shares, atol=0.01)
-    assert found.total[0, 4] == found.first[0, 4] == 0
+    result = indices(linear, 5, 4096)
+    np.testing.assert_allclose(result.first[0], shares, atol=0.03)
+    np.testing.assert_allclose(result.total[0], shares, atol=0.01)
+    assert result.total[0, 4] == result.first[0, 4] == 0
 
 
 def test_a_group_of_a_sum_has_the_indices_of_its_factors_together():
     shares = WEIGHTS**2 / np.sum(WEIGHTS**2)
-    found = indices(linear, 5, 4096, groups=[[2], [0, 1], [3, 4]])
-    np.testing.assert_allclose(found.total[0], [shares[2], shares[0] + shares[1], shares[3]], atol=0.01)
+    result = indices(linear, 5, 4096, groups=[[2], [0, 1], [3, 4]])
+    np.testing.assert_allclose(result.total[0], [shares[2], shares[0] + shares[1], shares[3]], atol=0.01)
 
 
 def test_a_group_includes_interactions_of_its_factors():
     """Ishigami's first and third factor explain all that the second does not, including their interaction."""
-    found = indices(ishigami, 3, 4096, groups=[[0, 2], [1]])
-    np.testing.assert_allclose(found.first[0], [1 - FIRST[1], FIRST[1]], atol=0.03)
-    np.testing.assert_allclose(found.total[0], [1 - FIRST[1], FIRST[1]], atol=0.01)
+    result = indices(ishigami, 3, 4096, groups=[[0, 2], [1]])
+    np.testing.assert_allclose(result.first[0], [1 - FIRST[1], FIRST[1]], atol=0.03)
+    np.testing.assert_allclose(result.total[0], [1 - FIRST[1], FIRST[1]], atol=0.01)
 
 
 def test_a_group_of_all_factors_explains_the_whole_variance():
-    found = indices(linear, 5, 256, groups=[[0, 1, 2, 3, 4]])
-    np.testing.assert_allclose([found.first[0, 0], found.total[0, 0]], 1, atol=0.1)
+    result = indices(linear, 5, 256, groups=[[0, 1, 2, 3, 4]])
+    np.testing.assert_allclose([result.first[0, 0], result.total[0, 0]], 1, atol=0.1)
 
 
 def test_every_result_has_its_own_indices():
     first, second = two_samples(3, 4096, 3)
     points = [first, second, *(exchanged(first, second, [factor]) for factor in range(3))]
-    values = [np.array([ishigami(each), each[:, 0]]) for each in points]
-    found = sobol_indices(["wave", "line"], ["a", "b", "c"], values[0], values[1], np.array(values[2:]), 0)
-    np.testing.assert_allclose(found.total[0], TOTAL, atol=0.03)
-    np.testing.assert_allclose(found.total[1], [1, 0, 0], atol=0.02)
+    values = [np.array([ishigami(point), point[:, 0]]) for point in points]
+    result = sobol_indices(["wave", "line"], ["a", "b", "c"], values[0], values[1], np.array(values[2:]), 0)
+    np.testing.assert_allclose(result.total[0], TOTAL, atol=0.03)
+    np.testing.assert_allclose(result.total[1], [1, 0, 0], atol=0.02)
 
 
 def test_a_result_that_does_not_vary_has_no_indices():
-    found = indices(lambda points: np.full(len(points), 0.7), 3, 64)
-    assert np.isnan([found.first, found.total, found.first_low, found.total_high]).all()
+    result = indices(lambda points: np.full(len(points), 0.7), 3, 64)
+    assert np.isnan([result.first, result.total, result.first_low, result.total_high]).all()
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
@@ -134,25 +134,25 @@ def test_linear_fit_separates_factors_of_a_sum_with_correlated_columns():
     weights = np.array([3.0, 2.0, 1.0, *np.zeros(18)])
     points = two_samples(21, 64, 0)[0]
     assert np.abs(np.corrcoef(points.T) - np.eye(21)).max() > 0.3
-    found = line_indices(["sum"], [str(factor) for factor in range(21)], points, (points @ weights)[None], 0)
-    np.testing.assert_allclose(found.first[0], weights**2 / np.sum(weights**2), atol=0.02)
-    assert np.isnan(found.total).all()
+    result = line_indices(["sum"], [str(factor) for factor in range(21)], points, (points @ weights)[None], 0)
+    np.testing.assert_allclose(result.first[0], weights**2 / np.sum(weights**2), atol=0.02)
+    assert np.isnan(result.total).all()
 
 
 def test_linear_fit_explains_nothing_of_noise_on_average():
     points, rng = two_samples(10, 64, 0)[0], np.random.default_rng(1)
     noise = rng.standard_normal((200, 64))
-    found = line_indices([str(each) for each in range(200)], [str(each) for each in range(10)], points, noise, 0)
+    result = line_indices([str(index) for index in range(200)], [str(index) for index in range(10)], points, noise, 0)
     # mean of 2000 fractions of a variance, each of which scatters by 0.02
-    assert abs(np.mean(found.first)) < 0.002
-    held = (found.first_low <= 0) & (found.first_high >= 0)
+    assert abs(np.mean(result.first)) < 0.002
+    held = (result.first_low <= 0) & (result.first_high >= 0)
     assert np.mean(held) > 0.9
 
 
 def test_too_few_points_give_no_linear_fit():
     points = two_samples(10, 16, 0)[0]
-    found = line_indices(["sum"], [str(each) for each in range(10)], points, np.sum(points, axis=1)[None], 0)
-    assert np.isnan(found.first).all()
+    result = line_indices(["sum"], [str(index) for index in range(10)], points, np.sum(points, axis=1)[None], 0)
+    assert np.isnan(result.first).all()
 
 
 @pytest.mark.parametrize("rows", [2, 16])

@@ -21,11 +21,11 @@ STEPS = (1, 2, 4, 8)
 def test_nearest_failure_is_bracketed_by_bisection():
     bounds = [0.3, 1.7, 3.1, 7.9, 20]
     window = Window(bounds)
-    found = reaches(window, 5, STEPS, halvings=5)
-    for bound, reach, stretch in zip(bounds[:4], found, (1, 1, 2, 4), strict=False):
+    result = reaches(window, 5, STEPS, halvings=5)
+    for bound, reach, stretch in zip(bounds[:4], result, (1, 1, 2, 4), strict=False):
         assert reach.works <= bound <= reach.fails
         assert reach.fails - reach.works == pytest.approx(stretch / 2**5)
-    assert (found[4].works, found[4].fails, found[4].why) == (8, None, Answer.WORKS)
+    assert (result[4].works, result[4].fails, result[4].why) == (8, None, Answer.WORKS)
     # all directions share their rounds
     assert window.rounds == 6
     assert window.runs == 5 * 4 + 4 * 5

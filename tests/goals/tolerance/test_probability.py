@@ -57,11 +57,11 @@ def estimates(model, dimension, share, *, drawn):
 @pytest.mark.parametrize("drawn", [True, False], ids=["points of a tolerance", "independent points"])
 @pytest.mark.parametrize(("model", "dimension", "share"), MODELS)
 def test_interval_contains_the_known_probability_in_at_least_95_of_100_repetitions(model, dimension, share, drawn):
-    found = list(estimates(model, dimension, share, drawn=drawn))
-    held = np.mean([each.low <= share <= each.high for each in found])
+    result = list(estimates(model, dimension, share, drawn=drawn))
+    held = np.mean([item.low <= share <= item.high for item in result])
     # of 200 repetitions at 95 %, at least 0.90 in 999 of 1000 series
     assert held >= stats.binom.ppf(1e-3, REPETITIONS, 0.95) / REPETITIONS
-    assert np.mean([each.share for each in found]) == pytest.approx(
+    assert np.mean([item.share for item in result]) == pytest.approx(
         share, abs=4 * math.sqrt(share * (1 - share) / POINTS / REPETITIONS)
     )
 
@@ -76,7 +76,7 @@ def test_interval_contains_the_known_probability_for_every_pair_of_important_fac
     )
     intervals = [probability(works, points - works) for works in range(points + 1)]
     for model, share in models:
-        holds = np.array([each.low <= share <= each.high for each in intervals])
+        holds = np.array([interval.low <= share <= interval.high for interval in intervals])
         held = np.zeros(len(one))
         for seed in range(REPETITIONS):
             sample = two_samples(21, points, seed)[0]
@@ -87,8 +87,8 @@ def test_interval_contains_the_known_probability_for_every_pair_of_important_fac
 
 @pytest.mark.parametrize(("model", "dimension", "share"), MODELS[:3])
 def test_counts_over_the_points_scatter_less_than_the_interval_assumes(model, dimension, share):
-    found = [each.share for each in estimates(model, dimension, share, drawn=True)]
-    assert np.std(found) < 0.9 * math.sqrt(share * (1 - share) / POINTS)
+    result = [estimate.share for estimate in estimates(model, dimension, share, drawn=True)]
+    assert np.std(result) < 0.9 * math.sqrt(share * (1 - share) / POINTS)
 
 
 def test_inconclusive_runs_widen_the_interval_by_all_possible_outcomes():
@@ -151,9 +151,9 @@ def test_unimportant_factors_have_a_significant_side_in_at_most_one_of_twenty_ca
         generator = np.random.default_rng(seed)
         works, low = generator.random(samples) < 0.8, generator.random((factors, samples)) < 0.5
         sides = [
-            [probability(int(works[side].sum()), int((~works[side]).sum())) for side in (each, ~each)] for each in low
+            [probability(int(works[side].sum()), int((~works[side]).sum())) for side in (item, ~item)] for item in low
         ]
-        named += any(surely_less(*pair, 2 * factors) for each in sides for pair in (each, each[::-1]))
+        named += any(surely_less(*pair, 2 * factors) for side in sides for pair in (side, side[::-1]))
     assert named / repetitions <= 0.05 + 3 * math.sqrt(0.05 * 0.95 / repetitions)
 
 

@@ -18,7 +18,7 @@ def test_default_tolerances_are_ten_per_cent_on_positive_values_outside_the_prot
     assert question.assumed
     assert "tendon.stiffness" in question.keys
     assert not any(key.startswith("protocol.") for key in question.keys)
-    assert {each.size for each in question.deviations} == {0.1}
+    assert {deviation.size for deviation in question.deviations} == {0.1}
     assert question.width_text(0) == "± 10 %"
 
 
@@ -80,12 +80,12 @@ def test_settings_of_a_goal_apply_except_to_varied_and_overridden_keys(design, t
         'protocol.timestep = "0.1 ms"\n[vary."tendon.stiffness"]\nlow = "1 N/cm"\nhigh = "9 N/cm"\n',
         "utf-8",
     )
-    given = design.with_values({"vein.diameter": "6 mm"})
-    asked = question_of(given, goal=path, settings={"vein.diameter": "6 mm"}).design
-    assert asked.protocol.timestep == pytest.approx(1e-4)
-    assert asked.vein.diameter == pytest.approx(6e-3)
+    provided = design.with_values({"vein.diameter": "6 mm"})
+    requested = question_of(provided, goal=path, settings={"vein.diameter": "6 mm"}).design
+    assert requested.protocol.timestep == pytest.approx(1e-4)
+    assert requested.vein.diameter == pytest.approx(6e-3)
     # the best design of a search has its own value of the varied key
-    assert asked.tendon.stiffness == design.tendon.stiffness
+    assert requested.tendon.stiffness == design.tendon.stiffness
     alone = question_of(None, goal=path, settings={"protocol.timestep": "0.2 ms"}).design
     assert alone.name == "binder2025-joint"
     assert alone.tendons[0].stiffness == pytest.approx(700.0)

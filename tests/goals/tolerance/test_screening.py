@@ -38,7 +38,7 @@ def step(points):
 def screened(function, seed):
     first, second = two_samples(FACTORS, POINTS, seed)
     values = np.concatenate([function(first), function(second[:ROWS])])
-    mixed = np.array([function(exchanged(first[:EXCHANGED], second[:EXCHANGED], [each])) for each in range(FACTORS)])
+    mixed = np.array([function(exchanged(first[:EXCHANGED], second[:EXCHANGED], [index])) for index in range(FACTORS)])
     steps = (second[:EXCHANGED] - first[:EXCHANGED]).T
     effects = total_effects(function(first[:EXCHANGED]), mixed, steps) / np.var(values)
     return screening(np.concatenate([first, second[:ROWS]]), values, effects, KEPT, seed)
@@ -58,9 +58,9 @@ def test_the_strongest_of_25_factors_are_kept_in_every_repetition(function, stro
 
 
 def test_strongest_factors_of_a_margin_with_a_step_are_kept():
-    found = [screened(step, seed) for seed in range(REPETITIONS)]
-    kept = np.mean([np.isin(range(4), each.kept) for each in found], axis=0)
-    ranked = np.mean([np.isin(range(4), np.argsort(-each.effects)[:KEPT]) for each in found], axis=0)
+    result = [screened(step, seed) for seed in range(REPETITIONS)]
+    kept = np.mean([np.isin(range(4), item.kept) for item in result], axis=0)
+    ranked = np.mean([np.isin(range(4), np.argsort(-item.effects)[:KEPT]) for item in result], axis=0)
     assert kept[:3].tolist() == [1, 1, 1]
     assert kept[3] >= 0.8
     # an earlier method lost the second to fourth strongest in a tenth to a third of the repetitions

@@ -46,9 +46,9 @@ def measured(law, history, seed, noise=5e4, **details):
 
 
 def covered(law, fit):
-    """Whether each interval holds the planted value, by key."""
+    """Return whether every interval contains the true value, by key."""
     planted = law_values(law)
-    return {each.key: each.low <= planted[each.key] <= each.high for each in fit.law.intervals}
+    return {interval.key: interval.low <= planted[interval.key] <= interval.high for interval in fit.law.intervals}
 
 
 def test_95_of_100_intervals_hold_the_planted_value():
@@ -61,9 +61,9 @@ def test_95_of_100_intervals_hold_the_planted_value():
     ):
         hits = [covered(law, fit_law([measured(law, history, seed)], forms=[form])) for seed in range(40)]
         # 95 % of 40 is 38; 33 or fewer come once in 400 times
-        assert min(sum(each[key] for each in hits) for key in form.keys) >= 34
-        shares += [hit for each in hits for hit in each.values()]
-    # 160 fits, whose values hang together: scatters by 1 to 2 %
+        assert min(sum(hit[key] for hit in hits) for key in form.keys) >= 34
+        shares += [hit for item in hits for hit in item.values()]
+    # 160 fits with correlated values: scatter of 1 to 2 %
     assert np.mean(shares) == pytest.approx(0.95, abs=0.035)
 
 
@@ -88,8 +88,8 @@ def test_specimens_that_differ_widen_the_intervals():
     for seed in range(30):
         scale = 1 + 0.05 * np.random.default_rng(100 + seed).standard_normal(4)
         own = [
-            measured(replace(VISCOUS, moduli=(5e6 * each, 0, 0)), history, 4 * seed + index)
-            for index, each in enumerate(scale)
+            measured(replace(VISCOUS, moduli=(5e6 * item, 0, 0)), history, 4 * seed + index)
+            for index, item in enumerate(scale)
         ]
         fit = fit_law(own, forms=[LawForm(damper=1)])
         hits.append(covered(VISCOUS, fit)["modulus.linear"])
@@ -113,20 +113,20 @@ def test_the_planted_law_is_chosen_among_all(law, history, form):
     fit = fit_law([measured(law, history, 3)], name="tpu", source="planted")
     assert fit.form == form
     assert (fit.law.name, fit.law.source, fit.law.largest_strain) == ("tpu", "planted", pytest.approx(1, abs=0.01))
-    planted, found = law_values(law), law_values(fit.law)
+    planted, result = law_values(law), law_values(fit.law)
     for key in form.keys:
-        assert found[key] == pytest.approx(planted[key], rel=0.1)
-    tried = {each.form for each in fit.candidates}
+        assert result[key] == pytest.approx(planted[key], rel=0.1)
+    tried = {candidate.form for candidate in fit.candidates}
     assert len(tried) == len(fit.candidates)
     assert tried >= set(all_forms())
-    # one more branch than is there was tried, and no more
-    assert {each.branches for each in tried - set(all_forms())} == ({3} if form.branches == 2 else set())
+    # one more branch than the data have is tried, and no more
+    assert {form.branches for form in tried - set(all_forms())} == ({3} if form.branches == 2 else set())
     assert fit.misfit == pytest.approx(5e4 / np.sqrt(len(history[0]) / fit.points), rel=0.1)
     residual = fit.residuals[0]
     assert residual.fitted - residual.stress == pytest.approx(np.zeros(fit.points), abs=5 * fit.misfit)
 
 
-def test_an_offset_and_a_drift_of_the_force_are_told_from_the_law():
+def test_an_offset_and_a_drift_of_the_force_are_distinguished_from_the_law():
     time, strain = two_rates(800)
     stress = stress_of(VISCOUS, time, strain).pull + 2e5 + 100.0 * (time - time[-1] / 2)
     residual = fit_law([StrainHistory(time=time, strain=strain, stress=stress)], forms=[LawForm(damper=1)]).residuals[0]
@@ -161,31 +161,31 @@ def test_two_rates_tell_a_nonlinear_damper_and_one_does_not():
         fit_law([one], forms=[form])
 
 
-def test_a_damper_that_was_asked_for_has_no_rivals_that_were_not():
+def test_a_requested_damper_is_compared_only_with_requested_forms():
     fit = fit_law([measured(VISCOUS, cycles(400, 3, 0.01), 2, noise=1e5)], forms=family_forms("kelvin-voigt"))
     assert (fit.form.damper, fit.form.branches) == (1, 0)
     assert all(covered(VISCOUS, fit).values())
 
 
-def test_a_refusal_says_every_reason_once():
+def test_a_refusal_gives_every_reason_once():
     forms = [LawForm(damper=1), LawForm(order=2, damper=1), LawForm(damper=2), LawForm(order=2, damper=2)]
     with pytest.raises(InputError) as refusal:
         fit_law([measured(SPRING, cycles(400, 3, 0.01), 1)], forms=forms)
-    said = str(refusal.value)
-    assert said.count("the data cannot distinguish it from 0") == 1
-    assert said.count("one rate only") == 1
-    assert "(2 laws)" in said
+    sentence = str(refusal.value)
+    assert sentence.count("the data cannot distinguish it from 0") == 1
+    assert sentence.count("one rate only") == 1
+    assert "(2 laws)" in sentence
 
 
 def test_the_largest_strain_of_a_law_is_that_of_the_data():
-    """Of more rows than a fit takes, the means of neighbours have less."""
+    """With more rows than a fit uses, means of neighbouring rows have less noise."""
     time, strain = cycles(30_000, 1, 0.01)
     fit = fit_law([measured(SPRING, (time, strain), 1)], forms=[LawForm(order=3)])
     assert fit.law.largest_strain == strain.max() > 0.9999
 
 
 def test_a_known_zero_of_the_force_is_not_fitted():
-    """Specimens that differ by 3 % in stiffness, each with the force's zero known from where it hung slack."""
+    """Specimens that differ by 3 % in stiffness; a slack start gives the zero of the force of each."""
     history, zeros = two_rates(600), (2e3, -1e3, 4e3)
     specimens = []
     for zero, stiffer in zip(zeros, (0.97, 1.0, 1.03), strict=True):
@@ -194,12 +194,12 @@ def test_a_known_zero_of_the_force_is_not_fitted():
         known = {"offset": zero, "drift": 0.5}
         specimens.append(StrainHistory(time=history[0], strain=history[1], stress=stress, **known))
     fit = fit_law(specimens, forms=[LawForm(order=3)])
-    assert [(each.offset, each.drift) for each in fit.residuals] == [(zero, 0.5) for zero in zeros]
+    assert [(residual.offset, residual.drift) for residual in fit.residuals] == [(zero, 0.5) for zero in zeros]
     assert all(covered(SPRING, fit).values())
-    for residual, each in zip(fit.residuals, specimens, strict=True):
-        assert residual.stress == pytest.approx(each.stress)
+    for residual, specimen in zip(fit.residuals, specimens, strict=True):
+        assert residual.stress == pytest.approx(specimen.stress)
         # at rest a law has no stress
-        assert residual.fitted[0] == pytest.approx(each.stress[0], abs=1.0)
+        assert residual.fitted[0] == pytest.approx(specimen.stress[0], abs=1.0)
 
 
 def test_one_rate_cannot_tell_a_damper_from_a_fast_branch():
@@ -247,7 +247,7 @@ def test_data_that_leave_a_value_open_are_refused_by_name(law, history, form, me
         (np.linspace(0, 1, 50), np.full(50, np.nan), "specimen: stress: need a finite number in each of the 50 rows"),
     ],
 )
-def test_what_is_no_test_is_refused(strain, stress, message):
+def test_an_invalid_test_is_refused(strain, stress, message):
     with pytest.raises(InputError, match=message):
         fit_law([StrainHistory(time=np.arange(50.0), strain=strain, stress=stress)])
 
@@ -257,7 +257,7 @@ def test_no_history_is_refused():
         fit_law([])
 
 
-def test_rows_that_are_alike_are_worth_one():
+def test_repeated_rows_count_once():
     white = np.random.default_rng(0).standard_normal(10_000)
     specimen = np.zeros(10_000, dtype=np.int64)
     assert effective_points(white, specimen) > 8000

@@ -1,4 +1,4 @@
-"""Laws of creases: energy, moment and its slope go together; what is out of bounds is refused."""
+"""Laws of creases: energy, moment and stiffness are consistent; values out of bounds are refused."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ STOPPED = CreaseLaw(stiffness=2.0, rest_angle=0.3, lower=-1.0, upper=1.5, stop_s
 
 @settings(deadline=None)
 @given(st.floats(-2.9, 2.9), st.sampled_from([LOCKING, STOPPED, CreaseLaw(stiffness=1.0)]))
-def test_the_moment_is_the_slope_of_the_energy_and_has_the_slope_it_says(angle, law):
+def test_the_moment_is_the_derivative_of_the_energy_and_its_stiffness_that_of_the_moment(angle, law):
     step = 1e-5
     rise = (law.energy(angle + step) - law.energy(angle - step)) / (2 * step)
     assert law.moment(angle) == pytest.approx(rise, rel=1e-6, abs=2e-4)
@@ -55,7 +55,7 @@ def test_stops_only_push_back():
     assert above == pytest.approx(2.0 * 1.3 + 5.0)
 
 
-def test_many_laws_go_with_many_angles():
+def test_arrays_of_laws_and_angles_broadcast():
     law = CreaseLaw(
         stiffness=np.array([1.0, 2.0]), rest_angle=np.array([0.0, 0.3]), lock_below=np.array([-np.inf, -2.0])
     )

@@ -9,9 +9,9 @@ from forficula.material.law.material_law import (
     MaterialLaw,
     MaxwellBranch,
     Unknown,
-    chosen,
     require,
     scaled,
+    with_linear_modulus,
 )
 from forficula.material.law.softening import OgdenRoxburgh
 
@@ -88,12 +88,12 @@ def test_resilin_is_a_range():
     law = load_law("resilin")
     with pytest.raises(InputError, match=r"resilin: modulus.linear: known only as a range, 0.4 to 1.5 MPa; choose"):
         scaled(law, length=0.06, area=5e-6)
-    assert scaled(chosen(law, 1.5e6), length=0.06, area=4e-6).stiffness[0] == pytest.approx(100)
+    assert scaled(with_linear_modulus(law, 1.5e6), length=0.06, area=4e-6).stiffness[0] == pytest.approx(100)
     with pytest.raises(InputError, match=r"resilin: branches: is unknown: relaxation times of 1.7 s and 16 s"):
         require(law, "branches")
 
 
-def test_petg_is_no_tendon():
+def test_petg_is_refused_as_a_tendon():
     with pytest.raises(InputError, match="petg: no tendon can be made of it"):
         scaled(load_law("petg"), length=0.06, area=5e-6)
 
@@ -163,6 +163,6 @@ def test_a_wrong_file_names_file_key_value_and_rule(tmp_path, text, message):
         ("absent.toml", "absent.toml: no such file"),
     ],
 )
-def test_a_material_that_is_none_names_the_nearest(name, message):
+def test_an_unknown_material_is_refused_with_the_nearest_name(name, message):
     with pytest.raises(InputError, match=message):
         load_law(name)

@@ -12,9 +12,9 @@ from forficula.material.law.material_law import (
     MaterialLaw,
     MaxwellBranch,
     area_for,
-    chosen,
     require,
     scaled,
+    with_linear_modulus,
 )
 from forficula.material.law.stress import check_history
 from tests.material.law_response import stress_of
@@ -53,10 +53,10 @@ def test_a_branch_is_exact_whatever_the_steps():
 
 
 def loss_per_cycle(law, frequency, amplitude):
-    """J/m^3 of a sinusoid: pi E'' e0^2 (Ferry 1980, ch. 3), and what the damper's other terms turn into heat."""
+    """Loss of a sinusoid, J/m^3: pi E'' e0^2 (Ferry 1980, ch. 3), and the loss of the other terms of the damper."""
     w = 2 * math.pi * frequency
     first, second, third = law.viscosity or (0.0, 0.0, 0.0)
-    loss = first * w + sum(each.modulus * w * each.time / (1 + (w * each.time) ** 2) for each in law.branches)
+    loss = first * w + sum(branch.modulus * w * branch.time / (1 + (w * branch.time) ** 2) for branch in law.branches)
     nonlinear = amplitude**3 * w**2 * (8 / 3 * second + 3 * math.pi / 4 * third * w * amplitude)
     return math.pi * loss * amplitude**2 + nonlinear
 
@@ -71,7 +71,7 @@ def test_a_sinusoid_loses_pi_times_the_loss_modulus_times_the_amplitude_squared(
     amplitude, cycles, samples = 0.1, 6, 2000
     time = np.linspace(0, cycles / frequency, cycles * samples + 1)
     slow = max((branch.time for branch in law.branches), default=0.0)
-    # what the branches had at first has faded by then
+    # the initial stress of the branches has decayed by then
     time = np.concatenate([np.linspace(-30 * slow - 1 / frequency, 0, 200)[:-1], time])
     strain = 0.5 + np.where(time > 0, amplitude * np.sin(2 * np.pi * frequency * time), 0.0)
     last = time >= (cycles - 1) / frequency - 1e-9 / frequency
@@ -117,20 +117,20 @@ def test_a_residual_strain_lengthens_the_tendon():
     assert (tendon.rest_length, tendon.stiffness[0]) == pytest.approx((0.081, 400))
 
 
-def test_a_law_without_viscosity_says_nothing_of_the_tendon_s_damping():
+def test_a_law_without_viscosity_does_not_set_the_damping():
     assert scaled(TPU, length=0.06, area=5e-6).damping is None
 
 
-def test_a_range_asks_for_a_choice():
+def test_a_range_of_values_needs_a_choice():
     law = MaterialLaw(name="resilin", ranges=(Bounds(key="modulus.linear", low=0.4e6, high=1.5e6),))
     with pytest.raises(InputError, match=r"resilin: modulus.linear: known only as a range, 0.4 to 1.5 MPa; choose"):
         scaled(law, length=0.06, area=5e-6)
     with pytest.raises(InputError, match=r"resilin: modulus.linear: need a value in 0.4 to 1.5 MPa, got 2 MPa"):
-        chosen(law, 2e6)
-    assert scaled(chosen(law, 1e6), length=0.01, area=1e-6).stiffness[0] == pytest.approx(100)
+        with_linear_modulus(law, 2e6)
+    assert scaled(with_linear_modulus(law, 1e6), length=0.01, area=1e-6).stiffness[0] == pytest.approx(100)
 
 
-def test_what_is_absent_is_an_error_that_says_so():
+def test_a_missing_value_is_refused_by_name():
     law = MaterialLaw(name="mine", source="a data sheet", moduli=(1e6, 0, 0))
     with pytest.raises(InputError, match="mine: viscosity: is not given by its source, a data sheet"):
         require(law, "viscosity")
@@ -162,7 +162,7 @@ def test_a_tendon_without_length_or_area_is_refused(size, message):
         ({"residual_strain": -0.1}, "residual_strain: need a finite strain >= 0, got -0.1"),
     ],
 )
-def test_a_law_that_is_none_is_refused(numbers, message):
+def test_an_invalid_law_is_refused(numbers, message):
     with pytest.raises(InputError, match=message):
         MaterialLaw(**{"name": "none", "moduli": (1e6, 0, 0), **numbers})
 
@@ -175,7 +175,7 @@ def test_a_law_that_is_none_is_refused(numbers, message):
         ([0.0, 1.0], [0, 0.1, 0.2], "need two rows of equal length"),
     ],
 )
-def test_a_history_that_is_none_is_refused(time, strain, message):
+def test_an_invalid_history_is_refused(time, strain, message):
     with pytest.raises(InputError, match=message):
         check_history(np.array(time), np.array(strain))
 

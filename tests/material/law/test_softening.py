@@ -46,7 +46,7 @@ def test_it_softens_in_the_first_cycle_and_returns_to_the_virgin_curve_beyond():
     assert stress[2, 0, -1] == pytest.approx(float(spring_stress(MODULI, 1.0)))
 
 
-def test_a_softened_law_is_a_spring_that_a_simulator_can_take():
+def test_a_softened_law_is_a_spring_that_simulations_accept():
     soft = OgdenRoxburgh(r=2.0, m=1.5e6)
     softened, error = stretched_before(replace(LAW, softening=soft), 1.0)
     strain = np.linspace(0, 1, 51)
@@ -71,7 +71,7 @@ def test_energy_is_the_integral_of_the_stress():
         ({"beta": math.nan}, "softening.beta: need a finite number >= 0, got nan"),
     ],
 )
-def test_a_softening_that_is_none_is_refused(numbers, message):
+def test_an_invalid_softening_is_refused(numbers, message):
     with pytest.raises(InputError, match=message):
         OgdenRoxburgh(**{"r": 2.0, "m": 1e5, "beta": 0.1, **numbers})
 
@@ -105,10 +105,10 @@ def test_a_drift_to_a_plateau_is_found():
     assert drift.change(1000)[0] == pytest.approx(math.exp(-0.2), rel=0.01)
 
 
-def test_no_drift_is_assumed_where_there_is_none():
-    found = [fit_drift(*drifting(lambda n: 0.0 * n, noise=0.02, seed=seed)).kind for seed in range(40)]
+def test_no_drift_is_found_in_constant_cycles():
+    result = [fit_drift(*drifting(lambda n: 0.0 * n, noise=0.02, seed=seed)).kind for seed in range(40)]
     # BIC takes a drift out of noise of 32 points in about 1 of 15
-    assert found.count("none") >= 30
+    assert result.count("none") >= 30
     drift = fit_drift([1, 2, 3], [3.0, 3.0, 3.0])
     assert (drift.kind, drift.change(50)) == ("none", (1, 1, 1))
 
@@ -119,7 +119,7 @@ def test_a_law_at_a_cycle_is_weaker_and_longer():
     longer = fit_drift([1, 2, 3, 4], 0.1 + 0.02 * np.log([1, 2, 3, 4]), relative=False)
     law = replace(law, stiffness_drift=weaker, residual_strain_drift=longer)
     later = law_at_cycle(law, 100)
-    assert later.moduli == pytest.approx(tuple(100**-0.05 * each for each in MODULI), rel=1e-4)
+    assert later.moduli == pytest.approx(tuple(100**-0.05 * item for item in MODULI), rel=1e-4)
     assert later.branches[0].modulus == pytest.approx(100**-0.05 * 1e6, rel=1e-4)
     assert later.residual_strain == pytest.approx(0.1 + 0.02 * math.log(100))
     assert (later.stiffness_drift, later.residual_strain_drift) == (None, None)
@@ -135,16 +135,16 @@ def test_a_law_at_a_cycle_is_weaker_and_longer():
         ([1, 2, 3], [1.0, 0.0, 1.0], "values: need finite numbers > 0, got 0"),
     ],
 )
-def test_cycles_that_are_none_are_refused(cycles, values, message):
+def test_invalid_cycles_are_refused(cycles, values, message):
     with pytest.raises(InputError, match=message):
         fit_drift(cycles, values)
 
 
-def test_before_the_first_cycle_seen_a_law_is_as_it_is_there():
+def test_before_the_first_measured_cycle_a_law_is_constant():
     drift = Drift(kind="logarithm", rate=-0.05, interval=(-0.06, -0.04), cycles=0.0, relative=True, seen=(3, 8))
     law = replace(LAW, stiffness_drift=drift)
     assert law_at_cycle(law, 1).moduli == law_at_cycle(law, 3).moduli == MODULI
-    assert law_at_cycle(law, 6).moduli == pytest.approx(tuple(2**-0.05 * each for each in MODULI))
+    assert law_at_cycle(law, 6).moduli == pytest.approx(tuple(2**-0.05 * item for item in MODULI))
     for cycle in (0, math.nan):
         with pytest.raises(InputError, match="cycle: need >= 1, got"):
             law_at_cycle(law, cycle)
@@ -160,7 +160,7 @@ def test_before_the_first_cycle_seen_a_law_is_as_it_is_there():
         ({"kind": "plateau"}, "cycles: need > 0 for a plateau, 0 for the others, got 0"),
     ],
 )
-def test_a_drift_that_is_none_is_refused(values, message):
+def test_an_invalid_drift_is_refused(values, message):
     right = {"kind": "logarithm", "rate": -0.05, "interval": (-0.06, -0.04), "cycles": 0.0, "seen": (2, 5)}
     with pytest.raises(InputError, match=message):
         Drift(relative=True, **right | values)

@@ -47,14 +47,14 @@ def test_it_pulls_when_stretched_and_not_when_slack(law, extension):
 
 
 @given(laws(), EXTENSIONS, st.floats(0, 0.1))
-def test_what_it_releases_is_the_difference_of_its_energies(law, extension, shortening):
+def test_released_energy_is_the_difference_of_stored_energies(law, extension, shortening):
     length = law.rest_length + extension
     released = law.energy(length) - law.energy(length - shortening)
     # rounding of the larger energy
     assert law.released(length, shortening) == pytest.approx(released, abs=1e-13 * float(law.energy(0.2)))
 
 
-def test_what_it_releases_over_a_short_way_keeps_its_digits():
+def test_released_energy_is_accurate_over_a_short_distance():
     law = ElasticLaw(rest_length=0.0, linear=1000.0)
     # force times way, to first order in 1e-12 m / 0.1 m
     assert law.released(0.1, 1e-12) == pytest.approx(100 * 1e-12, rel=1e-10)
@@ -84,6 +84,6 @@ def test_it_keeps_the_shape_of_the_lengths():
         ({"linear": 1.0, "cubic": 4.0, "quadratic": -4.0}, r"quadratic: need > -4 N/m\^2, -2 sqrt\(linear cubic\)"),
     ],
 )
-def test_a_law_that_is_none_is_refused(numbers, message):
+def test_an_invalid_law_is_refused(numbers, message):
     with pytest.raises(InputError, match=message):
         ElasticLaw(**{"rest_length": 0.0, "linear": 0.0, **numbers})

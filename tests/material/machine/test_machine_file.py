@@ -25,7 +25,7 @@ def file(folder, text, *, name="tendon.csv", encoding="utf-8"):
 
 
 def check(test, *, name="tendon"):
-    """A test that was read is the one that was written."""
+    """Check that a test that was read equals the one that was written."""
     assert test.name == name
     for read, written in ((test.time, TEST.time), (test.extension, TEST.extension), (test.force, TEST.force)):
         np.testing.assert_allclose(read, written, rtol=DIGITS, atol=DIGITS * np.abs(written).max())
@@ -95,7 +95,7 @@ def test_an_umlaut_may_be_mangled(tmp_path, name):
     check(read_tensile_test(file(tmp_path, xpert_text(TEST).replace("Prüfzeit", name))))
 
 
-def test_bluehill_may_name_its_columns_by_what_was_measured(tmp_path):
+def test_bluehill_columns_can_have_the_names_of_measured_quantities(tmp_path):
     names = {"Time": "Time measurement", "Load": "Primary load measurement"}
     text = bluehill_text(TEST)
     for plain, measured in names.items():
@@ -118,13 +118,13 @@ def specimens_in_one_file(*tables, between="\n"):
     return between.join("\n".join([*above, *lines]) + "\n" for above in tables)
 
 
-def test_the_specimens_of_one_file_stand_below_the_same_names(tmp_path):
+def test_the_specimens_of_one_file_share_column_names(tmp_path):
     sizes = ["Length,60.0,mm", "Area,5.0,mm^2", ""]
     path = file(tmp_path, specimens_in_one_file(["Results Table 1", *sizes], ["Length,50.0,mm"], []))
     first, second, third = read_tensile_tests([path])
     check(first, name="tendon 1")
     check(third, name="tendon 3")
-    # its own length, and the area that the file begins with
+    # its length, and the area at the start of the file
     assert (second.name, second.length, second.area) == ("tendon 2", pytest.approx(0.05), pytest.approx(AREA))
     assert refusal(path) == "need one specimen, got 3: tendon 1, tendon 2, tendon 3"
 
@@ -159,7 +159,7 @@ def test_a_position_of_the_crosshead_counts_from_the_first_row(tmp_path):
 
 
 @pytest.mark.parametrize("german", [True, False])
-def test_a_strain_stands_in_for_the_travel(tmp_path, german):
+def test_a_strain_column_replaces_the_travel(tmp_path, german):
     check(read_tensile_test(file(tmp_path, xpert_text(TEST, german=german, travel="strain"))))
 
 
@@ -185,7 +185,7 @@ def test_the_file_and_the_user_in_conflict_are_both_quoted(tmp_path):
     assert refusal(path, area=6e-6) == area
 
 
-def test_several_files_are_read_in_their_order_and_an_error_names_its_own(tmp_path):
+def test_several_files_are_read_in_order_and_an_error_names_its_file(tmp_path):
     paths = [file(tmp_path, plain_text(TEST), name=f"tendon-{number}.csv") for number in (3, 1, 2)]
     assert [test.name for test in read_tensile_tests(paths, **SIZE)] == ["tendon-3", "tendon-1", "tendon-2"]
     empty = file(tmp_path, "", name="empty.csv")
@@ -269,7 +269,7 @@ def test_a_file_that_cannot_be_used_is_refused_in_one_line(tmp_path, text, messa
 
 
 @pytest.mark.parametrize("row", ["1;2;1,2345", "1;2;0,123", "1,5;2;1,234", "1;0,002;1,234", "1;2;-0,002", "1;2;,125"])
-def test_a_comma_that_can_only_stand_for_decimals_tells_for_the_table(tmp_path, row):
+def test_an_unambiguous_decimal_comma_applies_to_the_whole_table(tmp_path, row):
     text = f"time [s];extension [mm];force [N]\n0;0;1,234\n{row}\n2;3;1,236\n"
     assert read_tensile_test(file(tmp_path, text), **SIZE).force[[0, 2]].tolist() == [1.234, 1.236]
 
@@ -304,7 +304,7 @@ def test_a_size_that_no_specimen_has_is_refused_with_the_sizes_that_one_has(tmp_
     assert message in refusal(file(tmp_path, plain_text(TEST)), **size)
 
 
-def test_a_file_that_is_not_there_or_a_folder_is_refused(tmp_path):
+def test_a_missing_file_or_a_folder_is_refused(tmp_path):
     assert refusal(tmp_path / "none.csv") == "no such file"
     assert refusal(tmp_path) == "cannot be read: Is a directory"
 
@@ -319,7 +319,7 @@ def test_a_file_that_is_cut_off_anywhere_is_refused_or_a_shorter_test(tmp_path):
         except InputError:
             refusal(path)
         else:
-            # the last number may have lost digits, which nothing in the file tells
+            # the last number may have lost digits, which the file does not show
             rows = len(test.time) - 1
             assert rows < len(whole.time)
             np.testing.assert_array_equal(test.force[:rows], whole.force[:rows])
@@ -327,7 +327,7 @@ def test_a_file_that_is_cut_off_anywhere_is_refused_or_a_shorter_test(tmp_path):
 
 @given(st.binary(max_size=300))
 @settings(deadline=None)
-def test_no_bytes_raise_anything_but_one_error(tmp_path_factory, content):
+def test_any_bytes_raise_only_input_error(tmp_path_factory, content):
     for suffix in ("csv", "zs2"):
         path = tmp_path_factory.getbasetemp() / f"noise.{suffix}"
         for mark in (b"", codecs.BOM_UTF16_LE, b"time [s];extension [mm];force [N]\n"):
@@ -418,7 +418,7 @@ def test_a_zs2_that_is_cut_off_or_something_else_is_refused(tmp_path):
 
 
 @pytest.mark.parametrize("mark", [b"\xaf\xbe\xad\xde", b""])
-def test_a_zs2_that_unpacks_to_a_gigabyte_is_refused_without_holding_it(tmp_path, mark):
+def test_a_zs2_that_unpacks_to_a_gigabyte_is_refused_without_loading_it(tmp_path, mark):
     path = file(tmp_path, gzip.compress(mark) + 1024 * gzip.compress(bytes(2**20)), name="a.zs2")
     tracemalloc.start()
     try:

@@ -26,11 +26,11 @@ def test_patterns_are_expanded_in_order_where_the_shell_did_not():
 
 
 @pytest.mark.usefixtures("folder")
-def test_files_of_one_name_in_two_folders_keep_names_of_their_own():
+def test_files_with_one_name_in_two_folders_get_different_names():
     assert [test.name for test in read("a.csv", "sub/a.csv").tests] == ["a", "sub/a"]
 
 
-def test_a_file_named_like_a_pattern_is_that_file(folder):
+def test_a_file_whose_name_looks_like_a_wildcard_is_read(folder):
     (folder / "a[1].csv").write_text(plain_text(few_rows()), "utf-8")
     assert read("a[1].csv").files == ("a[1].csv",)
 

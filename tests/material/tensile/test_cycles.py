@@ -19,7 +19,7 @@ def linear(strain, _):
 
 
 def slack_below(slack):
-    """No force up to a strain, then straight to the same peak."""
+    """No force up to a strain, then linear to the same peak."""
     return lambda strain, _: MODULUS * np.maximum(strain - slack, 0) / (1 - slack)
 
 
@@ -42,9 +42,9 @@ def test_noise_of_the_travel_neither_splits_nor_joins_cycles(cycles, largest, no
     shaken_test = TensileTest(
         name="s", time=test.time, extension=test.extension + shaken, force=test.force, length=LENGTH, area=AREA
     )
-    found = find_cycles(shaken_test, drop_first=False)
-    assert [cycle.number for cycle in found] == list(range(1, cycles + 1))
-    for cycle in found:
+    result = find_cycles(shaken_test, drop_first=False)
+    assert [cycle.number for cycle in result] == list(range(1, cycles + 1))
+    for cycle in result:
         assert cycle.largest_strain == pytest.approx(largest, abs=2.4 * noise * largest + largest / samples)
 
 
@@ -112,7 +112,7 @@ def test_turning_points_alternate_and_differ_by_more_than_the_band(signal, band)
 
 @given(ratio=st.floats(0.2, 0.99), noise=st.floats(0, NOISE), offset=st.floats(-1e5, 1e5))
 @settings(deadline=None, max_examples=30)
-def test_the_loss_is_the_area_between_a_cubic_and_a_part_of_it_that_meets_it_at_the_turns(ratio, noise, offset):
+def test_the_loss_is_the_area_between_both_branches(ratio, noise, offset):
     # unloading along sigma(1) r(e), r a cubic with r(0) = 0 and r(1) = 1
     def down(strain, _):
         return cubic(np.ones(1), 1) * (ratio * strain**3 + (1 - ratio) * strain)
@@ -150,7 +150,7 @@ def test_slack_is_found_under_noise_and_an_offset_of_the_load_cell(slack, noise,
         assert cycle.secant_modulus == pytest.approx(MODULUS, abs=8 * noise + 1)
 
 
-def test_what_the_loading_begins_with_is_told_apart_from_what_the_unloading_ends_with():
+def test_the_start_of_loading_and_the_end_of_unloading_are_distinguished():
     recovered = cyclic_test(slack_below(0.2), slack_below(0.35))
     for cycle in find_cycles(recovered):
         assert cycle.onset_strain == pytest.approx(0.2, abs=0.01)
@@ -204,7 +204,7 @@ def test_drift_is_that_of_the_law(share):
     assert drift.slack_strain == pytest.approx(0.02, abs=5e-3)  # a sample's distance
     assert drift.largest_strain == pytest.approx(0, abs=1e-9)
     assert drift.specimens == 3
-    # triangles under the two ways: half the peak times 1, and times one less slack
+    # triangles under both branches: half the peak times 1, and times 1 - slack
     losses = [(1 - share * number) * MODULUS * (0.2 + 0.02 * number) / 2 for number in (2, 3, 4, 5)]
     assert drift.loss == pytest.approx(np.median(np.diff(losses)), abs=5e-4 * MODULUS)
 
@@ -221,7 +221,7 @@ def test_medians_are_over_the_specimens_that_have_the_cycle():
     assert third.secant_modulus == pytest.approx(2.5 * MODULUS)
 
 
-def test_medians_leave_out_what_is_not_there_and_need_a_cycle():
+def test_medians_ignore_missing_values_and_need_a_cycle():
     ends_under_force = find_cycles(cyclic_test(lambda strain, _: MODULUS * (0.3 + strain)))
     slack = find_cycles(cyclic_test(linear, slack_below(0.35)))
     assert cycle_medians([ends_under_force, slack])[0].slack_strain == slack[0].slack_strain

@@ -15,9 +15,9 @@ WIDTH = 0.1
 
 def class_of(entries, way, place, cycle=None):
     (entry,) = (
-        each
-        for each in entries
-        if each.way == way and each.cycle == cycle and each.from_strain == pytest.approx(place * WIDTH)
+        entry
+        for entry in entries
+        if entry.way == way and entry.cycle == cycle and entry.from_strain == pytest.approx(place * WIDTH)
     )
     return entry
 
@@ -44,7 +44,7 @@ def test_moduli_are_those_of_a_planted_cubic(a, b, c, noise):
         # and the samples' middle is up to one of their distances away
         local_error = 5 * math.sqrt(12 / (samples * WIDTH)) * noise * peak / WIDTH
         local_error += MODULUS * (2 * abs(b) + 6 * c) / samples
-        # the median of a monotone secant is that of the middle strain; else it is within the class's own
+        # the median of a monotone secant is that of the middle strain; otherwise it is within the range of the class
         edges = np.linspace(place * WIDTH, (place + 1) * WIDTH, 50)
         secants = MODULUS * (a + b * edges + c * edges**2)
         secant_error = 5 * noise * peak / (place * WIDTH) * 1.25 / math.sqrt(samples * WIDTH) + 1e-3 * MODULUS
@@ -56,10 +56,10 @@ def test_moduli_are_those_of_a_planted_cubic(a, b, c, noise):
             assert entry.points == pytest.approx(6 * samples * WIDTH, abs=12)
 
 
-def test_loading_and_unloading_and_every_cycle_are_told_apart():
+def test_loading_unloading_and_cycles_are_distinguished():
     test = cyclic_test(lambda e, n: n * MODULUS * e, lambda e, n: n * MODULUS * e**2, cycles=3)
     entries = moduli_by_strain([find_cycles(test)])
-    assert [each.cycle for each in entries] == [2] * 20 + [3] * 20
+    assert [entry.cycle for entry in entries] == [2] * 20 + [3] * 20
     for number in (2, 3):
         assert class_of(entries, "loading", 5, number).local_modulus.median == pytest.approx(number * MODULUS)
         # at the middle of the class, twice the strain

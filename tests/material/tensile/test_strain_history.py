@@ -11,11 +11,11 @@ def history(time, strain, **details):
     return StrainHistory(time=time, strain=strain, stress=np.ones_like(time), **details)
 
 
-def test_the_rates_of_a_test_are_those_of_its_ways_and_holds_are_none():
+def test_the_rates_of_a_test_are_those_of_its_ramps_without_holds():
     knots = loading_program(STEPS)
     time = sampled(knots)
     strain, _ = viscoelastic_stress(knots, time, (1e6,))
-    # four per cent of a way go in turning
+    # the turns take four per cent of a ramp
     assert rate_range(history(time, strain)) == pytest.approx((0.003, 1.0), rel=0.05)
 
 
@@ -26,7 +26,7 @@ def test_noise_of_the_strain_makes_no_rate(noise):
     assert rate_range(history(test.time, strain)) == pytest.approx((SPEED / 0.06, SPEED / 0.06), rel=0.05)
 
 
-def test_a_first_cycle_that_is_not_compared_has_no_say():
+def test_a_first_cycle_that_is_left_out_does_not_affect_the_rates():
     slow, fast = np.linspace(0, 100, 201), np.linspace(0, 2, 41)[1:]
     strain = np.concatenate([1 - np.abs(1 - slow / 50), 1 - np.abs(1 - fast)])
     whole = history(np.concatenate([slow, 100 + fast]), strain)
@@ -35,7 +35,7 @@ def test_a_first_cycle_that_is_not_compared_has_no_say():
     assert rate_range(later) == pytest.approx((1.0, 1.0))
 
 
-def test_the_rate_is_that_of_the_machine_however_unevenly_it_samples():
+def test_the_rate_does_not_depend_on_uneven_sampling():
     knots = loading_program(STEPS)
     time = sampled(knots)
     strain, _ = viscoelastic_stress(knots, time, (1e6,))

@@ -38,11 +38,11 @@ def test_strain_and_stress_are_those_of_the_specimen_before_the_test(length, are
         ({"length": np.nan}, "length: need 0.001 mm to 1e+05 mm, got nan mm; is its unit wrong?"),
     ],
 )
-def test_what_is_no_test_is_refused_by_name_rule_and_value(changes, message):
+def test_an_invalid_test_is_refused_with_name_rule_and_value(changes, message):
     with pytest.raises(InputError) as refused:
         made(**changes)
     assert str(refused.value) == f"tendon 1: {message}"
 
 
-def test_two_samples_of_one_time_are_allowed_as_machines_round_it():
+def test_two_samples_of_one_rounded_time_are_allowed():
     assert len(made(time=np.array([0.0, 1.0, 1.0])).time) == 3

@@ -51,10 +51,10 @@ def test_the_wing_is_drawn_where_the_record_has_it(frame, cuts, reference_run, w
     pixels = frame._axes.transData.transform(places)
     thick = np.ptp(frame._axes.transData.transform([[0, 0], [radius, 0]])[:, 0]) + 2
     # only the wing: without the plots, the words and the scale bar
-    there = np.argwhere(with_wing[::-1].sum(axis=2) < 720)[:, ::-1]
+    present = np.argwhere(with_wing[::-1].sum(axis=2) < 720)[:, ::-1]
     left, right = pixels[:, 0].min() - thick, pixels[:, 0].max() + thick
     low, high = pixels[:, 1].min() - thick, pixels[:, 1].max() + thick
-    inside = there[(there[:, 0] > left) & (there[:, 0] < right) & (there[:, 1] > low) & (there[:, 1] < high)]
+    inside = present[(present[:, 0] > left) & (present[:, 0] < right) & (present[:, 1] > low) & (present[:, 1] < high)]
     assert inside.min(axis=0) == pytest.approx(pixels.min(axis=0), abs=thick)
     assert inside.max(axis=0) == pytest.approx(pixels.max(axis=0), abs=thick)
     # every tip is a dark vein at the record's position
@@ -83,8 +83,8 @@ def test_the_cursor_moves_on_the_plot_of_the_move(frame, cuts):
 
 
 def test_a_gif_is_as_large_and_as_long_as_its_film(tmp_path, reference_run, cuts):
-    told = []
-    write_film(reference_run, tmp_path / "wing.gif", size=SIZE, rate=RATE, progress=lambda *now: told.append(now))
+    output = []
+    write_film(reference_run, tmp_path / "wing.gif", size=SIZE, rate=RATE, progress=lambda *now: output.append(now))
     length = sum(cut.length for cut in cuts)
     with Image.open(tmp_path / "wing.gif") as film:
         assert film.size == SIZE
@@ -97,8 +97,8 @@ def test_a_gif_is_as_large_and_as_long_as_its_film(tmp_path, reference_run, cuts
     # all pictures of a move differ; those of a held state are equal
     assert len(durations) > RATE * sum(cut.length for cut in cuts if cut.slowed)
     assert corners == {(255, 255, 255)}  # the background is white, whatever the palette
-    assert told == [(number + 1, len(told)) for number in range(len(told))]
-    assert len(told) == round(RATE * length)
+    assert output == [(number + 1, len(output)) for number in range(len(output))]
+    assert len(output) == round(RATE * length)
 
 
 @pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="there is no ffmpeg to write and read .mp4 with")
@@ -170,11 +170,11 @@ def test_errors_of_ffmpeg_are_reported_and_no_file_is_left(tmp_path, reference_r
 
 def test_a_film_of_strains_colours_the_membrane_alone_and_needs_one(reference_run, cuts, frame, tmp_path):
     # the time of the largest strain
-    peak = max((each for each in strain_peaks(reference_run) if each.kind == "membranes"), key=lambda each: each.strain)
+    peak = max((peak for peak in strain_peaks(reference_run) if peak.kind == "membranes"), key=lambda item: item.strain)
     fold = next(cut for cut in cuts if cut.first < peak.time < cut.last)
     strained = FilmFrame(reference_run, cuts, (640, 360), strain=True)
     assert strained._strains.vmax == pytest.approx(peak.strain, rel=0.01)
-    before, now = (np.asarray(each.draw(fold, peak.time)).astype(int) for each in (frame, strained))
+    before, now = (np.asarray(item.draw(fold, peak.time)).astype(int) for item in (frame, strained))
     dark = np.array([round(255 * part) for part in STRAIN_COLOURS(1.0)[:3]])
     red = (np.abs(now - dark).max(axis=2) < 40)[60:220]  # below the colour bar and above the plots
     assert red.sum() > 50 > (np.abs(before - dark).max(axis=2) < 40)[60:220].sum()

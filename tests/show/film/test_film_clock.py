@@ -42,7 +42,7 @@ def test_time_goes_on_all_through_a_film_and_no_part_of_a_move_is_left_out(cuts)
 
 def test_when_a_move_ends_the_hinges_are_near_where_they_come_to_rest(cuts, reference_run):
     for cut, state in zip((cut for cut in cuts if cut.slowed), ("b folded", "c opened"), strict=True):
-        rest = next(each.first for each in cuts if each.words == state)
+        rest = next(cut.first for cut in cuts if cut.words == state)
         before, now, then = (
             np.degrees(reference_run.angles("ring")[np.searchsorted(reference_run.time, time)])
             for time in (cut.first, cut.last, rest)

@@ -75,7 +75,7 @@ def test_the_figure_marks_extrapolated_cycles_and_the_first_failure(cycling):
 def test_few_cycles_without_a_failure_can_be_drawn(cycling, count):
     for seen in ((2, 4), (1, 4), None):
         few = replace(
-            cycling, runs=tuple(replace(each, measured=seen is not None) for each in cycling.runs[:count]), seen=seen
+            cycling, runs=tuple(replace(item, measured=seen is not None) for item in cycling.runs[:count]), seen=seen
         )
         FigureCanvasAgg(draw_cycling(few)).draw()
 

@@ -128,10 +128,10 @@ def test_the_figures_of_cycles_of_a_study_and_of_maps_are_drawn_again(folders, t
 def test_a_landscape_is_surveyed_again_with_its_run_where_its_figure_shows_one(
     tmp_path, reference, reference_run, surveyed, monkeypatch, simulation, kind, runs
 ):
-    asked = []
+    requested = []
 
     def survey(design, *, simulation):
-        asked.append((design.hash, simulation))
+        requested.append((design.hash, simulation))
         return surveyed("reference"), reference_run if simulation else None
 
     monkeypatch.setattr(landscape_folder, "landscape_and_run", survey)
@@ -139,7 +139,7 @@ def test_a_landscape_is_surveyed_again_with_its_run_where_its_figure_shows_one(
     write_text(tmp_path / "landscape.json", f'{{"simulation": {simulation}, "figures": ["tendon", "wing"]}}')
     drawings = landscape_drawings(surveyed("reference"), reference_run if runs else None)
     assert_drawn_again(tmp_path, drawings, kind, tmp_path)
-    assert asked == [(reference.hash, runs)]
+    assert requested == [(reference.hash, runs)]
 
 
 def test_the_figures_of_a_convergence_study_are_drawn_again(folders, tmp_path, convergence):
@@ -172,7 +172,7 @@ def test_cycles_are_read_as_they_were_written(folders, cycling):
     read = read_cycling(folders / "run")
     rows = [replace(run, row={name: run.row.get(name) for name in read.runs[0].row}) for run in cycling.runs]
     assert read.runs == tuple(rows)
-    assert [each.name for each in read.transitions] == ["fold", "unfold"]
+    assert [transition.name for transition in read.transitions] == ["fold", "unfold"]
     assert (read.seen, read.verdict, read.remarks) == ((2, 4), "Up to cycle 2.", ("Seen.",))
 
 

@@ -44,7 +44,7 @@ def test_the_folder_of_plates_has_equilibria_and_hinges_in_their_own_senses(surv
     assert sorted(path.name for path in (tmp_path / "there").iterdir()) == sorted({*FILES, "rests.png"} - {"wing.png"})
     content = read(tmp_path / "there")
     assert (content["hinge"], content["wing"], content["tips"]) == (None, None, None)
-    assert [(each["tendon"], each["hinge"]) for each in content["tendons"]] == [
+    assert [(item["tendon"], item["hinge"]) for item in content["tendons"]] == [
         ("left", "crease0"),
         ("right", "crease1"),
     ]
@@ -67,7 +67,7 @@ def test_the_folder_of_plates_has_equilibria_and_hinges_in_their_own_senses(surv
 def test_a_vein_without_a_tendon_has_no_landscape(surveyed, tmp_path):
     write_landscape(surveyed("own tendons"), tmp_path)
     content = read(tmp_path)
-    assert [each["hinge"] for each in content["tendons"]] == ["fold0", "fold2"]
+    assert [item["hinge"] for item in content["tendons"]] == ["fold0", "fold2"]
     # vein 2: half of 15 N/cm times the square of the stretch of 1.5 cm at straight, apart from the axis
     assert max(content["tendons"][1]["energy_J"]) < 1500 / 2 * 0.015**2
     assert len(content["partial_folds"][-1]["distal_angle_deg"]) == 3

@@ -46,8 +46,8 @@ def test_the_page_of_a_material_shows_the_fit_with_its_residual_and_every_value_
     assert page.count("<img ") == page.count('alt="') == 4
     assert re.search(r'<section id="fit">.*?alt="Measured stress of tpu over strain', page, re.S)
     rows = dict(re.findall(r'<tr><th scope="row">([^<]*)</th><td>([^<]*)</td>', page))
-    for each in known_values(tpu_material.law):
-        assert rows[each.key] == show_value(each.key, each.value).replace("-", "−")
+    for value in known_values(tpu_material.law):
+        assert rows[value.key] == show_value(value.key, value.value).replace("-", "−")
     left = f"residual {tpu_material.fit.misfit / 1e3:.3g} kPa"
     assert left in page
     for remark in tpu_material.remarks:

@@ -38,12 +38,12 @@ def test_a_full_disk_keeps_earlier_files_and_outdated_best_designs_are_removed(t
 
 
 def test_a_search_is_saved_drawn_and_its_figures_handed_out(tmp_path):
-    found = ff.optimise(GOAL, tmp_path / "runs")
-    ff.save(found, tmp_path / "there")
+    result = ff.optimise(GOAL, tmp_path / "runs")
+    ff.save(result, tmp_path / "there")
     names = {path.name for path in (tmp_path / "there").iterdir()}
     assert {"best.toml", "optimum.json", "table.csv", "table.nc", "candidates.png", "report.html"} <= names
-    assert ff.load_design(str(tmp_path / "there" / "best.toml")).hash == found.designs[0].hash
-    assert ff.figure(found, "candidates").get_figwidth() == pytest.approx(3.5, rel=0.1)
+    assert ff.load_design(str(tmp_path / "there" / "best.toml")).hash == result.designs[0].hash
+    assert ff.figure(result, "candidates").get_figwidth() == pytest.approx(3.5, rel=0.1)
     write_figure(tmp_path / "there", "candidates", tmp_path / "again.svg")
     kept = tmp_path / "there" / "figures" / "candidates.svg"
     assert (tmp_path / "again.svg").read_bytes() == kept.read_bytes()

@@ -42,17 +42,17 @@ def table(found):
 
 def test_bars_show_the_indices_of_the_factors_in_order_and_of_the_others(found, table):
     axes = draw_indices(table).axes[0]
-    names = [each.get_text() for each in axes.get_yticklabels()]
+    names = [yticklabel.get_text() for yticklabel in axes.get_yticklabels()]
     assert names == ["tendon left rest length", "facet thickness", "3 others"]
     first = [bar.get_width() for bar in axes.containers[0]]
-    assert first == pytest.approx([max(each, 0) for each in found.indices.first[0]])
+    assert first == pytest.approx([max(item, 0) for item in found.indices.first[0]])
     assert [bar.get_width() for bar in axes.containers[1]] == pytest.approx(found.indices.total[0].tolist())
     assert "is due to tendon left rest length" in description(axes.figure)
 
 
 def test_the_cloud_has_a_point_for_each_sample_and_the_map_a_cell_for_each_design(found, table):
     axes = draw_cloud(table).axes[0]
-    points = {each.get_marker(): len(each.get_xdata()) for each in axes.lines}
+    points = {item.get_marker(): len(item.get_xdata()) for item in axes.lines}
     answers = found.samples.answers
     assert points["o"] == (answers == Answer.WORKS).sum()
     assert points["x"] == (answers == Answer.FAILS).sum()
@@ -68,9 +68,9 @@ def test_the_nearest_failure_is_in_the_first_row(found, table):
     axes = figure.axes[0]
     assert axes.get_yticklabels()[0].get_text() == "tendon left rest length"
     failing = [
-        each for each in axes.lines if each.get_marker() == "x" and to_hex(each.get_color()) == VERMILION.lower()
+        item for item in axes.lines if item.get_marker() == "x" and to_hex(item.get_color()) == VERMILION.lower()
     ]
-    assert [each.get_xdata()[0] for each in failing[:1]] == [found.reaches[1][1].fails]
+    assert [item.get_xdata()[0] for item in failing[:1]] == [found.reaches[1][1].fails]
     assert "Tendon left rest length fails first" in description(figure)
 
 
@@ -92,7 +92,7 @@ def test_the_folder_has_all_of_it_and_draws_it_again(found, table, folder):
 
 def test_the_terminal_has_probability_indices_and_reaches(found, capsys):
     print_tolerance(found)
-    told = capsys.readouterr().out
+    output = capsys.readouterr().out
     for words in (
         "letter-fold: The design works in",
         "stays opened",
@@ -100,7 +100,7 @@ def test_the_terminal_has_probability_indices_and_reaches(found, capsys):
         "fails above",
         "tendon left rest length",
     ):
-        assert words in told
+        assert words in output
 
 
 def test_where_there_was_little_time_only_what_is_known_is_drawn(design, tmp_path):

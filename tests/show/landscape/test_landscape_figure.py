@@ -8,9 +8,9 @@ from matplotlib.lines import Line2D
 from forficula.errors import InputError
 from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.landscape.barriers_figure import draw_barriers
+from forficula.show.landscape.equilibria_figure import draw_equilibria
 from forficula.show.landscape.landscape_figure import draw_fold_path
 from forficula.show.landscape.levels_figure import draw_levels
-from forficula.show.landscape.rests_figure import draw_rests
 from forficula.show.landscape.tendon_figure import draw_tendon
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from tests.show.legible import check_words
@@ -42,7 +42,7 @@ def texts(figure):
 
 
 def all_axes(figure):
-    return [each for axes in figure.axes for each in (axes, *axes.child_axes)]
+    return [axis for axes in figure.axes for axis in (axes, *axes.child_axes)]
 
 
 def labelled(figure, start) -> Line2D:
@@ -58,7 +58,7 @@ def test_every_landscape_can_be_drawn_with_units_on_its_axes(surveyed, name):
         for axes in all_axes(figure):
             assert not axes.get_ylabel() or axes.get_ylabel().endswith(units)
             words = ("deg", "hinges", "left to right")
-            assert not axes.get_xlabel() or any(each in axes.get_xlabel() for each in words)
+            assert not axes.get_xlabel() or any(word in axes.get_xlabel() for word in words)
             bounds = [*axes.get_xlim(), *axes.get_ylim()]
             assert np.all(np.isfinite(bounds))
 
@@ -145,7 +145,7 @@ def test_a_barrier_beside_straight_is_drawn_at_its_own_angle(surveyed):
     own = landscape.tendons[1]
     assert arrow.xy == (pytest.approx(math.degrees(own.barrier_angle)), pytest.approx(1e3 * own.barrier))
     assert math.degrees(own.barrier_angle) < -4
-    for line in [each for each in near.lines if len(each.get_xdata()) > 60]:
+    for line in [line for line in near.lines if len(line.get_xdata()) > 60]:
         # both tops are within what is shown, and the stop is its zero
         assert max(line.get_ydata()) > 0
         assert min(near.get_xlim()) < line.get_xdata()[np.argmax(line.get_ydata())] < max(near.get_xlim())
@@ -195,7 +195,7 @@ def test_a_simulated_hinge_with_a_spring_is_on_the_line_of_the_sum(surveyed, let
 
 def test_equilibria_of_plates_are_drawn_with_stored_energies_and_angles(surveyed):
     landscape = surveyed("plates")
-    top, bottom = draw_rests(landscape).axes
+    top, bottom = draw_equilibria(landscape).axes
     assert [label.get_text() for label in bottom.get_xticklabels()] == ["flat", "closed", "opened\n(as flat)"]
     heights = [bar.get_height() for bar in top.patches]
     stored = [1e3 * energy for rest in landscape.rests for energy in rest.stored.values()]
@@ -209,7 +209,7 @@ def test_equilibria_of_plates_are_drawn_with_stored_energies_and_angles(surveyed
 
 
 def test_rounding_is_not_drawn_as_energies_and_angles(surveyed):
-    top, bottom = draw_rests(surveyed("plates without tendons")).axes
+    top, bottom = draw_equilibria(surveyed("plates without tendons")).axes
     assert [bar.get_height() for bar in top.patches] == [0, 0, 0]
     assert (top.get_ylim(), np.ptp(bottom.get_ylim())) == ((0, 1), pytest.approx(1))
 

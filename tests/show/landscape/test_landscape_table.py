@@ -17,7 +17,7 @@ def printed(landscape, record=None):
 
 
 def line(text, start):
-    return next(each for each in text.splitlines() if each.startswith(start))
+    return next(splitline for splitline in text.splitlines() if splitline.startswith(start))
 
 
 def test_prediction_and_simulation_are_side_by_side(surveyed, reference_run):

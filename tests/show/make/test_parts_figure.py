@@ -61,9 +61,9 @@ def test_at_a_stop_faces_of_both_halves_lie_on_one_another_and_half_way_none_do(
             normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
             # side of the axis
             off = (corners.mean(axis=1) - layout.origin) @ (np.eye(3) - np.outer(axis, axis))
-            halves.append([each / np.linalg.norm(each, axis=1)[:, None] for each in (normals, off)])
-        (one, here), (other, there) = (each for each in halves if len(each[0]))
-        return bool(((one @ other.T < -1 + 1e-9) & (here @ there.T > 1 - 1e-6)).any())
+            halves.append([item / np.linalg.norm(item, axis=1)[:, None] for item in (normals, off)])
+        (one, current), (other, present) = (half for half in halves if len(half[0]))
+        return bool(((one @ other.T < -1 + 1e-9) & (current @ present.T > 1 - 1e-6)).any())
 
     assert meet(getattr(layout, which))
     assert not meet((layout.lower + layout.upper) / 2)

@@ -48,7 +48,7 @@ def test_each_cycle_s_panel_has_every_specimen_and_the_medians_of_loading_and_un
 
 def test_the_median_curve_is_the_middle_specimen(tpu_material):
     (loading,) = [line for line in draw_cycles(tpu_material).axes[1].lines if line.get_linewidth() == 1.6][:1]
-    ends = sorted(each.cycles[0].loading.stress[-1] / 1e6 for each in tpu_material.specimens)
+    ends = sorted(specimen.cycles[0].loading.stress[-1] / 1e6 for specimen in tpu_material.specimens)
     assert loading.get_ydata()[-1] == pytest.approx(ends[1], rel=1e-6)
 
 
@@ -76,7 +76,7 @@ def test_the_boxes_are_the_quartiles_of_the_classes(tpu_material):
         boxes = axes.patches[1:]
         assert len(boxes) == len(pooled)
         heights = sorted(patch.get_path().vertices[:, 1].max() for patch in boxes)
-        assert heights == pytest.approx(sorted(getattr(each, kind).upper / 1e6 for each in pooled))
+        assert heights == pytest.approx(sorted(getattr(item, kind).upper / 1e6 for item in pooled))
 
 
 def test_the_residual_is_the_law_minus_the_data(tpu_material):

@@ -20,7 +20,7 @@ def printed(content):
 
 
 def line(text, start):
-    return next(each for each in text.splitlines() if each.startswith(start))
+    return next(splitline for splitline in text.splitlines() if splitline.startswith(start))
 
 
 @pytest.mark.parametrize("which", ["tpu_material", "elastic_material", "lawless_material"])
@@ -44,7 +44,7 @@ def test_the_table_has_the_moduli_with_their_unit_and_the_interval_of_the_law(el
 
 def test_the_table_says_by_how_much_specimens_differ_and_over_which_rates_they_were_pulled(tpu_material):
     text = " ".join(printed(material_table(tpu_material)).split())
-    amplitudes = [each.amplitude for each in tpu_material.fit.residuals]
+    amplitudes = [residual.amplitude for residual in tpu_material.fit.residuals]
     assert f"differ from the law's by −{100 * (1 - min(amplitudes)):.2f} %" in text
     assert f"standard deviation {100 * tpu_material.fit.scatter:.2f} %" in text
     # 10 mm/min by 60 mm

@@ -33,21 +33,21 @@ def check_shown(opened, scheme="light", *, beside=False):
     page = opened.page
     page.locator(".stage").first.scroll_into_view_if_needed()
     opened.settle()
-    found = page.evaluate(_PARTS)
-    (left, top, right, bottom), *_ = found["stage"]
+    result = page.evaluate(_PARTS)
+    (left, top, right, bottom), *_ = result["stage"]
     clip = {"x": left, "y": top, "width": right - left, "height": bottom - top}
     picture = np.asarray(Image.open(io.BytesIO(page.screenshot(clip=clip))).convert("RGB"), dtype=int)
     # text over it is grey
     drawn = np.ptp(picture, axis=2) > _COLOURED
     assert _LEAST < drawn.mean() < _MOST, "nothing is drawn, or it fills all"
-    for ground in (found["ground"], picture[0, 0]):
+    for ground in (result["ground"], picture[0, 0]):
         assert np.mean(ground) < _DARKEST if scheme == "dark" else np.mean(ground) > _LIGHTEST, f"not a {scheme} page"
-    assert found["legend"], "no legend"
-    assert min(found["inks"]) > _INK, "an empty plot"
-    boxes = [*found["stage"], *found["legend"], *found["plots"]]
+    assert result["legend"], "no legend"
+    assert min(result["inks"]) > _INK, "an empty plot"
+    boxes = [*result["stage"], *result["legend"], *result["plots"]]
     for number, first in enumerate(boxes):
         for second in boxes[:number]:
             across, upwards = (min(first[at + 2], second[at + 2]) - max(first[at], second[at]) for at in (0, 1))
             assert min(across, upwards) < 1, "one thing lies on another"
     if beside:
-        assert len({round(top) for _, top, _, _ in found["plots"]}) == 1, "plots below one another"
+        assert len({round(top) for _, top, _, _ in result["plots"]}) == 1, "plots below one another"

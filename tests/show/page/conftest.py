@@ -126,12 +126,12 @@ class Chromium:
         except ImportError:
             missing("playwright is missing; install it with: pip install playwright")
         names = ("chromium", "chromium-browser", "google-chrome")
-        found = os.environ.get("FORFICULA_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
-        if not found:
+        result = os.environ.get("FORFICULA_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
+        if not result:
             hint = "install it, as with: apt-get install chromium, or name it in FORFICULA_CHROMIUM"
             missing(f"Chromium is missing; {hint}")
         playwright = self._running.enter_context(sync_playwright())
-        browser = playwright.chromium.launch(executable_path=found, args=FLAGS)
+        browser = playwright.chromium.launch(executable_path=result, args=FLAGS)
         self._running.callback(browser.close)
         return browser
 
@@ -229,8 +229,8 @@ def watching(context):
         return opened[-1]
 
     yield watch
-    for each in opened:
-        each.page.close()
+    for item in opened:
+        item.page.close()
 
 
 @pytest.fixture

@@ -112,11 +112,11 @@ class Firefox:
         number = next(self._numbers)
         self._socket.send(json.dumps({"id": number, "method": method, "params": parameters}))
         while True:
-            told = json.loads(self._socket.recv(timeout=SECONDS))
-            if told.get("id") == number:
-                assert told["type"] == "success", f"{method}: {told}"
-                return told["result"]
-            self._hear(told)
+            output = json.loads(self._socket.recv(timeout=SECONDS))
+            if output.get("id") == number:
+                assert output["type"] == "success", f"{method}: {output}"
+                return output["result"]
+            self._hear(output)
 
     def _hear(self, event):
         if event["method"] == "log.entryAdded":
@@ -173,6 +173,6 @@ def _address(process):
     said = []
     for line in process.stderr:
         said.append(line.decode(errors="replace"))
-        if found := re.search(r"WebDriver BiDi listening on (ws://\S+)", said[-1]):
-            return found[1]
+        if result := re.search(r"WebDriver BiDi listening on (ws://\S+)", said[-1]):
+            return result[1]
     raise AssertionError(f"Firefox ended: {''.join(said)}")

@@ -8,15 +8,15 @@ from scipy.stats import qmc
 
 from forficula.design import key_value, with_values
 from forficula.goals.assessor import open_assessor
-from forficula.goals.deviation import off_values, read_deviations
+from forficula.goals.deviation import deviating_values, read_deviations
 from forficula.goals.goal_file import goal_of
 from forficula.goals.optimise.optimise import optimise_goal
 from forficula.goals.optimise.optimum import candidates_to_keep
 from forficula.quantities import parse_quantity
 from forficula.show.page.goal_page import write_goal_page
 from forficula.show.page.identify_page import write_identify_page
-from forficula.show.page.parts.rich_html import LaidOut
-from forficula.show.page.tolerance_page import VerdictCells, write_tolerance_page
+from forficula.show.page.parts.rich_html import PrintedResult
+from forficula.show.page.tolerance_page import VerdictGrid, write_tolerance_page
 from forficula.structure import structure_of
 from forficula.study.running.kept_runs import RunToKeep, kept_runs
 from forficula.study.tables.outcome_kinds import transitions_text
@@ -66,9 +66,9 @@ class Tried:
 
 def tried_goal(folder, tables=TABLES):
     """The best designs of a goal, and the runs of some."""
-    found = optimise_goal(goal_of(tables), folder)
-    runs = candidates_to_keep(found, 4)
-    return Tried(asked=found, table=found.table, kept=list(kept_runs(runs, folder)))
+    result = optimise_goal(goal_of(tables), folder)
+    runs = candidates_to_keep(result, 4)
+    return Tried(asked=result, table=result.table, kept=list(kept_runs(runs, folder)))
 
 
 def tried_tolerance(folder, count=32):
@@ -76,15 +76,16 @@ def tried_tolerance(folder, count=32):
     design = goal_of(TABLES).base
     deviations = read_deviations(OFF, design)
     shares = qmc.Sobol(len(deviations), rng=np.random.default_rng(3)).random(count)
-    offsets = np.array([each.offsets(column) for each, column in zip(deviations, shares.T, strict=True)]).T
-    points = [off_values(design, deviations, row) for row in offsets]
+    offsets = np.array([deviation.offsets(column) for deviation, column in zip(deviations, shares.T, strict=True)]).T
+    points = [deviating_values(design, deviations, row) for row in offsets]
     designs = [with_values(design, values) for values in points]
     with open_assessor(folder, design) as assess:
         rows = assess(designs, ["run"], points=points)
     works = [row["verdict"] == "reached" for row in rows]
     margin = [min(row["fold_margin"], row["unfold_margin"]) for row in rows]
     coordinates = {
-        each.key.replace(".", "_"): _column("sample", _factor(each.key, design), points) for each in deviations
+        deviation.key.replace(".", "_"): _column("sample", _factor(deviation.key, design), points)
+        for deviation in deviations
     }
     answers = np.where(works, "works", "fails").astype(object)
     samples = {"answer": ("sample", answers), "margin": (("result", "sample"), [margin])}
@@ -98,7 +99,7 @@ def tried_tolerance(folder, count=32):
 
 def _made_up(deviations, works):
     """Invented indices and distances to failures, in the shape of `tolerance_table`."""
-    keys = [each.key for each in deviations]
+    keys = [deviation.key for deviation in deviations]
     first = np.array([0.6, 0.25, 0.02])
     off = {"first_index": 0.0, "first_index_low": -0.08, "first_index_high": 0.1}
     off |= {"total_index": 0.12, "total_index_low": 0.03, "total_index_high": 0.25}
@@ -106,7 +107,7 @@ def _made_up(deviations, works):
     return {
         "factor": keys,
         "group": [*keys[:2], "the others"],
-        **{name: (("result", "group"), [first + each]) for name, each in off.items()},
+        **{name: (("result", "group"), [first + item]) for name, item in off.items()},
         "fails_down": ("factor", [0.4, nan, 1.6, nan]),
         "fails_up": ("factor", [nan, 0.7, 2.4, nan]),
         "works_down": ("factor", [0.3, 3.0, 1.5, 3.0]),
@@ -124,10 +125,10 @@ def made_up_cells(design, deviations):
     first, second = deviations[:2]
     ends = np.linspace(-1.5, 1.5, 9)
     across, upwards = (
-        key_value(design, each.key) + ends * each.width(key_value(design, each.key)) for each in (first, second)
+        key_value(design, item.key) + ends * item.width(key_value(design, item.key)) for item in (first, second)
     )
     works = ends[None] - ends[:, None] < 1.2
-    return VerdictCells(first=first.key, second=second.key, across=across, upwards=upwards, works=works)
+    return VerdictGrid(first=first.key, second=second.key, across=across, upwards=upwards, works=works)
 
 
 def write_pages_of_goals(folder):
@@ -135,16 +136,16 @@ def write_pages_of_goals(folder):
     paths = {kind: folder / kind / "report.html" for kind in GOAL_KINDS}
     for path in paths.values():
         path.parent.mkdir(parents=True)
-    found = LaidOut(heading="a question: made up", tables=(), sentences=("made up for a test",))
+    result = PrintedResult(heading="a question: made up", tables=(), sentences=("made up for a test",))
     tried = tried_goal(paths["optimise"].parent)
-    write_goal_page(tried.asked, found, paths["optimise"], tried.kept, len(tried.kept))
+    write_goal_page(tried.asked, result, paths["optimise"], tried.kept, len(tried.kept))
     off = tried_tolerance(paths["tolerance"].parent)
     design, deviations = off.asked
     cells = made_up_cells(design, deviations)
-    write_tolerance_page(design, deviations, off.table, found, paths["tolerance"], off.kept, len(off.kept), CSV, cells)
+    write_tolerance_page(design, deviations, off.table, result, paths["tolerance"], off.kept, len(off.kept), CSV, cells)
     seen = Tried(asked=None, table=tried_identification(off.table), kept=[])
-    write_identify_page(seen.table, found, paths["identify"])
-    return {kind: (each, paths[kind]) for kind, each in zip(GOAL_KINDS, (tried, off, seen), strict=True)}
+    write_identify_page(seen.table, result, paths["identify"])
+    return {kind: (item, paths[kind]) for kind, item in zip(GOAL_KINDS, (tried, off, seen), strict=True)}
 
 
 def tried_identification(table):
@@ -203,7 +204,7 @@ def _factor(key, design):
 
 
 def _column(dimension, factor, points):
-    values = [each[factor.key] for each in points]
+    values = [point[factor.key] for point in points]
     attributes = {"key": factor.key, "long_name": factor.key}
     if factor.unit is None:
         return dimension, np.array(values, dtype=object), attributes

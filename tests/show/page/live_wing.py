@@ -108,10 +108,10 @@ def check_as_recorded(found, record):
     assert found["status"] == outcome.status
     assert found["verdict"] == outcome.verdict
     assert [stage["name"] for stage in found["stages"]] == [end.stage.name for end in record.stages]
-    for stage, end, each in zip(found["stages"], record.stages, outcome.stages, strict=True):
+    for stage, end, item in zip(found["stages"], record.stages, outcome.stages, strict=True):
         assert stage["end_s"] == pytest.approx(end.end, abs=_TIME)
         assert (stage["goal_s"] is None) == (end.goal_time is None)
-        assert stage["work_J"] == pytest.approx(each.work, rel=_ENERGY, abs=1e-9)
+        assert stage["work_J"] == pytest.approx(item.work, rel=_ENERGY, abs=1e-9)
     states = record.structure.states
     assert [state["name"] for state in found["states"]] == [outcome.state_names[state.name] for state in states]
     ends = {round(end.end, 9): number for number, end in enumerate(record.stages)}

@@ -135,7 +135,7 @@ def _cycling(design):
 
 def _compared(run, slow_run):
     named = {"quick": run, "slow": slow_run}
-    return compare_page([ComparedRun(label=label, record=each, outcome=measure(each)) for label, each in named.items()])
+    return compare_page([ComparedRun(label=label, record=item, outcome=measure(item)) for label, item in named.items()])
 
 
 def _landscape_with_map(landscape, run, study, path):
@@ -146,8 +146,8 @@ def _landscape_with_map(landscape, run, study, path):
 def _study(study, run, slow_run, path):
     """A page of a planted table; two of its points can be played."""
     kept = [
-        KeptRun(point=point, part=part, folder=f"runs/{point + 1}-{part}", record=each, outcome=measure(each))
-        for point, part, each in ((0, "folding", run), (0, "opening", slow_run), (1, "folding", slow_run))
+        KeptRun(point=point, part=part, folder=f"runs/{point + 1}-{part}", record=item, outcome=measure(item))
+        for point, part, item in ((0, "folding", run), (0, "opening", slow_run), (1, "folding", slow_run))
     ]
     write_study_page(study, many_ends(), path, kept, len(kept))
 
@@ -168,5 +168,5 @@ def _parts(path):
 def _convergence(run, path):
     settling = with_values(run.design, {"protocol.stages": [_SETTLE]})
     study = converge(settling, TIMESTEP, [4e-4, 2e-4])
-    wide = tuple(f"{each}, which is wider than a phone" for each in study.statuses)
+    wide = tuple(f"{statuse}, which is wider than a phone" for statuse in study.statuses)
     write_convergence(replace(study, statuses=wide), path.parent)

@@ -84,9 +84,9 @@ def asked(page, options, within=":root"):
     if not page.evaluate("window.axe !== undefined"):
         page.evaluate(AXE_SCRIPT)
     kinds = ("violations", "incomplete")
-    found = page.evaluate(f"axe.run({json.dumps(within)}, {json.dumps(options | {'resultTypes': kinds})})")
+    result = page.evaluate(f"axe.run({json.dumps(within)}, {json.dumps(options | {'resultTypes': kinds})})")
     return tuple(
-        [(each["id"], node["target"][-1], node["html"][:100]) for each in found[kind] for node in each["nodes"]]
+        [(item["id"], node["target"][-1], node["html"][:100]) for item in result[kind] for node in item["nodes"]]
         for kind in kinds
     )
 

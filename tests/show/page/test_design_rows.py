@@ -88,10 +88,10 @@ def test_a_law_and_stages_that_only_one_of_two_designs_has_are_absent_in_the_oth
     stages = [stage.model_dump() for stage in reference.protocol.stages[:2]]
     other = load_design("binder2025", {"tendon.law": "tpu-82a", "tendon.area": "12.5 mm^2"})
     other = with_values(other, {"protocol.stages": stages})
-    found = differences(other)
-    assert found["tendon.area"] == (ABSENT, "12.5 mm^2")
-    assert found["protocol.stages.4.name"] == ("release opened", ABSENT)
-    assert any(key.startswith("tendon.law.") for key in found)
+    result = differences(other)
+    assert result["tendon.area"] == (ABSENT, "12.5 mm^2")
+    assert result["protocol.stages.4.name"] == ("release opened", ABSENT)
+    assert any(key.startswith("tendon.law.") for key in result)
     assert "tpu-82a" in "".join(design_tables(other))
 
 

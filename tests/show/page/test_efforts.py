@@ -45,14 +45,14 @@ def test_a_right_handed_turn_of_the_left_flap_about_a_creases_arrow_folds_it_in_
         axis = (head - tail) / np.linalg.norm(head - tail)
         moved = corners.copy()
         moved[2] += turned * np.cross(axis, corners[2] - tail)
-        angles = [hinge.sense * float(flap_angles(each)) for each in (corners, moved)]
+        angles = [hinge.sense * float(flap_angles(item)) for item in (corners, moved)]
         assert angles[1] - angles[0] == pytest.approx(turned, rel=1e-2)
 
 
 @pytest.mark.parametrize(("name", "rods"), [("binder2025", 2), ("letter-fold", 4), ("kresling-cell", 0)])
 def test_rods_are_drawn_along_fixed_parts(name, rods):
     structure = structure_of(load_design(name))
-    found = fixed_rods(structure)
-    assert found.shape == (rods, 2, 3)
-    away = np.linalg.norm(found.reshape(-1, 1, 3) - built_points(structure), axis=2).min(axis=1, initial=np.inf)
+    result = fixed_rods(structure)
+    assert result.shape == (rods, 2, 3)
+    away = np.linalg.norm(result.reshape(-1, 1, 3) - built_points(structure), axis=2).min(axis=1, initial=np.inf)
     assert np.all(away < 1e-9)

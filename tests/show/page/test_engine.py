@@ -24,7 +24,7 @@ from forficula.show.page.data.live_data import live_data, shown_measures
 from forficula.show.page.data.shape_mesh import shape_mesh
 from forficula.show.page.page import built
 from forficula.show.page.parts.outcome_words import _PATTERNS
-from forficula.show.page.parts.words import LIVE_OUTCOME_TEXTS
+from forficula.show.page.parts.run_sentences import LIVE_OUTCOME_TEXTS
 from forficula.show.page.study_live import study_live
 from forficula.structure import structure_of
 from forficula.study.running.runs import run
@@ -39,8 +39,8 @@ TIME = 1e-4  # s, tolerance of a record's times
 
 def node_path():
     """Node.js of the system, or the one that comes with the driver of the browsers."""
-    if found := shutil.which("node"):
-        return found
+    if result := shutil.which("node"):
+        return result
     try:
         import playwright
     except ImportError:
@@ -96,8 +96,8 @@ def test_the_script_of_the_engine_makes_no_functions_from_text():
 
 def test_the_reference_folds_and_opens_in_a_page_as_it_is_recorded(run_in_page):
     record = run(load_design("binder2025"))
-    (found,) = outcomes(run_in_page(record.design, [{}]))
-    check_as_recorded(found, record)
+    (result,) = outcomes(run_in_page(record.design, [{}]))
+    check_as_recorded(result, record)
 
 
 def test_a_page_simulates_the_design_with_only_the_requested_values_changed(run_in_page):
@@ -111,8 +111,8 @@ def test_a_page_simulates_the_design_with_only_the_requested_values_changed(run_
 @pytest.mark.parametrize("name", ["binder2025-coupled", "binder2025-joint", "letter-fold"])
 def test_other_structures_move_in_a_page_as_recorded(run_in_page, name):
     record = run(load_design(name))
-    (found,) = outcomes(run_in_page(record.design, [{}]))
-    check_as_recorded(found, record)
+    (result,) = outcomes(run_in_page(record.design, [{}]))
+    check_as_recorded(result, record)
 
 
 LOOPS = """stiffness = "1e-3 N m/rad/m"
@@ -148,10 +148,10 @@ def test_plates_in_loops_move_in_a_page_as_recorded(run_in_page, pattern):
         for stiffness, angle, torque in ((1e-3, 60.0, 2e-5), (2e-3, -30.0, 2e-5), (5e-4, 100.0, 5e-5))
     ]
     answered = outcomes(run_in_page(design, settings))
-    for values, found in zip(settings, answered, strict=True):
+    for values, result in zip(settings, answered, strict=True):
         (record,) = simulate([compile_model(with_values(design, values))])
-        check_as_recorded(found, record)
-        assert found["stages"][0]["work_J"] != 0
+        check_as_recorded(result, record)
+        assert result["stages"][0]["work_J"] != 0
 
 
 def test_loops_that_come_apart_are_untrusted_in_a_page(run_in_page):
@@ -160,11 +160,11 @@ def test_loops_that_come_apart_are_untrusted_in_a_page(run_in_page):
     stiff = LOOPS.replace("1e-3", "2e-2").replace("1e-5", "0")
     design = plates(miura(3), crease=stiff, stages=stages, step="3 ms")
     (record,) = simulate([compile_model(design)])
-    (found,) = outcomes(run_in_page(design, [{}]))
-    assert found["verdict"] == "untrusted"
+    (result,) = outcomes(run_in_page(design, [{}]))
+    assert result["verdict"] == "untrusted"
     # the outcome is far from any threshold
-    assert found["advice"] == measure(record).advice != ""
-    check_as_recorded(found, record)
+    assert result["advice"] == measure(record).advice != ""
+    check_as_recorded(result, record)
 
 
 def test_work_of_torques_that_depend_on_speed_is_that_of_the_record(run_in_page):
@@ -172,8 +172,8 @@ def test_work_of_torques_that_depend_on_speed_is_that_of_the_record(run_in_page)
     stages = load_design("binder2025").as_tables()["protocol"]["stages"][:2]
     keys = {"protocol.no_load_speed": "3000 deg/s", "protocol.stages": stages}
     record = run(with_timestep(load_design("binder2025", keys)))
-    (found,) = outcomes(run_in_page(record.design, [{}]))
-    check_as_recorded(found, record)
+    (result,) = outcomes(run_in_page(record.design, [{}]))
+    check_as_recorded(result, record)
 
 
 def test_tendons_fold_and_fail_in_a_page_as_in_the_study(run_in_page):
@@ -187,10 +187,10 @@ def test_tendons_fold_and_fail_in_a_page_as_in_the_study(run_in_page):
         for tens in (1, 3, 6)
         for length in (0, 2, 4, 6, 8)
     ]
-    records = simulate([compile_model(with_values(design, each)) for each in tendons], sparse=True)
-    found = outcomes(run_in_page(design, tendons))
-    assert len({outcome["verdict"] for outcome in found}) > 1
-    for outcome, record in zip(found, records, strict=True):
+    records = simulate([compile_model(with_values(design, tendon)) for tendon in tendons], sparse=True)
+    result = outcomes(run_in_page(design, tendons))
+    assert len({outcome["verdict"] for outcome in result}) > 1
+    for outcome, record in zip(result, records, strict=True):
         own = measure(record)
         assert outcome["status"] == own.status
         took = own.transitions["fold"]
@@ -228,8 +228,8 @@ def test_numbers_are_needed_because_older_engines_stretch_membranes_differently(
     design = with_timestep(load_design("binder2025"))
     live = live_of(design) | {"numbers": {}}
     monkeypatch.setitem(globals(), "live_of", lambda _: live)
-    (found,) = outcomes(run_in_page(design, [{}]))
-    assert found["transitions"][0]["took"]["time_s"] == pytest.approx(0.0602, abs=5e-4)
+    (result,) = outcomes(run_in_page(design, [{}]))
+    assert result["transitions"][0]["took"]["time_s"] == pytest.approx(0.0602, abs=5e-4)
 
 
 def test_a_page_answers_as_a_study_would_at_points_that_fold_stick_and_open(run_in_page, monkeypatch, searched):
@@ -238,8 +238,8 @@ def test_a_page_answers_as_a_study_would_at_points_that_fold_stick_and_open(run_
     live = study_live(study)
     assert "refused" not in live
     monkeypatch.setitem(globals(), "live_of", lambda _: live)
-    asked = [{"values": point, "search": live["search"]} for point in live["points"]]
-    answered = run_in_page(study.base, asked)
+    requested = [{"values": point, "search": live["search"]} for point in live["points"]]
+    answered = run_in_page(study.base, requested)
     assert answered["loaded"]["said"] == "loaded", answered["loaded"]
     rows = [answer["answer"] for answer in answered["answers"]]
     assert [row["status"] for row in rows] == [str(status) for status in table["status"].values.ravel()]

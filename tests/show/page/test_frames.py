@@ -65,7 +65,7 @@ def test_omitted_frames_are_within_the_tolerance_unless_the_number_of_frames_is_
 def test_more_frames_never_increase_the_error(short_run):
     points = short_run.series["point_position"]
     rows = [kept_frames(short_run.time, points, [], most=most, tolerance=0.0) for most in (10, 30, 100)]
-    errors = [furthest(short_run.time, points, each) for each in rows]
+    errors = [furthest(short_run.time, points, row) for row in rows]
     assert errors == sorted(errors, reverse=True)
     # a hundred rows show a wing of 22 cm to 1 % of its length
     assert errors[-1] < 2.2e-3

@@ -11,12 +11,12 @@ import pytest
 from forficula.goals.kept_designs import designs_to_keep
 from forficula.goals.optimise.optimum import candidates_to_keep
 from forficula.show.page.goal_page import goal_page, shown_candidate
-from forficula.show.page.identify_page import identify_page, telling_unknowns
+from forficula.show.page.identify_page import identify_page, unknowns_by_distance
 from forficula.show.page.parts.bars import BarRow, bar, bar_table
-from forficula.show.page.parts.rich_html import LaidOut
+from forficula.show.page.parts.rich_html import PrintedResult
 from forficula.show.page.tolerance_page import ranked_keys, tolerance_page
 
-NOTHING = LaidOut(heading="", tables=(), sentences=())
+NOTHING = PrintedResult(heading="", tables=(), sentences=())
 
 
 @pytest.fixture(scope="module")
@@ -40,16 +40,16 @@ def data(page):
 
 def cells(page, caption):
     """Return the texts of a table's rows, without notes."""
-    found = re.search(rf"<caption>{caption}.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
-    rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.DOTALL) for row in re.findall(r"<tr>(.*?)</tr>", found)]
+    result = re.search(rf"<caption>{caption}.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
+    rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.DOTALL) for row in re.findall(r"<tr>(.*?)</tr>", result)]
     return [[html.unescape(re.sub(r"<small>.*?</small>|<[^>]+>", "", cell)) for cell in row] for row in rows]
 
 
 def values(page, name):
     """Return a column of the script's data, by a factor's key or a quantity's name."""
     study = data(page)["study"]
-    named = [each for each in study["factors"] if each["key"] == name]
-    return np.array((named or [each for each in study["quantities"] if each["name"] == name])[0]["values"], dtype=float)
+    named = [item for item in study["factors"] if item["key"] == name]
+    return np.array((named or [item for item in study["quantities"] if item["name"] == name])[0]["values"], dtype=float)
 
 
 def test_every_design_that_was_tried_is_on_the_page_in_the_units_of_its_goal(optimised, optimum_page):
@@ -89,14 +89,14 @@ def test_runs_that_were_made_and_those_that_were_saved_are_counted(optimised, op
 
 
 def test_without_a_feasible_design_the_page_lists_the_largest_margins(optimised):
-    found = optimised.asked
-    table = found.table.copy()
+    result = optimised.asked
+    table = result.table.copy()
     for name in ("best", "front", "feasible"):
         table[name] = table[name].copy(data=np.zeros(table.sizes["candidate"], dtype=bool))
     from forficula.goals.optimise.trials import Relaxation
 
-    given = (Relaxation(limit=0, best=-0.2, alone=-0.3, unseen=float("nan"), trial=None),)
-    page = goal_page(replace(found, best=(), table=table, relaxations=given), NOTHING)
+    provided = (Relaxation(limit=0, best=-0.2, alone=-0.3, unseen=float("nan"), trial=None),)
+    page = goal_page(replace(result, best=(), table=table, relaxations=provided), NOTHING)
     assert "which comes nearest: none meets all" in page
     assert cells(page, "Largest margins")[0][2:] == ["−20 %", "−30 %"]
     assert data(page)["views"]["best_word"] == "nearest"
@@ -148,7 +148,7 @@ def test_the_nearest_failure_is_listed_in_both_directions(goals):
 
 def test_the_design_itself_is_marked_in_the_cloud(goals, built):
     design, _ = built.asked
-    own = {each["key"]: each["own"] for each in data(goals["tolerance"][1].read_text("utf-8"))["study"]["factors"]}
+    own = {item["key"]: item["own"] for item in data(goals["tolerance"][1].read_text("utf-8"))["study"]["factors"]}
     assert own["tendon.rest_length"] == pytest.approx(100 * design.tendon.rest_length)
 
 
@@ -169,9 +169,9 @@ def test_unknowns_that_the_facts_narrow_most_come_first(goals):
     for name in names:
         values = table[name].values
         table["agrees"].values[:] = values > np.median(values)
-        assert telling_unknowns(table)[0] == name
+        assert unknowns_by_distance(table)[0] == name
     table["agrees"].values[:] = False
-    assert telling_unknowns(table) == names
+    assert unknowns_by_distance(table) == names
     assert data(identify_page(table, NOTHING))["views"]["marginals"] == [table[name].attrs["key"] for name in names]
 
 

@@ -77,7 +77,7 @@ def test_a_press_on_a_point_plays_its_run(optimise, goals):
 def test_a_design_that_was_not_kept_says_so_and_has_its_numbers(optimise, goals):
     page, (tried, _) = optimise.page, goals["optimise"]
     kept = {run.point for run in tried.kept}
-    point = next(each for each in range(tried.table.sizes["candidate"]) if each not in kept)
+    point = next(index for index in range(tried.table.sizes["candidate"]) if index not in kept)
     page.get_by_role("button", name=f"open design {point + 1}", exact=True).click()
     assert "was not kept" in page.locator("#run").inner_text()
     mass = page.locator("#point tr", has_text="mass").locator("td").inner_text()

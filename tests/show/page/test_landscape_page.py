@@ -220,8 +220,8 @@ def test_without_a_run_a_slider_moves_the_structure_along_its_rigid_fold_and_the
         ends = np.array([points[point] for bar in structure.bars for point in bar.points])
         away = np.linalg.norm(ends[:, None] - np.reshape(vertices, (-1, 3)), axis=2).min(axis=1)
         assert away.max() < 1e-6
-        told = [text.split("°")[0].replace("−", "-") for text in page.locator(".slide output").all_inner_texts()]
-        assert [float(each) for each in told] == pytest.approx(2 * [-np.degrees(path.ring_angle[place])], abs=0.3)
+        output = [text.split("°")[0].replace("−", "-") for text in page.locator(".slide output").all_inner_texts()]
+        assert [float(item) for item in output] == pytest.approx(2 * [-np.degrees(path.ring_angle[place])], abs=0.3)
 
 
 def test_a_hinge_that_turns_alone_moves_its_plate_and_what_ties_hinges_says_why_nothing_is_drawn(surveyed, tmp_path):

@@ -109,7 +109,7 @@ def test_colours_have_sufficient_contrast_in_light_and_dark_pages(scheme):
     for pairs, least in ((LETTERS, 4.5), (MARKS, 3.0)):
         for above, grounds in pairs.items():
             for ground in grounds:
-                low, high = sorted(luminance(colours[each]) for each in (above, ground))
+                low, high = sorted(luminance(colours[item]) for item in (above, ground))
                 assert (high + 0.05) / (low + 0.05) >= least, (above, ground)
 
 

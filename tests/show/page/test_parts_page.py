@@ -13,7 +13,7 @@ from forficula.make.checks.check import Check
 from forficula.make.hinge.strap_shape import strap_line
 from forficula.make.make_parts import make_parts
 from forficula.show.make.part_mesh import part_mesh
-from forficula.show.make.pose import apart, poses_at
+from forficula.show.make.part_poses import apart, poses_at
 from forficula.show.page.parts_page import parts_page, write_parts_page
 from forficula.structure import built_points
 from tests.show.page.conftest import until
@@ -95,7 +95,7 @@ def rigid(one, other):
 def test_every_bar_is_drawn_where_its_joint_has_it(opened, parts, angle):
     hinge_to(opened, angle)
     poses = poses_at(parts, angle)
-    for part in (each for each in parts.parts if each.kind == "bar"):
+    for part in (part for part in parts.parts if part.kind == "bar"):
         place = poses[part.body].of(corners(part, parts))
         assert np.abs(drawn(opened, part.name) - place).max() < QUANTISED, part.name
 
@@ -121,12 +121,12 @@ def test_the_recorded_run_moves_bars_as_the_simulator_did(opened, parts, short_r
     for row in np.linspace(0, len(short_run.time) - 1, 3).astype(int):
         opened.page.evaluate("moment => forficula.run.seek(moment)", float(short_run.time[row]))
         opened.settle()
-        for part in (each for each in parts.parts if each.body in moved):
+        for part in (part for part in parts.parts if part.body in moved):
             turn, way = rigid(corners(part, parts), drawn(opened, part.name))
             own = [number for number, point in enumerate(structure.points) if point.body == part.body]
-            there = short_run.series["point_position"][row, own]
+            present = short_run.series["point_position"][row, own]
             # angles are 4-byte floats, interpolated between kept rows
-            assert np.abs(built[own] @ turn.T + way - there).max() < 1e-5, (row, part.name)
+            assert np.abs(built[own] @ turn.T + way - present).max() < 1e-5, (row, part.name)
 
 
 def test_in_the_exploded_view_every_part_has_its_displacement(opened, parts):
@@ -168,8 +168,8 @@ def test_hidden_parts_are_not_drawn_and_pressing_a_part_describes_it(opened, par
     opened.settle()
     assert page.evaluate(seen) == len(parts.parts) - 3
     page.get_by_role("button", name="distal1").click()
-    told = page.locator(".chosen").inner_text()
-    assert re.fullmatch(r"distal1: distal bar of petg, [\d.]+ g, [\d.]+ × [\d.]+ × [\d.]+ mm", told)
+    output = page.locator(".chosen").inner_text()
+    assert re.fullmatch(r"distal1: distal bar of petg, [\d.]+ g, [\d.]+ × [\d.]+ × [\d.]+ mm", output)
     page.get_by_label("root, 3").uncheck()
     page.locator("canvas").scroll_into_view_if_needed()
     # position of the hub's centre in the window
@@ -195,7 +195,7 @@ def test_checks_are_described_in_words_and_failures_come_first(opened):
     ]
     assert "1 of 2 checks fails" in page.locator(".outcome").inner_text()
     assert "fatigue" in page.locator("#honest").inner_text().lower()
-    links = [each.get_attribute("href") for each in page.locator("#files a").all()]
+    links = [item.get_attribute("href") for item in page.locator("#files a").all()]
     assert links == ["stl/proximal0.stl", "a%20b.csv"]
 
 

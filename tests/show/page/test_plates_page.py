@@ -53,10 +53,12 @@ def test_the_page_reports_the_outcome(plates_runs):
 def test_names_keep_their_hyphens_where_numbers_have_minus_signs(plates_runs):
     record, outcome = plates_runs["whole"]
     structure = record.structure
-    tendons = tuple(replace(each, name=f"{each.name}-b") for each in structure.tendons)
+    tendons = tuple(replace(tendon, name=f"{tendon.name}-b") for tendon in structure.tendons)
     first, *rest = structure.transitions
     closing = replace(first, wording=replace(first.wording, noun="re-closing"))
-    turned = {name: replace(each, strength=-each.strength) for name, each in outcome.transitions.items()}
+    turned = {
+        name: replace(transition, strength=-transition.strength) for name, transition in outcome.transitions.items()
+    }
     renamed = replace(structure, tendons=tendons, transitions=(closing, *rest))
     tables = "".join(outcome_tables(replace(outcome, transitions=turned, structure=renamed)))
     assert f"{tendons[0].name}<" in tables
@@ -106,12 +108,12 @@ def test_the_page_of_plates_works_in_a_browser(plates_runs, watch, tmp_path):
 
 def test_the_page_has_dimensionless_groups_and_what_dominates(plates_runs):
     record, _ = plates_runs["whole"]
-    told = re.sub(r"<[^>]*>", " ", groups_table(record))
+    output = re.sub(r"<[^>]*>", " ", groups_table(record))
     groups = groups_of(record.structure, record.design.protocol.timestep)
     # quotes are escaped
-    assert dominance(groups).replace("'", "&#x27;") in told
+    assert dominance(groups).replace("'", "&#x27;") in output
     for group in groups.every:
-        assert re.search(rf"\b{group.name}\s+{re.escape(f'{group.value:.3g}')}\s", told), group.name
+        assert re.search(rf"\b{group.name}\s+{re.escape(f'{group.value:.3g}')}\s", output), group.name
 
 
 def test_a_page_without_groups_has_no_section_about_them(plates_runs):

@@ -37,7 +37,7 @@ def test_angles_and_energies_are_those_of_the_record(data, short_run):
     time = unpacked(data["time"], "f8")
     rows = np.searchsorted(short_run.time, time)
     assert np.array_equal(short_run.time[rows], time)
-    readings = {each["name"]: each["values"] for each in data["readings"]}
+    readings = {item["name"]: item["values"] for item in data["readings"]}
     for values, expected in (
         (readings["distal_angle"], np.degrees(short_run.angles("ring"))),
         (readings["turn"], np.degrees(short_run.angles("turn"))),

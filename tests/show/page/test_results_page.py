@@ -9,7 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from forficula.show.page.parts.html import remarks, section
-from forficula.show.page.parts.rich_html import laid_out
+from forficula.show.page.parts.rich_html import printed_result
 from forficula.show.page.results_page import figure_sections, results_page, with_section
 from forficula.show.style import describe, save_figures
 
@@ -30,11 +30,11 @@ def shown():
 
 
 def test_terminal_output_is_on_the_page(shown):
-    found = laid_out(shown)
-    assert found.heading == "wing: it folds"
-    assert [re.search("<caption>(.*?)</caption>", each)[1] for each in found.tables] == ["Sums", "Titled"]
-    assert "<td>10 N/cm</td>" in found.tables[0]
-    assert found.sentences == ("hinge.damping is large", f"mind this {HOSTILE}")
+    result = printed_result(shown)
+    assert result.heading == "wing: it folds"
+    assert [re.search("<caption>(.*?)</caption>", table)[1] for table in result.tables] == ["Sums", "Titled"]
+    assert "<td>10 N/cm</td>" in result.tables[0]
+    assert result.sentences == ("hinge.damping is large", f"mind this {HOSTILE}")
 
 
 def test_text_stays_text_and_the_figure_has_a_text_and_a_form_for_phones(shown, tmp_path):
@@ -43,7 +43,7 @@ def test_text_stays_text_and_the_figure_has_a_text_and_a_form_for_phones(shown, 
 
     texts = save_figures({"fit": draw}, tmp_path)
     figures = figure_sections(tmp_path, {"other": "Not there", "fit": "The fit"}, texts)
-    page = results_page("material", HOSTILE, laid_out(shown), figures)
+    page = results_page("material", HOSTILE, printed_result(shown), figures)
     assert page.count("<script") == 0
     assert len(figures) == page.count("<img ") == page.count('srcset="data:image/svg+xml;base64,') == 1
     assert "A figure. &lt;/section&gt;" in page
@@ -54,7 +54,7 @@ def test_text_stays_text_and_the_figure_has_a_text_and_a_form_for_phones(shown, 
 
 
 def test_a_section_that_is_added_again_replaces_the_first(shown):
-    page = results_page("landscape", "wing", laid_out(shown), [])
+    page = results_page("landscape", "wing", printed_result(shown), [])
     once = with_section(page, "map", section("Map", "<p>first</p>", name="map"))
     twice = with_section(once, "map", section("Map", "<p>second</p>", name="map"))
     assert once.count("<p>first") == twice.count("<p>second") == 1

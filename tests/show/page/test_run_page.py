@@ -11,7 +11,7 @@ from forficula.analysis import summary
 from forficula.design import load_design
 from forficula.dynamics import versions
 from forficula.show.page import write_run_page
-from forficula.show.page.parts.words import angle_range
+from forficula.show.page.parts.run_sentences import angle_range
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import face_strains, surface_at
 from forficula.structure import drawn_points
@@ -201,7 +201,7 @@ def test_in_even_motion_the_time_line_is_stretched_where_the_wing_moves_in_real_
         opened.settle()
         widths[name] = [float(width.rstrip("%")) / 100 for width in page.eval_on_selector_all(bands, WIDTHS)]
         left, right = (
-            page.evaluate(f"forficula.plots.charts[0].valToPos({each}, 'x')") for each in (stage.start, stage.end)
+            page.evaluate(f"forficula.plots.charts[0].valToPos({item}, 'x')") for item in (stage.start, stage.end)
         )
         assert (right - left) / page.locator(".u-over").first.bounding_box()["width"] == pytest.approx(
             widths[name][0], abs=1e-3
@@ -274,13 +274,13 @@ def test_the_sheet_takes_the_colours_of_its_strains_with_their_scale_and_its_own
     seek(opened, end.start)
     strained, own = (opened.page.get_by_role("button", name=name) for name in ("membrane strain", "panels"))
     strained.click()
-    found = opened.page.evaluate(
+    result = opened.page.evaluate(
         "(() => { const { strains, vertices } = forficula.player.stage.views[0].shape;"
         " return [...strains.at(vertices)]; })()"
     )
     # equal to the strains by face in the figure
     expected = face_strains(shape, surface_at(short_run, shape, end.start))
-    assert max(found) == pytest.approx(expected.max(), rel=1e-2)
+    assert max(result) == pytest.approx(expected.max(), rel=1e-2)
     scale = opened.page.locator(".legend .energy:visible").last.inner_text()
     assert re.fullmatch(r"Green strain of the membrane: 0\s*[\d.]+ %", scale)
     assert opened.page.locator(".legend .of-region:visible").count() == 0
@@ -442,7 +442,7 @@ def test_downloaded_the_design_repeats_the_run(opened, short_run, tmp_path):
 
 def test_announcements_are_not_made_in_every_frame(opened):
     live = opened.page.locator("[aria-live], [role=status], output")
-    assert [each.get_attribute("class") for each in live.all()] == ["spoken"]
+    assert [item.get_attribute("class") for item in live.all()] == ["spoken"]
 
 
 def test_where_the_script_fails_the_page_says_so_and_keeps_its_numbers(context, report):

@@ -71,7 +71,7 @@ def test_creases_have_the_letters_of_the_pattern(wing):
     record, mesh, _ = wing
     pattern = earwig_pattern(record.design.fan)
     letters = {
-        role: [each for each, known in zip(pattern.edges_assignment, pattern.edges_role, strict=True) if known == role]
+        role: [edge for edge, known in zip(pattern.edges_assignment, pattern.edges_role, strict=True) if known == role]
         for role in ("proximal", "distal", "ring")
     }
     bars = [tube.crease for tube in mesh.tubes if tube.kind == "bar"]

@@ -28,14 +28,14 @@ def test_a_cell_without_a_run_is_simulated_on_request_with_the_study_s_outcome(a
     page = answering.page
     assert "This run was not kept" in page.locator("#run").inner_text()
     page.get_by_role("button", name="Simulate it here").click()
-    for point, status in enumerate(str(each) for each in table["status"].values.ravel()):
+    for point, status in enumerate(str(value) for value in table["status"].values.ravel()):
         if point > 2:
             break
         page.evaluate("(point) => { forficula.open(point); }", point)
         until(page, f"(window.forficula.panel.answers.panel !== null) && {SAID}.includes(': {status}')", SECONDS)
         least = table["least_fold_torque"].values.ravel()[point]
-        told = f"least fold torque {100 * least:g} N cm"
-        assert (told in page.evaluate(SAID)) == bool(np.isfinite(least))
+        output = f"least fold torque {100 * least:g} N cm"
+        assert (output in page.evaluate(SAID)) == bool(np.isfinite(least))
     # the live structure has the point's values
     shown = page.locator(".slider", has_text="Tendon rest length").locator("output").inner_text()
     assert shown == "4 cm"
@@ -69,6 +69,6 @@ def test_a_finer_map_around_a_point_comes_cell_by_cell_and_agrees_at_the_study_s
     titles = [cell.get_attribute("title") for cell in cells.all()]
     words = table["status"].values.reshape(3, 2)
     for stiffness, length, status in (("10", "4", words[0, 0]), ("10", "9", words[0, 1]), ("30", "9", words[1, 1])):
-        title = next(each for each in titles if f"{stiffness} N/cm" in each and f" {length} cm" in each)
+        title = next(title for title in titles if f"{stiffness} N/cm" in title and f" {length} cm" in title)
         assert f": {status}" in title
     assert answering.messages == []

@@ -34,7 +34,7 @@ def study(study_file):
 
 
 def quantities(data):
-    return {each["name"]: each for each in data["quantities"]}
+    return {item["name"]: item for item in data["quantities"]}
 
 
 def word(data, number):
@@ -48,9 +48,9 @@ def test_numbers_are_those_of_the_table_in_the_unit_beside_them(study):
         if name == "status" or ":" in name:
             continue
         expected = FACTORS[quantity["unit"]] * table[name].values.ravel()
-        given = np.array([math.nan if value is None else value for value in quantity["values"]])
-        assert np.allclose(given, expected, rtol=1e-6, equal_nan=True)
-        assert np.nanmax(np.abs(given), initial=0.1) < 1000
+        provided = np.array([math.nan if value is None else value for value in quantity["values"]])
+        assert np.allclose(provided, expected, rtol=1e-6, equal_nan=True)
+        assert np.nanmax(np.abs(provided), initial=0.1) < 1000
 
 
 def test_quantities_say_of_which_transition_they_are(study):
@@ -59,22 +59,24 @@ def test_quantities_say_of_which_transition_they_are(study):
     table.attrs |= {"start_state": "flat", "transitions": transitions_text(structure_of(study.base), study.search)}
     for state in ("flat", "folded", "opened"):
         table[f"{state}_energy"] = table["fold_work"]
-    told = {name: each["transition"] for name, each in quantities(study_data(study, table)).items()}
-    assert (told["status"], told["flat_energy"]) == (None, None)
-    assert [told[name] for name in ("least_fold_torque", "fold_work", "folded_energy")] == [0, 0, 0]
-    assert [told[name] for name in ("least_unfold_torque", "unfold_work", "opened_energy")] == [1, 1, 1]
-    assert {number for name, number in told.items() if name.startswith("fold_time_by")} == {0}
+    output = {name: quantity["transition"] for name, quantity in quantities(study_data(study, table)).items()}
+    assert (output["status"], output["flat_energy"]) == (None, None)
+    assert [output[name] for name in ("least_fold_torque", "fold_work", "folded_energy")] == [0, 0, 0]
+    assert [output[name] for name in ("least_unfold_torque", "unfold_work", "opened_energy")] == [1, 1, 1]
+    assert {number for name, number in output.items() if name.startswith("fold_time_by")} == {0}
 
 
 def test_fold_times_have_a_map_for_every_torque_that_was_tried(study):
     table = many_ends()
-    times = [each for name, each in quantities(study_data(study, table)).items() if name.startswith("fold_time_by")]
-    assert [each["title"] for each in times] == [f"fold time with {100 * torque:.0f} N cm" for torque in TORQUES]
-    assert len({each["unit"] for each in times}) == 1
-    for index, each in enumerate(times):
-        expected = FACTORS[each["unit"]] * table["fold_time_by_torque"].values[..., index].ravel()
-        given = [math.nan if value is None else value for value in each["values"]]
-        assert np.allclose(given, expected, rtol=1e-6, equal_nan=True)
+    times = [
+        quantity for name, quantity in quantities(study_data(study, table)).items() if name.startswith("fold_time_by")
+    ]
+    assert [time["title"] for time in times] == [f"fold time with {100 * torque:.0f} N cm" for torque in TORQUES]
+    assert len({time["unit"] for time in times}) == 1
+    for index, time in enumerate(times):
+        expected = FACTORS[time["unit"]] * table["fold_time_by_torque"].values[..., index].ravel()
+        provided = [math.nan if value is None else value for value in time["values"]]
+        assert np.allclose(provided, expected, rtol=1e-6, equal_nan=True)
 
 
 def test_reasons_for_missing_values_are_those_of_the_figures(study):
@@ -92,14 +94,14 @@ def test_reasons_for_missing_values_are_those_of_the_figures(study):
 def test_each_torque_has_its_own_reason_for_no_fold_time(study):
     table = doubtful()
     data = study_data(study, table)
-    times = [each for name, each in quantities(data).items() if name.startswith("fold_time_by")]
-    for index, each in enumerate(times):
+    times = [quantity for name, quantity in quantities(data).items() if name.startswith("fold_time_by")]
+    for index, time in enumerate(times):
         expected = table["fold_outcome_by_torque"].values[..., index].ravel()
-        for value, reason, became in zip(each["values"], each["reasons"], expected, strict=True):
+        for value, reason, became in zip(time["values"], time["reasons"], expected, strict=True):
             assert (value is None) == (reason is not None) == (became != "folded")
             if reason is not None:
                 assert word(data, reason) == became
-    assert {"diverged", "unreliable", "still folding"} <= {each["word"] for each in data["words"]}
+    assert {"diverged", "unreliable", "still folding"} <= {item["word"] for item in data["words"]}
 
 
 def test_every_point_has_a_verdict_and_the_verdicts_are_counted(study):

@@ -76,10 +76,10 @@ def test_every_run_says_which_point_it_is_what_it_did_and_where_it_lies(study, k
 
 def test_the_table_on_the_page_has_one_row_for_each_point_with_the_numbers_of_the_file(study):
     table = many_ends()
-    found = rows(study_page(study, table, (), 0))
+    result = rows(study_page(study, table, (), 0))
     expected = list(csv.DictReader(io.StringIO(table_csv(study, table))))
-    assert len(found) == len(expected) == 12
-    for point, (cells, row) in enumerate(zip(found, expected, strict=True)):
+    assert len(result) == len(expected) == 12
+    for point, (cells, row) in enumerate(zip(result, expected, strict=True)):
         assert cells[0] == str(point + 1)
         assert float(cells[1]) * 100 == pytest.approx(float(row["tendon_stiffness_N_per_m"]))
         assert float(cells[2]) / 100 == pytest.approx(float(row["tendon_rest_length_m"]))

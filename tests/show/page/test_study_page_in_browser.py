@@ -28,7 +28,7 @@ class StudyPage:
     def __init__(self, path, table, text, kept):
         self.path, self.table, self.text = path, table, text
         self.rows = list(csv.DictReader(io.StringIO(text)))
-        self.kept = {(each.point, each.part): each for each in kept}
+        self.kept = {(item.point, item.part): item for item in kept}
 
 
 @pytest.fixture(scope="module")
@@ -135,8 +135,8 @@ def test_a_click_on_a_cell_shows_that_run_and_its_numbers(opened, small):
         cell(page, point).click()
         assert page.locator("#point h2").inner_text() == f"Point {point + 1}"
         stiffness, length = float(row["tendon_stiffness_N_per_m"]) / 100, float(row["tendon_rest_length_m"]) * 100
-        told = page.locator("#point .outcome").inner_text()
-        assert told == f"Tendon stiffness {stiffness:g} N/cm, tendon rest length {length:g} cm: {row['status']}."
+        output = page.locator("#point .outcome").inner_text()
+        assert output == f"Tendon stiffness {stiffness:g} N/cm, tendon rest length {length:g} cm: {row['status']}."
         numbers = page.locator("#point tr", has_text="work of folding").locator("td").inner_text()
         if row["fold_work_J"]:
             assert float(numbers.removesuffix(" J")) == pytest.approx(float(row["fold_work_J"]), rel=5e-3)
@@ -150,7 +150,7 @@ def test_a_click_on_a_cell_shows_that_run_and_its_numbers(opened, small):
 def test_a_click_on_a_cell_plays_the_run_that_was_kept_of_it(opened, small, part):
     page = opened.page
     choose(page, "show", "work of unfolding" if part == "opening" else "work of folding")
-    for point in {point for point, each in small.kept if each == part}:
+    for point in {point for point, item in small.kept if item == part}:
         cell(page, point).click()
         record = small.kept[point, part].record
         assert page.evaluate("forficula.panel.playing.run.folder") == small.kept[point, part].folder
@@ -172,9 +172,11 @@ def test_the_page_opens_the_most_successful_run_with_the_least_torque(one_page, 
     # the most successful outcomes have the least numbers
     ranks = page.evaluate("forficula.model.study.verdicts")
     kept = {point for point, part in small.kept if part == "folding"}
-    furthest = [point for point in kept if ranks[point] == min(ranks[each] for each in kept)]
+    furthest = [point for point in kept if ranks[point] == min(ranks[item] for item in kept)]
     torques = [small.table[name].fillna(np.inf).values.ravel() for name in LEAST]
-    assert page.evaluate("forficula.panel.point") == min(furthest, key=lambda point: [each[point] for each in torques])
+    assert page.evaluate("forficula.panel.point") == min(
+        furthest, key=lambda point: [torque[point] for torque in torques]
+    )
     assert page.evaluate("forficula.panel.playing.run.part") == "folding"
 
 
@@ -242,7 +244,7 @@ def test_a_pinned_run_moves_beside_the_one_that_is_opened_after_it_each_from_its
         f"Point {point + 1}" for point in (first, second)
     ]
     opened.show(360, 740)
-    lowest = max(each.bounding_box()["y"] + each.bounding_box()["height"] for each in page.locator(".cell").all())
+    lowest = max(item.bounding_box()["y"] + item.bounding_box()["height"] for item in page.locator(".cell").all())
     stage = page.locator(".stage").bounding_box()
     assert lowest <= stage["y"] + stage["height"] + 1
     opened.show()

@@ -6,7 +6,7 @@ import pytest
 from forficula.analysis import measure
 from forficula.analysis.advice import Advice
 from forficula.design import with_values
-from forficula.show.page.parts.words import (
+from forficula.show.page.parts.run_sentences import (
     angle_range,
     energy_text,
     outcome_remarks,
@@ -68,7 +68,7 @@ def test_without_a_named_state_the_angles_after_release_are_reported_without_a_c
 
 def test_a_release_that_ends_in_the_state_is_claimed_and_needs_no_further_sentence(short_outcome):
     assert release_sentences(short_outcome) == []
-    assert [each.held for each in short_outcome.transitions.values()] == [True, True]
+    assert [transition.held for transition in short_outcome.transitions.values()] == [True, True]
 
 
 def test_the_time_of_a_stage_that_ends_on_the_way_is_not_called_the_time_of_folding():

@@ -174,10 +174,10 @@ def test_a_key_that_is_changed_is_built_by_the_package_and_folds_as_in_python(be
     bench.press("Whole protocol")
     ended = "forficula.wing.panel.frame.ended?.stages.length === 5 && forficula.wing.panel.frame.stageNumber === null"
     until(page, ended, SECONDS)
-    found = page.evaluate("forficula.wing.panel.frame.ended")
-    assert found["status"] == outcome.status
+    result = page.evaluate("forficula.wing.panel.frame.ended")
+    assert result["status"] == outcome.status
     stated = np.degrees(outcome.states["folded"].readings["distal_angle"].mean)
-    assert np.degrees(found["stages"][2]["readings"][0]) == pytest.approx(stated, abs=0.01)
+    assert np.degrees(result["stages"][2]["readings"][0]) == pytest.approx(stated, abs=0.01)
     assert np.abs(stated).min() > 150
 
 

@@ -106,11 +106,11 @@ def test_every_picture_has_its_stage_and_the_time_since_its_start(runs, small, n
     record = small if name == "small" else runs[name]
     outcome = measure(record)
     titles = [axes.get_title() for axes in draw_folding(record, outcome).axes if axes.get_title()]
-    *told, enlarged = titles
-    assert len({title.partition("\n")[2] or title for title in told}) == len(told) == 7
+    *output, enlarged = titles
+    assert len({title.partition("\n")[2] or title for title in output}) == len(output) == 7
     starts = {end.stage.name: end.start for end in record.stages}
     for state, letter in zip(outcome.states.values(), "abc", strict=True):
-        (title,) = (each for each in told if each.startswith(f"{letter} "))
+        (title,) = (item for item in output if item.startswith(f"{letter} "))
         stage, since = title.partition("\n")[2].split(" + ")
         factor = {"s": 1, "ms": 1e-3}[since.split()[1]]
         assert factor * float(since.split()[0]) == pytest.approx(state.time - starts[stage], rel=5e-3)

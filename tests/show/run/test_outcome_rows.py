@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from forficula.analysis.confirmation import HALF_STEP
-from forficula.analysis.outcome import held_against, outcome_values
+from forficula.analysis.outcome import compared_outcome, outcome_values
 from forficula.dynamics import NumericalCheck
 from forficula.show.page.parts.outcome_tables import outcome_tables
 from forficula.show.run.outcome_rows import balance_remark, state_rows
@@ -20,7 +20,7 @@ def uncertain(reference, reference_outcome):
     """
     by = {"tendon.energy": 1.01, "tendon.length": 1.02, "membrane.energy": 1.01}
     values = {
-        name: tuple(each * by.get(name.partition(".")[2], 1.0) for each in numbers)
+        name: tuple(number * by.get(name.partition(".")[2], 1.0) for number in numbers)
         for name, numbers in outcome_values(reference_outcome).items()
     }
     for state in reference_outcome.states:
@@ -37,7 +37,7 @@ def uncertain(reference, reference_outcome):
         holds=reference_outcome.holds,
         values=values,
     )
-    return held_against(reference_outcome, [half], reference)
+    return compared_outcome(reference_outcome, [half], reference)
 
 
 def test_states_have_uncertainties_of_twice_the_difference_to_half_the_timestep(uncertain):
@@ -60,9 +60,9 @@ def test_the_page_has_the_uncertainty_of_the_energy_of_the_membrane_too(uncertai
 
 def test_large_energies_of_slack_branches_are_explained(reference_outcome):
     balance = replace(reference_outcome.energy_balance, branches=0.1, branch_damping=13.2, letting_go=-12.9)
-    told = balance_remark(balance)
-    assert "Of the 13.2 J dissipated by branches, 12.9 J belong to slack branches; no work was done for them" in told
-    assert told.endswith("The sum is 0.3 J.")
+    output = balance_remark(balance)
+    assert "Of the 13.2 J dissipated by branches, 12.9 J belong to slack branches; no work was done for them" in output
+    assert output.endswith("The sum is 0.3 J.")
 
 
 def test_small_energies_of_slack_branches_are_not_explained(reference_outcome):

@@ -46,8 +46,8 @@ def test_a_run_without_a_wait_has_no_such_figure(reference_run, reference_outcom
 def test_terminal_and_page_say_what_the_month_did(stored_run, capsys):
     outcome = ff.measure(stored_run)
     print_storage(stored_run, outcome)
-    told = " ".join(capsys.readouterr().out.split())
+    output = " ".join(capsys.readouterr().out.split())
     # 19 %, as in the documentation
-    assert "After 30 d opened its tendons pull 19" in told
-    assert "Then it opened again." in told
+    assert "After 30 d opened its tendons pull 19" in output
+    assert "Then it opened again." in output
     assert "After 30 d opened its tendons pull 19" in run_page(stored_run, outcome)

@@ -7,12 +7,12 @@ import pytest
 from matplotlib.colors import to_rgba
 
 from forficula.design import load_design
-from forficula.show.structure.painted_shape import View, paint_shape, structure_view
+from forficula.show.structure.painted_shape import Viewpoint, paint_shape, structure_view
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import DrawnSurface, surface_at
 from forficula.structure import structure_of
 
-FROM_ABOVE = View(right=np.array([1.0, 0, 0]), up=np.array([0, 1.0, 0]), towards=np.array([0, 0, 1.0]))
+FROM_ABOVE = Viewpoint(right=np.array([1.0, 0, 0]), up=np.array([0, 1.0, 0]), towards=np.array([0, 0, 1.0]))
 RED = to_rgba("#ff0000")
 
 
@@ -63,7 +63,7 @@ def test_regions_differ_and_both_sides_look_alike():
     painted = paint_shape(planted(0.0), FROM_ABOVE, RED)
     one, other = seen_at(painted, 0.0551, 0.0251), seen_at(painted, 0.1551, 0.0251)
     assert abs(one - other).max() > 0.1
-    below = View(right=FROM_ABOVE.right, up=-FROM_ABOVE.up, towards=-FROM_ABOVE.towards)
+    below = Viewpoint(right=FROM_ABOVE.right, up=-FROM_ABOVE.up, towards=-FROM_ABOVE.towards)
     turned = paint_shape(planted(0.0), below, RED)
     assert seen_at(turned, 0.0551, -0.0251) == pytest.approx(one)
 

@@ -20,7 +20,7 @@ def test_planes_that_pass_through_one_another_hide_one_another_on_either_side_of
     level, tilted = square([0, 0, 0, 0]), square([-1, 1, 1, -1])
     layers = [(level, RED), (tilted, BLUE)]
     order = layers if later else layers[::-1]
-    triangles = np.concatenate([each for each, _ in order])
+    triangles = np.concatenate([item for item, _ in order])
     picture = rasterise(triangles, np.repeat([colour for _, colour in order], 2, axis=0), (40, 40))
     assert np.all(picture[:, :20] == [255, 0, 0, 255])
     assert np.all(picture[:, 20:] == [0, 0, 255, 255])

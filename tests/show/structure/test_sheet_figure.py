@@ -63,7 +63,7 @@ def test_a_vertex_that_does_not_fold_flat_says_what_it_lacks(name, said):
 
 def test_a_sheet_that_folds_flat_has_no_marks():
     figure = drawn(SHEETS["Miura"])
-    assert not any("does not" in each or "missing" in each for each in labels(figure))
+    assert not any("does not" in label or "missing" in label for label in labels(figure))
     assert "Every interior vertex folds flat" in figure.get_label()
 
 
@@ -71,7 +71,7 @@ def test_a_dense_sheet_labels_few_vertices_and_the_worst_of_them():
     pattern = SHEETS["shaken and dense"]
     missing = [text for text in check_words(drawn(pattern), PAGE_WIDTH) if "missing" in text]
     assert 3 <= len(missing) <= 8
-    worst = max(each.missing for each in pattern_facts(pattern).inside)
+    worst = max(item.missing for item in pattern_facts(pattern).inside)
     assert f"{math.degrees(worst):.2g}° missing" in missing
 
 

@@ -81,7 +81,7 @@ def test_strains_of_faces_are_greens_of_a_sheet_that_is_pulled_sheared_and_turne
 
 def test_the_largest_strain_of_faces_is_that_of_the_membrane(reference_run, shape):
     peak = max(
-        (each for each in strain_peaks(reference_run) if each.kind == "membranes"), key=lambda each: abs(each.strain)
+        (peak for peak in strain_peaks(reference_run) if peak.kind == "membranes"), key=lambda item: abs(item.strain)
     )
     strains = face_strains(shape, surface_at(reference_run, shape, peak.time))
     assert strains.max() == pytest.approx(peak.strain, rel=0.01)

@@ -68,14 +68,14 @@ def test_a_design_that_drives_nothing_and_one_that_fails_are_drawn():
 @pytest.mark.usefixtures("no_figures")
 def test_the_folder_has_tables_the_figure_and_a_page(tmp_path):
     unreliable = replace(ASSUMED.runs[0], verdict=Verdict.DIVERGED, effect=Effect.UNKNOWN)
-    found = replace(ASSUMED, runs=(*ASSUMED.runs, unreliable))
-    write_assumptions(found, tmp_path)
+    result = replace(ASSUMED, runs=(*ASSUMED.runs, unreliable))
+    write_assumptions(result, tmp_path)
     assert {path.name for path in tmp_path.iterdir()} == {
         *("assumptions.json", "assumptions.csv", "assumptions.png", "report.html", "figures"),
     }
     with (tmp_path / "assumptions.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
-    assert rows[0].keys() == assumption_rows(found)[0].keys()
+    assert rows[0].keys() == assumption_rows(result)[0].keys()
     assert [row["effect"] for row in rows] == ["", "numbers", "verdict", "unknown"]
     assert rows[2]["close_time_s"] == ""
     page = (tmp_path / "report.html").read_text("utf-8")

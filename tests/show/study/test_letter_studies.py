@@ -42,8 +42,8 @@ def studied(tmp_path_factory):
         settings = '"protocol.timestep" = "1 ms"\n"stops.time_constant" = "4 ms"'
         text = f'name = "letter"\ndesign = "design.toml"\n{rest}\n[settings]\n{settings}\n'
         (folder / "study.toml").write_text(text, "utf-8")
-        found = load_study(str(folder / "study.toml"))
-        return found, run_study(found, folder / "out")
+        result = load_study(str(folder / "study.toml"))
+        return result, run_study(result, folder / "out")
 
     return study
 
@@ -67,7 +67,7 @@ def check(study, table, tmp_path, kinds, sentence, *, engine=False):
 
 
 def words(data):
-    return {each["word"]: each["sign"] for each in data["study"]["words"]}
+    return {item["word"]: item["sign"] for item in data["study"]["words"]}
 
 
 def test_a_search_finds_torques_that_close_and_open_a_letter(studied, tmp_path):
@@ -102,8 +102,8 @@ def test_a_least_value_of_any_unit_has_its_figures_and_page(studied, tmp_path):
     study, table = studied(3, f'ask = "least-value"\n[factors]\n{DRIVE}\n{STIFF}')
     kinds = {"status", "torques", "works", "energy", "fold_times"}
     data = check(study, table, tmp_path, kinds, "2 points: 2 get closed, with 0.01 N m/rad/m.")
-    found = next(each for each in data["study"]["quantities"] if each["name"] == "least_stiffness")
-    assert (found["unit"], found["values"]) == ("N m/rad/m", [0.01, 0.01])
+    result = next(item for item in data["study"]["quantities"] if item["name"] == "least_stiffness")
+    assert (result["unit"], result["values"]) == ("N m/rad/m", [0.01, 0.01])
 
 
 def test_a_least_value_of_a_later_transition_is_reported_for_that_transition(studied, tmp_path):
@@ -141,4 +141,4 @@ def test_a_protocol_that_drives_nothing_has_its_figures(studied, tmp_path):
     study, table = studied(1, f'ask = "run"\n{CHOICES}')
     check(study, table, tmp_path, {"choices"}, "4 points.")
     axes = study_drawings(table)["choices"](PAGE_WIDTH).axes
-    assert [each.get_xlabel() for each in axes] == ["tendons' energy when flat (J)"]
+    assert [axis.get_xlabel() for axis in axes] == ["tendons' energy when flat (J)"]

@@ -64,7 +64,7 @@ def end(status):
         torque, rest = status.split(": ", 1)
         word, verdict = end(rest)
         return (word if verdict in ("diverged", "untrusted") else f"{word} {torque}"), verdict
-    return next(each for beginning, each in ENDS.items() if status.startswith(beginning))
+    return next(item for beginning, item in ENDS.items() if status.startswith(beginning))
 
 
 def planted(factors, status=None, *, fold_outcome=None, sizes=None):
@@ -382,12 +382,12 @@ def test_one_factor_is_drawn_as_a_line_with_the_failures_along_the_bottom():
 def test_samples_lie_where_their_factors_say():
     table = sampled(many_ends())
     axes = panels(draw_torque_maps(table))["least fold torque"]
-    found = table.where(table.least_fold_torque > 0, drop=True)
-    places = np.column_stack([100 * found.tendon_stiffness / 1e4, 100 * found.tendon_rest_length])
+    result = table.where(table.least_fold_torque > 0, drop=True)
+    places = np.column_stack([100 * result.tendon_stiffness / 1e4, 100 * result.tendon_rest_length])
     drawn = axes.collections[0]
     # the first factor is vertical
     np.testing.assert_allclose(np.asarray(drawn.get_offsets())[:, ::-1], places)
-    np.testing.assert_allclose(drawn.get_array(), 100 * found.least_fold_torque)
+    np.testing.assert_allclose(drawn.get_array(), 100 * result.least_fold_torque)
     assert sum(len(line.get_xdata()) for line in axes.lines) == 7
 
 
@@ -407,7 +407,7 @@ def test_energies_have_the_colours_that_all_energies_have_and_nothing_else_has(t
             for item in axes.collections
             if isinstance(item, QuadMesh | PathCollection) and item.get_array() is not None
         ]
-        assert {each is ENERGY_COLOURS for each in drawn} == {draw is not draw_torque_maps}
+        assert {item is ENERGY_COLOURS for item in drawn} == {draw is not draw_torque_maps}
 
 
 def test_fold_times_have_one_panel_for_each_value_of_the_first_factor():

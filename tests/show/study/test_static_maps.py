@@ -21,7 +21,7 @@ def titles(figure):
 
 
 def legend(figure):
-    return {text.get_text() for each in figure.legends for text in each.get_texts()}
+    return {text.get_text() for item in figure.legends for text in item.get_texts()}
 
 
 def test_a_map_alone_has_a_panel_for_folding_and_one_for_opening(statics):

@@ -18,8 +18,8 @@ def truss(nodes, bars, *, stiffness, rest=None, held=(), masses=None, gravity=0.
     nodes = np.asarray(nodes, dtype=float)
     bars = np.asarray(bars, dtype=np.int64).reshape(-1, 2)
     free = np.ones(nodes.shape, dtype=bool)
-    for each in held:
-        free[each] = False
+    for item in held:
+        free[item] = False
     length = np.linalg.norm(nodes[bars[:, 1]] - nodes[bars[:, 0]], axis=1)
     return Net(
         nodes=nodes,
@@ -42,11 +42,11 @@ def sheet(nodes, facets: Sequence[Sequence[int]], *, axial=1e4, crease=1.0, face
     """
     nodes = np.asarray(nodes, dtype=float)
     triangles, diagonals = [], set()
-    for each in facets:
-        if len(each) == 3:
-            triangles.append(tuple(each))
+    for item in facets:
+        if len(item) == 3:
+            triangles.append(tuple(item))
             continue
-        a, b, c, d = each
+        a, b, c, d = item
         if np.linalg.norm(nodes[a] - nodes[c]) > np.linalg.norm(nodes[b] - nodes[d]):
             a, b, c, d = b, c, d, a
         triangles += [(a, b, c), (a, c, d)]

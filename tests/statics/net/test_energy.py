@@ -51,7 +51,7 @@ def test_slope_and_curvature_are_those_of_the_energy(seed):
         torques=random.standard_normal(len(start.angles)),
         displacements=np.zeros((9, 3)),
     )
-    here, step = expand(net, shape, load, 0.7), 1e-6
+    current, step = expand(net, shape, load, 0.7), 1e-6
     for node, axis in np.ndindex(9, 3):
         off = np.zeros((9, 3))
         off[node, axis] = step
@@ -59,10 +59,10 @@ def test_slope_and_curvature_are_those_of_the_energy(seed):
             expand(net, shape_at(net, shape.positions + sign * off, shape.angles), load, 0.7) for sign in (1, -1)
         )
         rise = (after.energy - before.energy) / (2 * step)
-        assert here.slope[node, axis] == pytest.approx(rise, rel=1e-5, abs=1e-7 * np.abs(here.slope).max())
+        assert current.slope[node, axis] == pytest.approx(rise, rel=1e-5, abs=1e-7 * np.abs(current.slope).max())
         rises = (after.slope - before.slope).ravel() / (2 * step)
-        column = here.curvature.toarray()[:, 3 * node + axis]
-        np.testing.assert_allclose(column, rises, atol=1e-6 * np.abs(here.curvature.data).max())
+        column = current.curvature.toarray()[:, 3 * node + axis]
+        np.testing.assert_allclose(column, rises, atol=1e-6 * np.abs(current.curvature.data).max())
 
 
 @settings(deadline=None, max_examples=10)
@@ -73,25 +73,25 @@ def test_moving_and_scaling_a_net_changes_nothing(seed, scale):
     one = everything()
     other = everything(scale, lambda nodes: nodes @ turn.T + scale * shift)
     bent = one.nodes + 0.1 * random.standard_normal((9, 3))
-    here = expand(one, shape_at(one, bent, built_shape(one).angles))
-    there = expand(other, shape_at(other, scale * (bent @ turn.T + shift), built_shape(other).angles))
-    np.testing.assert_allclose(there.shape.angles, here.shape.angles, atol=1e-9)
-    assert there.stored == pytest.approx(scale**2 * here.stored, rel=1e-9)
+    current = expand(one, shape_at(one, bent, built_shape(one).angles))
+    present = expand(other, shape_at(other, scale * (bent @ turn.T + shift), built_shape(other).angles))
+    np.testing.assert_allclose(present.shape.angles, current.shape.angles, atol=1e-9)
+    assert present.stored == pytest.approx(scale**2 * current.stored, rel=1e-9)
 
 
 def test_held_coordinates_are_left_out_of_the_free_part():
     net = sheet(*miura(2, 2, fold=0.7), held=[0, (4, 2)])[0]
-    here = expand(net, built_shape(net))
+    current = expand(net, built_shape(net))
     flags = net.free.ravel()
-    np.testing.assert_array_equal(here.free.toarray(), here.curvature.toarray()[flags][:, flags])
-    assert here.free.shape == (23, 23)
+    np.testing.assert_array_equal(current.free.toarray(), current.curvature.toarray()[flags][:, flags])
+    assert current.free.shape == (23, 23)
 
 
 def test_springs_without_a_resting_length_pull_straight_and_may_have_no_length():
     net = truss([[0, 0, 0], [0, 0, 0], [1, 0, 0]], [[0, 1]], stiffness=5.0, rest=0.0)
-    here = expand(net, built_shape(net))
-    np.testing.assert_array_equal(here.slope, 0)
-    np.testing.assert_allclose(here.curvature.toarray()[:3, :3], 5 * np.eye(3))
+    current = expand(net, built_shape(net))
+    np.testing.assert_array_equal(current.slope, 0)
+    np.testing.assert_allclose(current.curvature.toarray()[:3, :3], 5 * np.eye(3))
 
 
 def test_a_membrane_stretched_one_way_stores_what_its_law_says():
@@ -103,9 +103,9 @@ def test_a_membrane_stretched_one_way_stores_what_its_law_says():
     net = replace(net, membranes=sheet_)
     strain = (1.1**2 - 1) / 2
     across = np.sqrt(1 - 2 * 0.3 * strain)  # no stress across
-    here = shape_at(net, nodes * (1.1, across, 1))
-    assert expand(net, here).stored == pytest.approx(1e6 * strain**2 / 2 * 1e-3)
-    np.testing.assert_allclose(strength(net, here).stresses, [[1e6 * strain, 0]], atol=1e-6)
+    current = shape_at(net, nodes * (1.1, across, 1))
+    assert expand(net, current).stored == pytest.approx(1e6 * strain**2 / 2 * 1e-3)
+    np.testing.assert_allclose(strength(net, current).stresses, [[1e6 * strain, 0]], atol=1e-6)
 
 
 def test_an_open_crease_turns_about_the_mean_of_its_edges():

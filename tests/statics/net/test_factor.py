@@ -35,9 +35,9 @@ def test_softest_are_the_eigenvalues_nearest_to_zero(size):
     matrix = symmetric(size, 5)
     values = np.linalg.eigvalsh(matrix.toarray())
     nearest = np.sort(values[np.argsort(np.abs(values))[:6]])
-    found, vectors = softest(matrix, 6)
-    np.testing.assert_allclose(found, nearest, atol=1e-9)
-    np.testing.assert_allclose(matrix @ vectors, vectors * found, atol=1e-8)
+    result, vectors = softest(matrix, 6)
+    np.testing.assert_allclose(result, nearest, atol=1e-9)
+    np.testing.assert_allclose(matrix @ vectors, vectors * result, atol=1e-8)
 
 
 @pytest.mark.parametrize("size", [40, 150])

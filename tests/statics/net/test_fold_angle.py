@@ -29,16 +29,16 @@ def test_a_panel_that_passes_through_contact_goes_on_without_a_jump():
 @settings(deadline=None, max_examples=40)
 @given(st.integers(0, 10**6))
 def test_slope_and_curvature_are_those_of_the_angle(seed):
-    here = np.random.default_rng(seed).standard_normal((1, 3, 3))
-    near, step = fold_angles(here, np.zeros(1)), 1e-6
-    slope, curvature = fold_angle_derivatives(here)
+    current = np.random.default_rng(seed).standard_normal((1, 3, 3))
+    near, step = fold_angles(current, np.zeros(1)), 1e-6
+    slope, curvature = fold_angle_derivatives(current)
     scale = np.abs(curvature).max()
     for side, axis in np.ndindex(3, 3):
         off = np.zeros((1, 3, 3))
         off[0, side, axis] = step
-        rise = (fold_angles(here + off, near) - fold_angles(here - off, near)) / (2 * step)
+        rise = (fold_angles(current + off, near) - fold_angles(current - off, near)) / (2 * step)
         assert slope[0, side, axis] == pytest.approx(rise[0], rel=1e-4, abs=1e-6 * scale)
-        rises = (fold_angle_derivatives(here + off)[0] - fold_angle_derivatives(here - off)[0]) / (2 * step)
+        rises = (fold_angle_derivatives(current + off)[0] - fold_angle_derivatives(current - off)[0]) / (2 * step)
         np.testing.assert_allclose(curvature[0, side, :, axis], rises[0], atol=1e-4 * scale)
 
 

@@ -33,8 +33,8 @@ def test_a_path_ends_after_its_increments_at_its_stop_and_at_the_first_event():
 
 
 def test_a_path_back_from_a_state_under_load_leads_to_the_state_without():
-    there = load_path(NET, built_shape(NET), PUSH, target=8.0).points[-1]
-    back = load_path(NET, there.shape, PUSH, factor=8.0, target=0.0, rising=False)
+    present = load_path(NET, built_shape(NET), PUSH, target=8.0).points[-1]
+    back = load_path(NET, present.shape, PUSH, factor=8.0, target=0.0, rising=False)
     np.testing.assert_allclose(back.points[-1].shape.positions, NET.nodes, atol=1e-9)
 
 

@@ -41,9 +41,9 @@ def test_angles_count_in_the_sense_of_each_crease():
 
 def test_nothing_is_stored_where_springs_rest_as_built():
     net = net_of(MIURA)
-    there = expand(net, start_shape(MIURA, net))
-    assert there.stored == pytest.approx(0.0, abs=1e-20)
-    assert np.abs(there.slope).max() < 1e-12
+    present = expand(net, start_shape(MIURA, net))
+    assert present.stored == pytest.approx(0.0, abs=1e-20)
+    assert np.abs(present.slope).max() < 1e-12
 
 
 def test_laws_of_mountains_are_those_of_valleys_seen_from_behind():
@@ -92,10 +92,10 @@ def test_the_slope_of_the_energy_is_its_change():
     net = net_of(structure)
     random = np.random.default_rng(1)
     places = net.nodes + 0.01 * net.size * random.standard_normal(net.nodes.shape)
-    there, way = shape_at(net, places), random.standard_normal(net.nodes.shape)
+    present, way = shape_at(net, places), random.standard_normal(net.nodes.shape)
     step = 1e-7
-    ends = [expand(net, shape_at(net, places + sign * step * way, there.angles)).stored for sign in (1, -1)]
-    assert (ends[0] - ends[1]) / (2 * step) == pytest.approx(np.sum(expand(net, there).slope * way), rel=1e-6)
+    ends = [expand(net, shape_at(net, places + sign * step * way, present.angles)).stored for sign in (1, -1)]
+    assert (ends[0] - ends[1]) / (2 * step) == pytest.approx(np.sum(expand(net, present).slope * way), rel=1e-6)
 
 
 def test_bodies_on_joints_are_not_a_net():

@@ -7,7 +7,7 @@ from forficula.design import load_design, with_values
 from forficula.statics.net.energy import shape_at
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.modes import natural_modes
-from forficula.statics.net.net_of import is_net, net_of, own_angles, places, start_shape
+from forficula.statics.net.net_of import is_net, net_of, own_angles, point_positions, start_shape
 from forficula.structure import built_points, structure_of
 
 WAIT = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 1.0}
@@ -31,7 +31,7 @@ FREE = structure_of(load_design("four-plate-snap"))
 def test_points_and_angles_are_those_of_the_structure_as_built(structure):
     net = net_of(structure)
     shape = start_shape(structure, net)
-    assert places(net, shape)[: len(structure.points)] == pytest.approx(built_points(structure), abs=1e-15)
+    assert point_positions(net, shape)[: len(structure.points)] == pytest.approx(built_points(structure), abs=1e-15)
     built = [hinge.start if hinge.flaps else hinge.built for hinge in structure.hinges]
     assert own_angles(structure, shape) == pytest.approx(built, abs=1e-12)
 
@@ -63,16 +63,16 @@ def test_joints_hold_and_plates_stay_rigid_where_they_fold():
     net = net_of(MIURA)
     rest = minimum(net, start_shape(MIURA, net))
     assert rest.stable
-    there, built = places(net, rest.shape), built_points(MIURA)
+    present, built = point_positions(net, rest.shape), built_points(MIURA)
     assert np.abs(own_angles(MIURA, rest.shape) - own_angles(MIURA, start_shape(MIURA, net))).max() > 0.1
     for plate in MIURA.plates:
         for one in plate.points:
             for other in plate.points:
                 length = np.linalg.norm(built[one] - built[other])
-                assert np.linalg.norm(there[one] - there[other]) == pytest.approx(length, abs=1e-5 * 0.02)
+                assert np.linalg.norm(present[one] - present[other]) == pytest.approx(length, abs=1e-5 * 0.02)
     for closure in MIURA.closures:
         for one, other in closure.points:
-            assert np.linalg.norm(there[one] - there[other]) < 1e-4 * 0.02
+            assert np.linalg.norm(present[one] - present[other]) < 1e-4 * 0.02
 
 
 def test_a_free_plate_has_zero_frequencies_for_rigid_body_motions():
@@ -89,4 +89,4 @@ def test_a_plate_may_be_anywhere():
     shape = start_shape(FREE, net)
     moved = shape_at(net, shape.positions @ turn.T + [1, 2, 3], shape.angles)
     assert own_angles(FREE, moved) == pytest.approx(own_angles(FREE, shape))
-    assert places(net, moved) == pytest.approx(places(net, shape) @ turn.T + [1, 2, 3])
+    assert point_positions(net, moved) == pytest.approx(point_positions(net, shape) @ turn.T + [1, 2, 3])

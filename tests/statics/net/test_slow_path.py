@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from forficula.statics.net.collapse import collapse, snapped
+from forficula.statics.net.collapse import collapse, state_after_collapse
 from forficula.statics.net.energy import built_shape
 from forficula.statics.net.load import held_displacements, point_forces
 from forficula.statics.net.minimum import minimum
@@ -49,8 +49,8 @@ def test_a_force_that_falls_again_snaps_back_at_the_other_limit():
     net = von_mises()
     largest = force(np.linspace(0, RISE, 20001)).max()
     load = point_forces(net, np.array([2]), np.array([[0.0, 0.0, -1.0]]))
-    there = slow_path(net, built_shape(net), load, end=2 * largest)
-    back = slow_path(net, there.points[-1].shape, load, begin=2 * largest, end=-2 * largest)
+    present = slow_path(net, built_shape(net), load, end=2 * largest)
+    back = slow_path(net, present.points[-1].shape, load, begin=2 * largest, end=-2 * largest)
     assert [snap.factor for snap in back.snaps] == pytest.approx([-largest], rel=1e-4)
 
 
@@ -102,6 +102,6 @@ def test_a_displacement_through_a_soft_spring_snaps_back_and_goes_on_to_its_end(
     assert snap.released == pytest.approx(stored[0] - stored[1], rel=1e-3)
     assert path.points[-1].shape.positions[3, 2] == pytest.approx(RISE + length - 1.5 * furthest, abs=1e-9)
     lost = collapse(net, minimum(net, built_shape(net)), held_displacements(net, move))
-    over = snapped(net, lost).shape.positions
+    over = state_after_collapse(net, lost).shape.positions
     assert over[2, 2] == pytest.approx(landing, abs=1e-3)
     assert over[3, 2] == pytest.approx(RISE + length - 1.001 * furthest, abs=1e-6)

@@ -53,7 +53,7 @@ def found():
 
 def test_the_search_finds_both_states_of_the_closed_form(found):
     _, states = found
-    known = sorted((least(1, -np.pi, 0.3), least(1, 0.6, np.pi)), key=lambda each: each[1])
+    known = sorted((least(1, -np.pi, 0.3), least(1, 0.6, np.pi)), key=lambda item: item[1])
     assert len(states.states) == 2
     for state, (angle, stored) in zip(states.states, known, strict=True):
         assert state.stable

@@ -26,7 +26,7 @@ def test_supports_leave_the_motions_that_they_do_not_hold(held, left):
 
 def test_pins_strain_nothing():
     net, diagonals = sheet(NODES, FACETS)
-    free, pinned = (rigidity(each, built_shape(each), diagonals) for each in (net, supported(net)[0]))
+    free, pinned = (rigidity(item, built_shape(item), diagonals) for item in (net, supported(net)[0]))
     assert (free.degrees_of_freedom, free.rigid_motions) == (1, 6)
     assert (pinned.degrees_of_freedom, pinned.rigid_motions) == (1, 0)
     assert pinned.self_stresses == free.self_stresses
@@ -35,7 +35,7 @@ def test_pins_strain_nothing():
 def test_where_it_rests_does_not_depend_on_what_pins_it():
     net = sheet(NODES, FACETS, rest=0.4)[0]
     other = sheet(NODES, FACETS, rest=0.4, held=[(0, 0), (0, 1), (0, 2), (1, 0), (1, 2), (3, 2)])[0]
-    one, another = (minimum(each, built_shape(each)) for each in (net, other))
+    one, another = (minimum(item, built_shape(item)) for item in (net, other))
     assert one.stable
     assert another.stable
     assert one.energy == pytest.approx(another.energy, rel=1e-9)

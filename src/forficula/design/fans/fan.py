@@ -22,7 +22,7 @@ from forficula.design.fans.fan_sections import (
     MembraneSection,
     VeinSection,
 )
-from forficula.design.fans.folding import REST_KEYS, check_angles, check_course, folding_protocol, other_start
+from forficula.design.fans.folding import REST_KEYS, check_angles, check_folding_stages, folding_protocol, other_start
 from forficula.design.files.tendon_tables import is_by_vein
 from forficula.design.medium import check_medium
 from forficula.design.named_protocol import Action, Drive, NamedProtocol
@@ -56,25 +56,28 @@ class FanProtocol(Protocol):
     ] = None
     no_load_speed: float | None = quantity(
         ANGULAR_SPEED,
-        "speed of a driven hinge at which its torque has fallen to 0, as in a servo whose stall torques are these"
-        " torques; if not given, torques are constant",
+        "speed of a driven hinge at which its torque has fallen to 0, as in a servo; fold_torque and unfold_torque are"
+        " the stall torques; if not given, torques are constant",
         default=None,
         above=0,
         examples=["300 deg/s"],
     )
     initial_overbend: float = quantity(ANGLE, "initial angle of every distal hinge, past straight")
     folded_angle: float = quantity(
-        ANGLE, "angle beyond which every distal hinge must be for the wing to count as folded", above=0, at_most=math.pi
+        ANGLE,
+        "fold angle that every distal hinge must exceed for the wing to count as folded",
+        above=0,
+        at_most=math.pi,
     )
     opened_angle: float = quantity(
         ANGLE,
-        "angle at or past which every distal hinge must be, on the overbend side, for the wing to count as opened",
+        "least angle of every distal hinge, positive towards the overbend, with which the wing counts as opened",
     )
 
     @model_validator(mode="after")
     def _stages_in_order(self) -> FanProtocol:
         bounded = dict.fromkeys(("ring", "turn", "lift", "sweep", "distal_angle"), ANGLE)
-        check_course(self, bounded, whole="a wing")
+        check_folding_stages(self, bounded, whole="a wing")
         return self
 
 

@@ -46,7 +46,7 @@ class FanPatternSection(Section):
     units: Annotated[int, Field(strict=True, ge=1, le=MOST_UNITS, description="number of fan units of two panels each")]
     tangent: Annotated[
         Literal["left", "right"],
-        Field(description="side of the hub on which the proximal veins pass, looking outwards"),
+        Field(description="side of the hub that the proximal veins are tangent to, looking outwards from the hub"),
     ]
     ring_folds: Annotated[
         int,
@@ -54,14 +54,14 @@ class FanPatternSection(Section):
             strict=True,
             ge=1,
             le=2,
-            description="number of ring folds across every vein; two, with a gusset between them, let thick layers fold"
-            " around each other, and each takes half of the angle",
+            description="number of ring folds across every vein; with two, each folds by half of the angle, and the"
+            " gusset between them lets thick layers fold around each other",
         ),
     ] = 1
     pitch: float | None = quantity(
         SMALL_LENGTH,
-        "distance between folded layers, with two ring folds; if not given, the least possible one: the larger of a"
-        " vein's diameter and twice the thickness of a panel (contact.thickness)",
+        "distance between folded layers, with two ring folds; if not given, the larger of a vein's diameter and twice"
+        " the thickness of a panel (contact.thickness)",
         default=None,
         above=0,
     )
@@ -135,7 +135,7 @@ class MembraneSection(Section):
         Field(
             min_length=1,
             max_length=MOST_ROWS,
-            description="rows of the membrane's mesh as shares of the proximal length; the first one is its edge",
+            description="rows of the mesh as shares of the proximal length; the membrane begins at the first row",
         ),
     ]
     distal_rows: Annotated[
@@ -208,8 +208,7 @@ class ContactSection(Section):
     ] = 0.0
     time_constant: float = quantity(
         SHORT_TIME,
-        "time constant T of a contact, like stops.time_constant of a stop: panels that meet at a speed v overlap by up"
-        " to 0.37 v T",
+        "time constant T of a contact, a spring and a damper: panels that meet at a speed v overlap by up to 0.37 v T",
         default=4e-4,
         above=0,
         examples=["0.4 ms"],
@@ -228,5 +227,9 @@ class GuardSection(Section):
 
     stretch: Annotated[
         float,
-        Field(strict=True, ge=1, description="largest distance between neighbouring tips, divided by the flat one"),
+        Field(
+            strict=True,
+            ge=1,
+            description="largest distance between neighbouring tips, divided by their distance when flat",
+        ),
     ]

@@ -54,7 +54,7 @@ def folding_protocol(protocol: FanProtocol | JointProtocol, drives: Sequence[Dri
     """Return a protocol that folds and opens distal hinges as data.
 
     Args:
-        protocol: protocol whose stages have been checked by `check_course`.
+        protocol: protocol whose stages have been checked by `check_folding_stages`.
         drives: the drives "fold" and "unfold".
     """
     # with a slack tendon a hinge may rest at any angle on the folded side; beyond half way it has opened again
@@ -126,7 +126,7 @@ def _stage_states(protocol: Protocol) -> tuple[str, ...]:
     return tuple(states)
 
 
-def check_course(protocol: Protocol, measures: dict[str, Unit], *, whole: str) -> None:
+def check_folding_stages(protocol: Protocol, measures: dict[str, Unit], *, whole: str) -> None:
     """Refuse stages in the wrong order: first a stage without drives, then at most one that folds and one that unfolds.
 
     Args:

@@ -11,7 +11,7 @@ from pydantic import model_validator
 
 from forficula.design.design import Design, check_duration
 from forficula.design.fans.fan_sections import VeinSection
-from forficula.design.fans.folding import REST_KEYS, check_angles, check_course, folding_protocol, other_start
+from forficula.design.fans.folding import REST_KEYS, check_angles, check_folding_stages, folding_protocol, other_start
 from forficula.design.fans.joint_sections import JointHinge, JointPattern, JointTendon
 from forficula.design.named_protocol import Action, Drive, NamedProtocol
 from forficula.design.protocol import Protocol, check_bounds
@@ -30,8 +30,8 @@ class JointProtocol(Protocol):
     unfold_torque: float = quantity(TORQUE, "torque on the hinge while unfolding", at_least=0)
     no_load_speed: float | None = quantity(
         ANGULAR_SPEED,
-        "speed of the hinge at which its torque has fallen to 0, as in a servo whose stall torques are these torques;"
-        " if not given, torques are constant",
+        "speed of the hinge at which its torque has fallen to 0, as in a servo; fold_torque and unfold_torque are the"
+        " stall torques; if not given, torques are constant",
         default=None,
         above=0,
         examples=["300 deg/s"],
@@ -41,12 +41,12 @@ class JointProtocol(Protocol):
         ANGLE, "angle beyond which the hinge must be for the joint to count as folded", above=0, at_most=math.pi
     )
     opened_angle: float = quantity(
-        ANGLE, "angle at or past which the hinge must be, on the overbend side, for the joint to count as opened"
+        ANGLE, "least angle of the hinge, positive towards the overbend, with which the joint counts as opened"
     )
 
     @model_validator(mode="after")
     def _stages_in_order(self) -> JointProtocol:
-        check_course(self, dict.fromkeys(("ring", "distal_angle"), ANGLE), whole="a joint")
+        check_folding_stages(self, dict.fromkeys(("ring", "distal_angle"), ANGLE), whole="a joint")
         return self
 
 

@@ -23,11 +23,19 @@ from forficula.design.fans.fan_sections import MOST_UNITS
 from forficula.design.fans.joint import JointDesign
 from forficula.design.fans.joint_sections import JointTendon
 from forficula.design.files.file_design import file_tables
-from forficula.design.files.kept_parts import with_kept_parts
+from forficula.design.files.kept_sections import with_kept_sections
 from forficula.design.files.kinds import KINDS, design_class, kind_of
 from forficula.design.files.provenance import derived_source
 from forficula.design.files.rejection import File, origin, rejected
-from forficula.design.files.tables import RejectedError, check_once, dotted_keys, laid_over, merged, nested, numbered
+from forficula.design.files.tables import (
+    RejectedError,
+    check_once,
+    dotted_keys,
+    merged,
+    nested,
+    numbered,
+    with_settings_over,
+)
 from forficula.design.files.tendon_tables import entries_over, is_by_vein, tendon_over, tendons_over, value_from_folder
 from forficula.design.sheets.sheet_tables import with_sheet_read
 from forficula.errors import InputError
@@ -78,7 +86,7 @@ def _load(name_or_path: str | Path, settings: Mapping[str, object] | None, unit:
     if path.suffix.lower() in PATTERN_FILES:
         files = [(str(name_or_path), file_tables(path, unit))]
     elif unit is not None:
-        raise InputError(f"unit: a design has units of its own, got {unit:g} m")
+        raise InputError(f"unit: a design already has units, got {unit:g} m")
     else:
         files = _read_files(str(name_or_path))
     tables: dict[str, Any] = {}
@@ -242,7 +250,7 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
     if any(key.partition(".")[0] == "based_on" for key in settings):
         raise InputError("based_on: cannot be set; name the design to start from instead")
     check_once(dotted_keys(settings), tables)
-    return _over(tables, nested(with_sheet_read(settings)), laid_over, si=si)
+    return _over(tables, nested(with_sheet_read(settings)), with_settings_over, si=si)
 
 
 def _check_texts(settings: Mapping[str, object]) -> None:
@@ -278,7 +286,7 @@ def _with_source(base: dict[str, Any], tables: dict[str, Any], values: Mapping[s
 def _over(
     tables: dict[str, Any], upper: dict[str, Any], lay: Callable[[object, object], Any], *, si: bool
 ) -> dict[str, Any]:
-    """Lay tables over others; tendons have rules of their own, and the pattern of a fan gives their number."""
+    """Lay tables over others; tendons have separate rules, and the pattern of a fan gives their number."""
     tables = _without_other_pattern(tables, kind_of(upper))
     both: dict[str, Any] = lay(tables, {key: value for key, value in upper.items() if key != "tendon"})
     if "tendon" not in upper:
@@ -329,7 +337,7 @@ def _validate_changed(design: Design, tables: dict[str, Any]) -> Design:
     """Validate the changed tables of a design, SI; sections that did not change are not read again."""
     if design_class(tables) is type(design):
         try:
-            return type(design).model_validate(with_kept_parts(design, tables), context={"si": True})
+            return type(design).model_validate(with_kept_sections(design, tables), context={"si": True})
         except ValidationError:
             # validate the tables alone for the error message
             pass

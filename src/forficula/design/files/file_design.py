@@ -12,7 +12,7 @@ import numpy as np
 from forficula.design.chosen import choices, facet_areas
 from forficula.design.section import SHORT_TIME, TIME
 from forficula.design.sheets.sheet_creases import fold_edges
-from forficula.design.sheets.sheet_parts import Crease, FacetSection
+from forficula.design.sheets.sheet_sections import Crease, FacetSection
 from forficula.design.sheets.sheet_tables import sheet_values
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, read_pattern

@@ -12,7 +12,7 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.fans.fan import FanDesign
 from forficula.design.file_fields import by_key, left_out
-from forficula.design.files.keys import fields_of, hint, holds_parts
+from forficula.design.files.keys import fields_of, hint, holds_sections
 from forficula.design.section import Quantity, Section, field_quantity, is_list
 from forficula.errors import InputError
 from forficula.names import listed, unknown_key
@@ -48,7 +48,7 @@ def key_facts(within: str = "", model: type[Section] = FanDesign) -> list[KeyFac
         InputError: there is no such section or key; the message names the nearest one.
     """
     wanted = _unnumbered(within) if within else []
-    facts = [field_fact(key, field) for key, field in fields_of(model) if not holds_parts(field)]
+    facts = [field_fact(key, field) for key, field in fields_of(model) if not holds_sections(field)]
     matches = [fact for fact in facts if _unnumbered(fact.key)[: len(wanted)] == wanted]
     if not matches:
         raise InputError(unknown_key(within, None, hint(within.split("."), model)))

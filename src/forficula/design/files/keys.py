@@ -86,7 +86,7 @@ def _find_quantity(key: str, model: type[Design], given: object) -> Quantity | N
 
 
 def names_law(key: str) -> bool:
-    """Whether a key is the law of a tendon."""
+    """Return whether a key is the law of a tendon."""
     match key.split("."):
         case ["tendon", "law"]:
             return True
@@ -180,7 +180,7 @@ def put(section: _SectionOf, key: str, value: object) -> _SectionOf:
 
 
 def is_key(text: str, model: type[Section] = FanDesign) -> bool:
-    """Whether a text is a key of a design, of a value or of a section."""
+    """Return whether a text is a key of a design, of a value or of a section."""
     *section, last = text.split(".")
     return last in siblings([*section, last], model) or (last.isdecimal() and is_key(".".join(section), model))
 
@@ -204,8 +204,8 @@ def fields_of(annotation: Any = FanDesign, prefix: str = "") -> Iterator[tuple[s
             yield from fields_of(entry_of(field.annotation), f"{prefix}{name}.0.")
 
 
-def holds_parts(field: FieldInfo) -> bool:
-    """Whether a field holds a section or a list of sections, which have keys of their own."""
+def holds_sections(field: FieldInfo) -> bool:
+    """Return whether a field holds a section or a list of sections, which have further keys."""
     return bool(section_fields(field.annotation) or section_fields(entry_of(field.annotation)))
 
 
@@ -312,7 +312,7 @@ def entry_of(annotation: Any) -> Any:
 
 
 def _may_be_called(text: str, entry: Any, one_for_all: Mapping[str, FieldInfo]) -> bool:
-    """Whether text may be the name of an entry of a list, instead of a key whose entry was left out."""
+    """Return whether text may be the name of an entry of a list, instead of a key whose entry was left out."""
     fields = section_fields(entry)
     return not one_for_all and "name" in fields and text not in fields
 

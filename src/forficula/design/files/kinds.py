@@ -39,7 +39,7 @@ def _kind(design: type[Design]) -> str:
 
 
 KINDS: Mapping[str, type[Design]] = {_kind(design): design for design in _DESIGNS}
-# base of a new design whose kind has no named design; the new file has a pattern of its own
+# base of a new design whose kind has no named design; the new file has another pattern
 OTHER_REFERENCE = "miura-sheet"
 
 

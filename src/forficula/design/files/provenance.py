@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from forficula.design.design import Design
 
 # keys that describe a design and are not values of it
-WORDS = ("name", "source", "shows", "reproduces")
+DESCRIPTIVE_KEYS = ("name", "source", "shows", "reproduces")
 PAPERS = ("binder2025",)  # papers with which a design or a study may be compared
 _MOST_LISTED = 6
 
@@ -35,12 +35,12 @@ def derived_source(base: Design, design: Design) -> str:
 
 
 def differing_keys(base: Design, design: Design) -> list[str]:
-    """Return the dotted keys at which two designs differ, except for `WORDS`."""
+    """Return the dotted keys at which two designs differ, except for `DESCRIPTIVE_KEYS`."""
     return _differing(base.si_tables(), design.si_tables())
 
 
 def _differing(base: object, other: object, key: str = "") -> list[str]:
-    """Return the dotted keys at which tables differ, except for `WORDS`; entries of lists by their names, if any."""
+    """Return the dotted keys at which tables differ, except `DESCRIPTIVE_KEYS`; entries of lists by their names."""
     if base is other:
         return []
     if isinstance(base, list | tuple) and isinstance(other, list | tuple):
@@ -51,7 +51,7 @@ def _differing(base: object, other: object, key: str = "") -> list[str]:
     whole = key == "tendon" and (is_by_vein(base) or is_by_vein(other))
     if whole or not (isinstance(base, dict) and isinstance(other, dict)):
         return [] if base == other else [key]
-    names = [name for name in {**base, **other} if key or name not in WORDS]
+    names = [name for name in {**base, **other} if key or name not in DESCRIPTIVE_KEYS]
     keys = (_differing(base.get(name), other.get(name), f"{key}.{name}" if key else name) for name in names)
     return [differing for inner in keys for differing in inner]
 

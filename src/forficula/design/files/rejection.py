@@ -22,7 +22,7 @@ _SectionOf = TypeVar("_SectionOf", bound=Section)
 File = tuple[str, dict[str, Any]]
 
 
-def read_part(model: type[_SectionOf], tables: Mapping[str, object]) -> _SectionOf:
+def read_section(model: type[_SectionOf], tables: Mapping[str, object]) -> _SectionOf:
     """Read the tables of a file, or one of its sections.
 
     Args:

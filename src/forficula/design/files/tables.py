@@ -43,7 +43,7 @@ def nested(settings: Mapping[str, object]) -> dict[str, Any]:
             if isinstance(inside, list):
                 # the settings give a list and also a value in one of its entries
                 within = nested({".".join([*sections[depth:], last]): value})
-                table[section] = laid_over(inside, within, tuple(sections[:depth]))
+                table[section] = with_settings_over(inside, within, tuple(sections[:depth]))
                 break
             if not isinstance(inside, dict):
                 # a law that is given by name may also have values
@@ -56,7 +56,7 @@ def nested(settings: Mapping[str, object]) -> dict[str, Any]:
     return tables
 
 
-def laid_over(below: object, upper: object, place: tuple[str, ...] = ()) -> Any:
+def with_settings_over(below: object, upper: object, place: tuple[str, ...] = ()) -> Any:
     """Lay settings over tables: like `merged`, but a number or name selects an entry of a list.
 
     Raises:
@@ -65,7 +65,10 @@ def laid_over(below: object, upper: object, place: tuple[str, ...] = ()) -> Any:
     if not isinstance(upper, dict) or below is None:
         return upper
     if isinstance(below, dict):
-        return {**below, **{key: laid_over(below.get(key), value, (*place, key)) for key, value in upper.items()}}
+        return {
+            **below,
+            **{key: with_settings_over(below.get(key), value, (*place, key)) for key, value in upper.items()},
+        }
     if not isinstance(below, list):
         if not upper:
             return upper
@@ -76,7 +79,7 @@ def laid_over(below: object, upper: object, place: tuple[str, ...] = ()) -> Any:
             number = entry_index(place, text, below, _first_leaf(value))
         except InputError as error:
             raise RejectedError((*place, text), str(error)) from None
-        entries[number] = laid_over(entries[number], value, (*place, text))
+        entries[number] = with_settings_over(entries[number], value, (*place, text))
     return entries
 
 

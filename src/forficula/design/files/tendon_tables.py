@@ -9,10 +9,10 @@ from typing import Any, TypeGuard
 from pydantic import ValidationError
 
 from forficula.design.fans.fan_sections import MOST_UNITS
-from forficula.design.files.tables import RejectedError, entry_index, laid_over, written_key
+from forficula.design.files.tables import RejectedError, entry_index, with_settings_over, written_key
 from forficula.design.law import law_tables, tendon_material
 from forficula.design.section import field_quantity
-from forficula.design.sheets.sheet_course import SheetTendon
+from forficula.design.sheets.sheet_drives import SheetTendon
 from forficula.design.tendon import ElasticTendon, TendonSection, small_extension
 from forficula.errors import InputError
 from forficula.material.law.material_law import MaterialLaw
@@ -47,7 +47,7 @@ def by_vein(entries: list[Any]) -> dict[str, dict[str, Any]]:
 
 
 def is_by_vein(tendons: object) -> TypeGuard[dict[str, dict[str, Any]]]:
-    """Whether tables of tendons are by vein, as `by_vein` returns them, instead of one table for all veins."""
+    """Return whether tables of tendons are by vein, as `by_vein` returns them, instead of one table for all veins."""
     return isinstance(tendons, dict) and all(key.isdecimal() for key in tendons)
 
 
@@ -135,7 +135,7 @@ def entries_over(below: object, upper: object, *, si: bool) -> object:
             for number, entry in enumerate(upper)
         ]
     if not isinstance(upper, dict) or not isinstance(below, list):
-        return laid_over(below, upper, ("tendon",))
+        return with_settings_over(below, upper, ("tendon",))
     entries = list(below)
     for text, value in upper.items():
         try:
@@ -183,7 +183,7 @@ def tendon_over(
         # stiffness and damping of a file that has both follow from the new values
         table = _without_keys(table, "stiffness", "damping")
     law = {"law": upper.pop("law")} if "law" in upper else {}
-    return {**laid_over(table, upper, place), **law}
+    return {**with_settings_over(table, upper, place), **law}
 
 
 def _law_over(below: object, upper: object, place: tuple[str, ...], *, si: bool) -> object:
@@ -201,7 +201,7 @@ def _law_over(below: object, upper: object, place: tuple[str, ...], *, si: bool)
             table = law_tables(tendon_material(named), si=si) | table
         except InputError as error:
             raise RejectedError(place, f"{written_key(place)}: {error}") from None
-    return laid_over(table, upper, place)
+    return with_settings_over(table, upper, place)
 
 
 def _without_law(table: dict[str, Any], *, si: bool, model: type[ElasticTendon]) -> dict[str, Any]:

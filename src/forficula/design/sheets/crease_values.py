@@ -9,7 +9,7 @@ from forficula.design.sheets.sheet_creases import creases_of, fold_edges
 
 if TYPE_CHECKING:
     from forficula.design.sheets.sheet import SheetDesign
-    from forficula.design.sheets.sheet_parts import Crease
+    from forficula.design.sheets.sheet_sections import Crease
 
 
 def creases_by_edge(design: SheetDesign) -> dict[int, Crease]:

@@ -12,9 +12,9 @@ from forficula.design.design import Design
 from forficula.design.named_protocol import NamedProtocol
 from forficula.design.sheet_protocol import sheet_protocol
 from forficula.design.sheets.sheet_checks import check_sheet
-from forficula.design.sheets.sheet_course import SheetDrive, SheetMeasure, SheetProtocol, SheetTendon
-from forficula.design.sheets.sheet_parts import Crease, FacetSection, Imperfection, Support, largest_extension
+from forficula.design.sheets.sheet_drives import SheetDrive, SheetMeasure, SheetProtocol, SheetTendon
 from forficula.design.sheets.sheet_places import facet_of
+from forficula.design.sheets.sheet_sections import Crease, FacetSection, Imperfection, Support, largest_extension
 from forficula.pattern import CreasePattern, central_facet, facet_tree
 
 # factor of the imperfection of a sheet for a slightly different start

@@ -19,8 +19,8 @@ from forficula.design.sheets.rigid_checks import (
     check_rigid_supports,
     check_rigid_tendon,
 )
-from forficula.design.sheets.sheet_course import DisplacementDrive, RestAngleDrive, TorqueDrive, places_of
 from forficula.design.sheets.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
+from forficula.design.sheets.sheet_drives import DisplacementDrive, RestAngleDrive, TorqueDrive, places_of
 from forficula.design.sheets.sheet_places import GROUND_PLACE, SheetPlace, facet_of, is_vertex, place_on, vertex_of
 from forficula.design.stops import StopSection
 from forficula.errors import InputError
@@ -30,7 +30,7 @@ from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
 if TYPE_CHECKING:
     from forficula.design.sheets.sheet import SheetDesign
-    from forficula.design.sheets.sheet_course import SheetMeasure, SheetTendon
+    from forficula.design.sheets.sheet_drives import SheetMeasure, SheetTendon
 
 _Result = TypeVar("_Result")
 
@@ -178,7 +178,9 @@ def _check_names(design: SheetDesign, sheet: CreasePattern) -> None:
                 continue
             taken = section in ("measure", "crease.group") and entry.name in groups
             if entry.name in names or taken:
-                raise InputError(f"{section}.{number}.name: need a name of its own, got {as_written(entry.name)} again")
+                raise InputError(
+                    f"{section}.{number}.name: need a name that is not used yet, got {as_written(entry.name)} again"
+                )
             if section == "measure" and entry.name in _COLUMNS:
                 raise InputError(
                     f"{section}.{number}.name: need a name that is not a column of tables, got {as_written(entry.name)}"

@@ -75,7 +75,7 @@ def as_place(text: str) -> str:
 
 
 def is_vertex(text: str) -> bool:
-    """Whether a text has the form of a vertex, such as "vertex 4", even if there is no such vertex."""
+    """Return whether a text has the form of a vertex, such as "vertex 4", even if there is no such vertex."""
     return _VERTEX.fullmatch(as_place(text)) is not None
 
 
@@ -107,7 +107,7 @@ def vertex_of(pattern: CreasePattern, text: str) -> tuple[int, int | None]:
 
 @lru_cache(maxsize=1024)
 def keeps_distance(pattern: CreasePattern, one: SheetPlace, other: SheetPlace) -> bool:
-    """Whether the distance between two places is constant for all folded states of a sheet of plates.
+    """Return whether the distance between two places is constant for all folded states of a sheet of plates.
 
     A place on the axis of a crease moves with the plates on both sides, so that crease does not change the distance.
 
@@ -123,7 +123,7 @@ def keeps_distance(pattern: CreasePattern, one: SheetPlace, other: SheetPlace) -
 
 
 def _on_axis(pattern: CreasePattern, edge: int, place: SheetPlace) -> bool:
-    """Whether a place lies on the line through an edge of the sheet as built."""
+    """Return whether a place lies on the line through an edge of the sheet as built."""
     tail, head = pattern.vertices_coords[pattern.edges_vertices[edge]]
     along, away = head - tail, place.position - tail
     length = float(np.linalg.norm(along))

@@ -51,8 +51,8 @@ class CreaseMoments:
             efforts: settings of the motors, (structure, motor).
         """
         rests, torques, braking = (
-            np.einsum("rm,rmc->rc", each, gains)
-            for each, gains in ((efforts, self.rests), (efforts, self.torques), (np.abs(efforts), self.braking))
+            np.einsum("rm,rmc->rc", item, gains)
+            for item, gains in ((efforts, self.rests), (efforts, self.torques), (np.abs(efforts), self.braking))
         )
         moment, slope = self.law.moment_and_slope(angles, rests)
         return moment + (self.damping + braking) * self.senses * turning - torques, slope

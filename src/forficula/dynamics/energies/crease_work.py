@@ -114,11 +114,13 @@ def motor_travel(model: Model, position: Array, travel: Array) -> Array:
         elif motor.kind == "force":
             along[number] = np.sum(model.pushed[number] * travel, axis=-1)
             if model.folds.placement is not None:
-                along[number] = _pushed_on(model.in_units, model.folds.placement, motor, position, travel)
+                along[number] = _plate_displacements(model.in_units, model.folds.placement, motor, position, travel)
     return along
 
 
-def _pushed_on(structure: Structure, placement: Placement, motor: Motor, position: Array, travel: Array) -> Array:
+def _plate_displacements(
+    structure: Structure, placement: Placement, motor: Motor, position: Array, travel: Array
+) -> Array:
     """Compute the displacement of points of plates along a force for small shifts, (...)."""
     origins, frames = placement.poses(position)
     moves, turns = placement.rates(origins, frames, travel)

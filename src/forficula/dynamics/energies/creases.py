@@ -106,7 +106,7 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> En
     first, count = int(engine.flex_edgeadr[flex]), int(engine.flex_edgenum[flex])
     edges = np.column_stack([engine.flex_edge, engine.flex_edgeflap])[first : first + count]
     known = {(frozenset(edge[:2]), frozenset(edge[2:])): number for number, edge in enumerate(edges.tolist())}
-    found: list[int] = []
+    result: list[int] = []
     if folds.placement is not None:
         numbers = _couples(known, len(hinges))
         return EngineCreases(
@@ -120,11 +120,11 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> En
         number = known.get((frozenset((tail, head)), frozenset((left, right))))
         if number is None:
             raise InputError(f"{hinge.name}: need two facets that no others meet at their edge, got more")
-        found.append(number)
-    crease_edges = edges[found]
+        result.append(number)
+    crease_edges = edges[result]
     ahead, on_left = crease_edges[:, 0] == folds.flaps[:, 0], crease_edges[:, 2] == folds.flaps[:, 2]
     return EngineCreases(
-        rows=np.array(found, dtype=np.int64) + _first_row(engine, flex),
+        rows=np.array(result, dtype=np.int64) + _first_row(engine, flex),
         order=np.column_stack([~ahead, ahead, 2 + ~on_left, 2 + on_left]).astype(np.int64),
         senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),
         law=crease_law(structure, folds.creases),

@@ -12,13 +12,13 @@ from forficula.dynamics.engine.couplings import coupling_energies
 from forficula.dynamics.engine.membrane import stretch_energy
 from forficula.dynamics.engine.model import Model
 
-# fields of the engine that `letting_go_work` needs
-LETTING_GO = ("ten_length", "ten_velocity", "ten_J")
+# fields of the engine that `clamping_work` needs
+CLAMPING_FIELDS = ("ten_length", "ten_velocity", "ten_J")
 # nodes of the quadrature over a step, exact to 1e-9 up to steps of 20 relaxation times
 _NODES = 16
 
 
-def letting_go_work(
+def clamping_work(
     model: Model, travel: Array, forces: Mapping[str, Array], late: Mapping[str, Array], activations: Array
 ) -> tuple[Array, Array]:
     """Compute the work of the dampers of tendons that must not push, and of their clamping, (step,), in model units.

@@ -121,24 +121,24 @@ def energy_balance(record: Record) -> EnergyBalance:
         hinge_damping=-change["hinge_damping_work"],
         elastic_damping=-change["elastic_damping_work"],
         stops=-change["stop_work"],
-        friction=_taken(change, "friction_work"),
-        contacts=_taken(change, "contact_work"),
+        friction=_loss(change, "friction_work"),
+        contacts=_loss(change, "contact_work"),
         branches=change.get("branch_energy"),
-        branch_damping=_taken(change, "branch_damping_work"),
-        yielding=_taken(change, "yield_work"),
-        letting_go=_taken(change, "letting_go_work"),
+        branch_damping=_loss(change, "branch_damping_work"),
+        yielding=_loss(change, "yield_work"),
+        letting_go=_loss(change, "letting_go_work"),
         hinges=change.get("hinge_energy"),
         springs=change.get("spring_energy"),
         couplings=change.get("coupling_energy"),
-        closures=_taken(change, "closure_work"),
-        drag=_taken(change, "drag_work"),
-        at_hand=_at_hand(record.structure),
+        closures=_loss(change, "closure_work"),
+        drag=_loss(change, "drag_work"),
+        at_hand=_largest_part_energy(record.structure),
         # a diverged run has no finite energy at its end
         stored=max((energy for energy in ends if np.isfinite(energy)), default=0.0),
     )
 
 
-def _at_hand(structure: Structure) -> float:
+def _largest_part_energy(structure: Structure) -> float:
     """Return the largest energy that a part stores after a typical motion, J."""
     # levers no longer than half the tendon
     tendons = [
@@ -155,5 +155,5 @@ def _at_hand(structure: Structure) -> float:
     return max([*tendons, *hinges, *springs, *membranes], default=0.0)
 
 
-def _taken(change: dict[str, float], name: str) -> float | None:
+def _loss(change: dict[str, float], name: str) -> float | None:
     return -change[name] if name in change else None

@@ -185,21 +185,21 @@ def _add_force(spec: mujoco.MjSpec, motor: Motor, structure: Structure) -> None:
         for point, damping in zip(motor.points, motor.damping, strict=True):
             _add_servo(spec, motor, structure, point, damping)
         return
-    _add_way(spec, name, direction, structure, motor.points)
+    _add_displacement(spec, name, direction, structure, motor.points)
     force = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_TENDON)
     force.set_to_motor()
 
 
-def _add_way(
+def _add_displacement(
     spec: mujoco.MjSpec, name: str, direction: np.ndarray, structure: Structure, points: Sequence[int]
 ) -> None:
     """Add a tendon whose length is the sum of the shifts of nodes along a direction."""
-    way = spec.add_tendon(name=name)
+    tendon = spec.add_tendon(name=name)
     for point in points:
         body = structure.bodies[structure.points[point].body]
         for axis in body.slides:
             if direction[axis]:
-                way.wrap_joint(slide_name(body.name, axis), direction[axis])
+                tendon.wrap_joint(slide_name(body.name, axis), direction[axis])
 
 
 def servo_names(motor: Motor) -> list[tuple[str, str]]:
@@ -212,7 +212,7 @@ def _add_servo(spec: mujoco.MjSpec, motor: Motor, structure: Structure, point: i
     """Add a servo that pushes a node with k (target - shift) - c speed: k target, and the rest times a switch."""
     assert motor.direction is not None
     target, hold = servo_names(motor)[motor.points.index(point)]
-    _add_way(spec, target, motor.direction, structure, [point])
+    _add_displacement(spec, target, motor.direction, structure, [point])
     for name, gains in ((target, (motor.stiffness,)), (hold, (0.0, -motor.stiffness, -damping))):
         push = spec.add_actuator(name=name, target=target, trntype=mujoco.mjtTrn.mjTRN_TENDON)
         push.gaintype, push.biastype = mujoco.mjtGain.mjGAIN_AFFINE, mujoco.mjtBias.mjBIAS_NONE

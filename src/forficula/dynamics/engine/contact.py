@@ -90,8 +90,8 @@ def check_apart(engine: mujoco.MjModel, structure: Structure, unit: float) -> No
     overlap = -float(np.min(data.contact.dist[data.contact.flex[:, 0] >= 0], initial=0.0))
     thickness = structure.contact.thickness
     if overlap > _ROUNDING * thickness:
-        most, given = (show_quantity(unit * size, SMALL_LENGTH) for size in (thickness - overlap, thickness))
-        raise InputError(f"contact.thickness: panels are nearer than that as built: need <= {most}, got {given}")
+        most, provided = (show_quantity(unit * size, SMALL_LENGTH) for size in (thickness - overlap, thickness))
+        raise InputError(f"contact.thickness: panels are nearer than that as built: need <= {most}, got {provided}")
 
 
 def add_stop_sensors(spec: mujoco.MjSpec, structure: Structure) -> None:

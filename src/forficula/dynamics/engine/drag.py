@@ -18,7 +18,7 @@ from forficula.structure import Structure, gathered_mass
 DRAG_COEFFICIENT = 2.0
 # steps over which the forces are constant: with 1 and with 10 the reference wing in air has the same times, and drag
 # dissipates 1 % more or less
-HELD = 5
+CONSTANT_STEPS = 5
 # fields of the engine from which the drag is computed
 KINEMATICS = ("xpos", "xmat", "subtree_com", "cdof")
 # quadrature of a triangle, exact to the fourth power: barycentric coordinates of two groups of three points, and their

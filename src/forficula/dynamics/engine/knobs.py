@@ -91,7 +91,7 @@ def knobs_of(model: Model) -> tuple[Knob, ...]:
 @lru_cache(maxsize=8)  # pages of a study, and of repeated runs, have the same design
 def _knobs(design: Design) -> tuple[Knob, ...]:
     model = compile_model(design)
-    found: list[Knob] = []
+    result: list[Knob] = []
     taken: set[tuple[str, int]] = set()
     for key in _keys(model):
         knob = _knob(model, key)
@@ -101,8 +101,8 @@ def _knobs(design: Design) -> tuple[Knob, ...]:
         # numbers that two values change would depend on both
         if not entries & taken:
             taken |= entries
-            found.append(knob)
-    return tuple(found)
+            result.append(knob)
+    return tuple(result)
 
 
 def _keys(model: Model) -> list[str]:
@@ -135,11 +135,11 @@ def _knob(model: Model, key: str) -> Knob | None:
     if lowest is None or highest is None:
         return None
     try:
-        ends = _numbers(compile_model(lowest)), _numbers(compile_model(highest))
+        ends = _all_numbers(compile_model(lowest)), _all_numbers(compile_model(highest))
     except InputError:
         return None
     first, last = float(key_value(lowest, key)), float(key_value(highest, key))
-    changes = _changes(ends[0], ends[1], _numbers(model), (first, value, last))
+    changes = _changes(ends[0], ends[1], _all_numbers(model), (first, value, last))
     if not changes:
         return None
     return Knob(key=key, unit=quantity.unit, value=value, lowest=first, highest=last, changes=changes)
@@ -169,7 +169,7 @@ def _allowed(design: Design, key: str, value: float, end: float) -> Design | Non
     return None
 
 
-def _numbers(model: Model) -> dict[str, Array]:
+def _all_numbers(model: Model) -> dict[str, Array]:
     numbers, engine = model_numbers(model), model.engine
     # tendons that only measure have no spring, but the engine sets an arbitrary spring length
     sprung = np.isin(np.arange(engine.ntendon), [*model.tendons, *model.springs])

@@ -16,7 +16,7 @@ from forficula.dynamics.engine.bodies import add_bodies, brake_name, engine_site
 from forficula.dynamics.engine.closures import add_closures, gap_name
 from forficula.dynamics.engine.contact import add_panels, add_stop_sensors, check_apart
 from forficula.dynamics.engine.couplings import add_couplings
-from forficula.dynamics.engine.drag import HELD, Drag, add_medium, drag_of
+from forficula.dynamics.engine.drag import CONSTANT_STEPS, Drag, add_medium, drag_of
 from forficula.dynamics.engine.membrane import MembraneMesh, add_membranes, joined_mesh
 from forficula.dynamics.engine.tendons import add_distance, add_limit, add_pulls, add_spring, add_tendon
 from forficula.dynamics.engine.units import ModelUnits, design_in_model_units, model_units
@@ -199,7 +199,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         creases=creases_of(engine, in_units, folds),
         drag=drag,
         followed=_followed_steps(in_units),
-        pushed=_pushed(engine, in_units),
+        pushed=_force_displacements(engine, in_units),
         springs=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [spring.name for spring in in_units.springs]),
         tendons=tendons,
         distances=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]),
@@ -212,7 +212,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         brakes=brakes,
         ways=servo_ways + brake_ways,
         sites=_sites(engine, in_units),
-        carriers=_carriers(engine, in_units),
+        carriers=_point_bodies(engine, in_units),
         elastic=stacked_laws([tendon.law.elastic for tendon in in_units.tendons]),
         lets_go=np.array([tendon.law.lets_go for tendon in in_units.tendons], dtype=bool),
     )
@@ -245,7 +245,7 @@ def _sites(engine: mujoco.MjModel, structure: Structure) -> Indices:
     return sites
 
 
-def _carriers(engine: mujoco.MjModel, structure: Structure) -> Indices:
+def _point_bodies(engine: mujoco.MjModel, structure: Structure) -> Indices:
     """Return the body that carries every point, (point,); 0 is the ground."""
     bodies = _indices(engine, mujoco.mjtObj.mjOBJ_BODY, [body.name for body in structure.bodies])
     return np.array([0 if point.body < 0 else bodies[point.body] for point in structure.points], dtype=np.int64)
@@ -339,7 +339,7 @@ def _compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
 
 def _followed_steps(structure: Structure) -> int:
     """Return the number of steps over which creases and drag are constant; 1 without both."""
-    most = [] if structure.medium is None else [HELD]
+    most = [] if structure.medium is None else [CONSTANT_STEPS]
     if any(hinge.flaps for hinge in structure.hinges):
         most.append(followed_steps(structure))
     return min(most, default=1)
@@ -366,23 +366,23 @@ def _followed(engine: mujoco.MjModel, structure: Structure) -> Indices:
     return follows
 
 
-def _pushed(engine: mujoco.MjModel, structure: Structure) -> Array:
+def _force_displacements(engine: mujoco.MjModel, structure: Structure) -> Array:
     """Return the displacement of every force's points along it per shift of each coordinate, (motor, dof)."""
     pushed = np.zeros((len(structure.motors), engine.nv))
     for number, motor in enumerate(structure.motors):
         if motor.direction is None or structure.plates:
             continue
         for point in motor.points:
-            pushed[number] += _way(engine, structure, point, motor.direction)
+            pushed[number] += _displacement_weights(engine, structure, point, motor.direction)
     return pushed
 
 
-def _way(engine: mujoco.MjModel, structure: Structure, point: int, direction: Array) -> Array:
+def _displacement_weights(engine: mujoco.MjModel, structure: Structure, point: int, direction: Array) -> Array:
     """Return the displacement of a node along a direction per shift of each coordinate, (dof,)."""
-    way, body = np.zeros(engine.nv), structure.bodies[structure.points[point].body]
+    weights, body = np.zeros(engine.nv), structure.bodies[structure.points[point].body]
     names = [slide_name(body.name, axis) for axis in body.slides]
-    way[engine.jnt_dofadr[_indices(engine, mujoco.mjtObj.mjOBJ_JOINT, names)]] = direction[list(body.slides)]
-    return way
+    weights[engine.jnt_dofadr[_indices(engine, mujoco.mjtObj.mjOBJ_JOINT, names)]] = direction[list(body.slides)]
+    return weights
 
 
 def _servos(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
@@ -392,7 +392,7 @@ def _servos(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Arra
         for point, names in zip(motor.points, servo_names(motor), strict=False):
             assert motor.direction is not None
             parts = _indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, list(names))
-            ways[parts] = _way(engine, structure, point, motor.direction)
+            ways[parts] = _displacement_weights(engine, structure, point, motor.direction)
             holds[parts[1]] = number
     return holds, ways
 

@@ -50,9 +50,9 @@ class Placement:
 
     def some(self, which: Indices) -> Placement:
         """Select structures of `stacked` by index."""
-        return self._with(self.positions[which], self.frames[which], self.axes[which], self.built[which])
+        return self._moved_to(self.positions[which], self.frames[which], self.axes[which], self.built[which])
 
-    def _with(self, positions: Array, frames: Array, axes: Array, built: Array) -> Placement:
+    def _moved_to(self, positions: Array, frames: Array, axes: Array, built: Array) -> Placement:
         return replace(self, positions=positions, frames=frames, axes=axes, built=built)
 
     def poses(self, positions: Array) -> tuple[Array, Array]:
@@ -62,7 +62,7 @@ class Placement:
         frames = np.broadcast_to(self.frames, (*lead, count, 3, 3)).copy()
         frames[..., self.free, :, :] = _rotations(positions[..., self.quaternions[:, None] + np.arange(4)])
         turns = positions[..., self.hinges] - self.built
-        frames[..., self.hinged, :, :] = frames[..., self.hinged, :, :] @ _about(self.axes, turns)
+        frames[..., self.hinged, :, :] = frames[..., self.hinged, :, :] @ _rotations_about(self.axes, turns)
         origins = self.positions + held[..., self.slides]
         for level in self.levels[1:]:
             parents = self.parents[level]
@@ -98,7 +98,7 @@ class Placement:
 
 def stacked(placements: Sequence[Placement]) -> Placement:
     """Combine placements of structures of one topology; constants get a leading dimension, (structure, ...)."""
-    return placements[0]._with(
+    return placements[0]._moved_to(
         np.array([placement.positions for placement in placements]),
         np.array([placement.frames for placement in placements]),
         np.array([placement.axes for placement in placements]),
@@ -160,7 +160,7 @@ def _rotations(quaternions: Array) -> Array:
     return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
 
 
-def _about(axes: Array, angles: Array) -> Array:
+def _rotations_about(axes: Array, angles: Array) -> Array:
     """Return rotations about unit axes, (..., 3, 3) (Rodrigues)."""
     x, y, z = np.moveaxis(axes, -1, 0)
     none = np.zeros_like(x)

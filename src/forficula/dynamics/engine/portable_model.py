@@ -88,11 +88,11 @@ def why_not_portable(model: Model) -> str:
 
 def _fields(model: Model) -> dict[str, NDArray[np.generic]]:
     """Return the numerical fields of a compiled model that affect its motion."""
-    found = {}
+    result = {}
     for name in dir(model.engine):
         if name.startswith(("_", *_LEFT_OUT)) or name.endswith(_DRAWN + _KINDS):
             continue
         field = getattr(model.engine, name)
         if isinstance(field, np.ndarray) and field.size:
-            found[name] = field
-    return found
+            result[name] = field
+    return result

@@ -38,7 +38,7 @@ def followers(models: Sequence[Model], held: Container[int] = ()) -> dict[int, t
     return leaders
 
 
-def but_last_drive(design: Design, structure: Structure) -> str:
+def key_without_last_drive(design: Design, structure: Structure) -> str:
     """Return a key of a design that ignores the strength of the drive of its last transition."""
     for transition in structure.transitions[-1:]:
         design = put(design, drive_of(structure, transition.drive).key, 0.0)

@@ -76,7 +76,7 @@ def add_pulls(spec: mujoco.MjSpec, tendon: Tendon, structure: Structure) -> None
             muscle.ctrllimited, muscle.ctrlrange = mujoco.mjtLimited.mjLIMITED_TRUE, [1, 2]
     if law.stiffness[1] < 0:
         _add_softening(spec, name, law, longest)
-    _add_silence(spec, name, law.rest_length, longest)
+    _add_slack_clamp(spec, name, law.rest_length, longest)
 
 
 def _add_motor(spec: mujoco.MjSpec, name: str, tendon: str, resistance: float, time: float) -> None:
@@ -144,7 +144,7 @@ def _add_muscle(
     return muscle
 
 
-def _add_silence(spec: mujoco.MjSpec, tendon: str, rest: float, longest: float) -> None:
+def _add_slack_clamp(spec: mujoco.MjSpec, tendon: str, rest: float, longest: float) -> None:
     """Add a push that exceeds damper and branches while the tendon is slack, so that the engine clamps the sum to 0.
 
     An active muscle cancels the push while the tendon is taut. Its unit of length is 1000 times the longest length, so

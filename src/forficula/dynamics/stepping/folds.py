@@ -90,18 +90,18 @@ class Folds:
         """Return the positions of the corners of all flaps, in the model's units, (..., crease, 6, 3)."""
         if self.placement is None:
             return np.asarray((self.built + self._shifted(positions))[..., self.flaps, :])
-        return self._carried(*self.placement.poses(positions))
+        return self._corner_positions(*self.placement.poses(positions))
 
     def turns(self, positions: Array, shifts: Array) -> tuple[PlateAngles, Array]:
         """Return angles between plates with their derivatives, and changes by small shifts, rad, (..., crease)."""
         assert self.placement is not None
         origins, frames = self.placement.poses(positions)
-        angles = plate_angles(self._carried(origins, frames))
+        angles = plate_angles(self._corner_positions(origins, frames))
         _, turned = self.placement.rates(origins, frames, shifts)
         left, right = (turned[..., self.carriers[self.flaps[:, place]], :] for place in (0, 3))
         return angles, dot(angles.turning, np.moveaxis(right - left, -1, 0))
 
-    def _carried(self, origins: Array, frames: Array) -> Array:
+    def _corner_positions(self, origins: Array, frames: Array) -> Array:
         """Return the positions of the corners of all flaps for some poses of the bodies, (..., crease, 6, 3)."""
         arms = (frames[..., self.carriers, :, :] @ self.places[..., None])[..., 0]
         return np.asarray((origins[..., self.carriers, :] + arms)[..., self.flaps, :])

@@ -12,7 +12,7 @@ from scipy.sparse import csr_array, diags_array
 from scipy.sparse.linalg import eigsh
 
 from forficula.arrays import Array, Indices
-from forficula.dynamics.engine.drag import HELD
+from forficula.dynamics.engine.drag import CONSTANT_STEPS
 from forficula.dynamics.engine.placement import Placement, placement_of
 from forficula.dynamics.stepping.folds import flap_turns
 from forficula.pattern.geometry import triangle_areas
@@ -102,7 +102,7 @@ def node_timestep(structure: Structure) -> float:
         _largest(
             sum(
                 (csr_array(matrix[0].T @ diags_array(matrix[kind]) @ matrix[0]) for matrix in matrices),
-                start=_none(masses),
+                start=_zero_matrix(masses),
             )
         )
         for kind in (1, 2)
@@ -121,7 +121,7 @@ def _viscous_rate(structure: Structure) -> float:
     corners = np.array([body.position for body in structure.bodies])[medium.carriers]
     per_corner = 32 / math.pi * medium.viscosity * triangle_areas(corners) / medium.widths / 3
     on_nodes = np.bincount(medium.carriers.ravel(), np.repeat(per_corner, 3), len(structure.bodies))
-    return HELD * float(max(on_nodes / [body.mass for body in structure.bodies]))
+    return CONSTANT_STEPS * float(max(on_nodes / [body.mass for body in structure.bodies]))
 
 
 def _step(square: float, rate: float) -> float:
@@ -173,7 +173,7 @@ def _built_position(structure: Structure, placement: Placement) -> Array:
     return position
 
 
-def _none(masses: Array) -> csr_array:
+def _zero_matrix(masses: Array) -> csr_array:
     return csr_array((len(masses), len(masses)))
 
 
@@ -182,8 +182,8 @@ def _largest(matrix: csr_array) -> float:
     if matrix.shape[0] <= _FEW or not matrix.nnz:
         return float(np.linalg.eigvalsh(matrix.toarray()).max()) if matrix.nnz else 0.0
     start = np.random.default_rng(0).normal(size=matrix.shape[0])
-    found = eigsh(matrix, k=1, which="LM", return_eigenvectors=False, v0=start, tol=_CLOSE)
-    return float(found[0]) * (1 + _CLOSE)
+    result = eigsh(matrix, k=1, which="LM", return_eigenvectors=False, v0=start, tol=_CLOSE)
+    return float(result[0]) * (1 + _CLOSE)
 
 
 def _lines(structure: Structure) -> _Elements:
@@ -207,19 +207,19 @@ def _lines(structure: Structure) -> _Elements:
         stiffness.append(float(np.max(both)) + sum(branch.stiffness for branch in law.branches))
         damping.append((law.damping or (0.0,))[0])
     every = np.concatenate([np.arange(len(points)), *[np.flatnonzero(short)] * 2])
-    ways = np.concatenate([along, *(np.tile(np.eye(3)[axis], (int(short.sum()), 1)) for axis in (1, 2))])
+    directions = np.concatenate([along, *(np.tile(np.eye(3)[axis], (int(short.sum()), 1)) for axis in (1, 2))])
     return _Elements(
-        points[every], np.stack([-ways, ways], axis=1), np.array(stiffness)[every], np.array(damping)[every]
+        points[every], np.stack([-directions, directions], axis=1), np.array(stiffness)[every], np.array(damping)[every]
     )
 
 
 def _servos(structure: Structure) -> _Elements:
     """Return the elements of servos that displace points."""
     served = [motor for motor in structure.motors if motor.kind == "displacement"]
-    ways = [motor.direction for motor in served for _ in motor.points]
+    directions = [motor.direction for motor in served for _ in motor.points]
     return _Elements(
         np.array([point for motor in served for point in motor.points], dtype=np.int64).reshape(-1, 1),
-        np.array(ways, dtype=np.float64).reshape(-1, 1, 3),
+        np.array(directions, dtype=np.float64).reshape(-1, 1, 3),
         np.array([motor.stiffness for motor in served for _ in motor.points]),
         np.array([damping for motor in served for damping in motor.damping]),
     )

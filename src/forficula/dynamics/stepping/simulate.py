@@ -9,11 +9,11 @@ import mujoco
 import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
-from forficula.dynamics.energies.account import Account
+from forficula.dynamics.energies.work_balance import WorkBalance
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.sharing import followers, successors
 from forficula.dynamics.record import Record
-from forficula.dynamics.recorder import Chunk, Recorder, keep
+from forficula.dynamics.recorder import Chunk, Recorder, keep_rows
 from forficula.dynamics.stepping.stages import StageTracker
 from forficula.dynamics.stepping.stepper import Pending, Stepper
 from forficula.dynamics.stepping.steps import Steps
@@ -98,7 +98,7 @@ def _records(
     enough: Callable[[Record], bool] | None,
 ) -> Iterator[tuple[int, Record]]:
     """Yield the numbers and records of `simulate_each`."""
-    tracker, account, waits = StageTracker(models), Account(models), Waits(models)
+    tracker, account, waits = StageTracker(models), WorkBalance(models), Waits(models)
     recorders = [Recorder(model, sparse) for model in models]
     starts = [stepper.state(row) for row in range(len(models))]
     following = {} if enough is None else successors(models)
@@ -157,7 +157,7 @@ def _next_rows(moving: Flags, under_way: Sequence[Indices], few: int) -> Indices
 def _advance(
     stepper: Stepper,
     tracker: StageTracker,
-    account: Account,
+    account: WorkBalance,
     recorders: Sequence[Recorder],
     rows: Indices,
     torques: Array,
@@ -175,4 +175,4 @@ def _advance(
         taken=taken,
         account=account.add(rows, steps, torques, taken),
     )
-    keep([recorders[row] for row in rows], chunk)
+    keep_rows([recorders[row] for row in rows], chunk)

@@ -127,7 +127,7 @@ def stage_plan(models: Sequence[Model]) -> StagePlan:
     def of_stages(value: Callable[[StageSection], float | bool]) -> NDArray[Any]:
         return np.array([[value(stage) for stage in row] for row in stages])
 
-    lowest, highest = (np.array(angles) for angles in zip(*map(far_beyond, models), strict=True))
+    lowest, highest = (np.array(angles) for angles in zip(*map(divergence_bounds, models), strict=True))
     hold, wait = _in_steps(of_stages(lambda stage: stage.hold), timestep), of_stages(lambda stage: stage.wait or 0.0)
     # before every skipped interval, a waiting structure must rest for the averaging window of its states
     windows = _in_steps([[protocol.window] for protocol in protocols], timestep)
@@ -201,7 +201,7 @@ def longest_rest(model: Model) -> float:
     return max(protocol.window, _RELAXED * max((time for time in times if time <= longest), default=0.0))
 
 
-def far_beyond(model: Model) -> tuple[Array, Array]:
+def divergence_bounds(model: Model) -> tuple[Array, Array]:
     """Return positions far beyond the lower and upper stops of hinges, (position,) each, which mark divergence."""
     low, high = joint_ranges(model)
     return low - _FAR, high + _FAR

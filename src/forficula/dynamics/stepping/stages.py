@@ -110,16 +110,16 @@ class StageTracker:
         """
         position, velocity = steps.position, steps.velocity
         count = position.shape[1]
-        sound = _sound_steps(steps.before[:, 0], steps.time, position, velocity)
+        sound = _count_finite_steps(steps.before[:, 0], steps.time, position, velocity)
         beyond = ((position < self._plan.lowest[rows, None]) | (position > self._plan.highest[rows, None])).any(axis=2)
         sound = np.minimum(sound, _first(np.asarray(beyond), count))
         stage = self.stage[rows]
         number = self.steps[rows, None] + np.arange(1, count + 1)
         resting = np.all(np.abs(velocity) <= self._plan.rest_speed[rows, None], axis=2)
         reached = self._reached(rows, steps, resting)
-        goal_since = _since(reached, number, self._goal_since[rows])
-        rest_since = _since(resting, number, self._rest_since[rows])
-        held = self._held(rows, number, reached, goal_since)
+        goal_since = _holds_since(reached, number, self._goal_since[rows])
+        rest_since = _holds_since(resting, number, self._rest_since[rows])
+        held = self._goal_held(rows, number, reached, goal_since)
         stuck = resting & self._short(rows, number, reached, rest_since)
         over = held | stuck | (number - self._limit_start[rows, None] >= self._plan.limit[rows, stage][:, None])
         end = _first(over, count) + 1
@@ -137,10 +137,10 @@ class StageTracker:
                 last = end[place] - 1
                 self._begun[int(rows[place])] = position[place, last]
                 goal_step = int(goal_since[place, last]) if held[place, last] else None
-                self._leave(int(rows[place]), goal_step, resting[place, last], reached[place, last])
+                self._finish_stage(int(rows[place]), goal_step, resting[place, last], reached[place, last])
         return np.asarray(taken)
 
-    def _held(self, rows: Numbers, number: Numbers, reached: Booleans, goal_since: Numbers) -> Booleans:
+    def _goal_held(self, rows: Numbers, number: Numbers, reached: Booleans, goal_since: Numbers) -> Booleans:
         """Return whether each structure has been at its goal for the required time after each step, (row, step).
 
         A goal that is met only for an instant may be a bounce.
@@ -160,7 +160,7 @@ class StageTracker:
         since = np.maximum(rest_since, (self.stage_start[rows] + self._risen[rows, stage])[:, None])
         return np.asarray(short & (number - since >= self._plan.window[rows, None]))
 
-    def _leave(self, row: int, goal_step: int | None, at_rest: bool, at_goal: bool) -> None:
+    def _finish_stage(self, row: int, goal_step: int | None, at_rest: bool, at_goal: bool) -> None:
         """End the stage of a structure, or start its wait."""
         if goal_step is None or not self._plan.wait[row, self.stage[row]] > 0:
             self._end_stage(row, goal_step, at_rest=bool(at_rest), at_goal=bool(at_goal))
@@ -261,7 +261,7 @@ def _first(holds: Booleans, count: int) -> Numbers:
     return np.where(holds.any(axis=1), holds.argmax(axis=1), count)
 
 
-def _since(holds: Booleans, number: Numbers, carried: Numbers) -> Numbers:
+def _holds_since(holds: Booleans, number: Numbers, carried: Numbers) -> Numbers:
     """Return for each step the number of the step since which a condition has held without a break, (row, step).
 
     Args:
@@ -274,7 +274,7 @@ def _since(holds: Booleans, number: Numbers, carried: Numbers) -> Numbers:
     return np.where(broken < 0, before[:, None], broken + 1)
 
 
-def _sound_steps(before: Array, time: Array, position: Array, velocity: Array) -> Numbers:
+def _count_finite_steps(before: Array, time: Array, position: Array, velocity: Array) -> Numbers:
     """Return the number of steps before the numbers of each structure diverged, (row,); the engine then stops its time.
 
     Args:
@@ -286,12 +286,12 @@ def _sound_steps(before: Array, time: Array, position: Array, velocity: Array) -
     sound = np.full(len(time), position.shape[1])
     # check only the last step first: non-finite numbers stay non-finite, and a stopped time stays constant
     previous = time[:, -2] if time.shape[1] > 1 else before
-    broken = np.flatnonzero(~_sound(previous, time[:, -1:], position[:, -1:], velocity[:, -1:])[:, 0])
-    sound[broken] = _sound(before[broken], time[broken], position[broken], velocity[broken]).argmin(axis=1)
+    broken = np.flatnonzero(~_finite_steps(previous, time[:, -1:], position[:, -1:], velocity[:, -1:])[:, 0])
+    sound[broken] = _finite_steps(before[broken], time[broken], position[broken], velocity[broken]).argmin(axis=1)
     return sound
 
 
-def _sound(before: Array, time: Array, position: Array, velocity: Array) -> Booleans:
+def _finite_steps(before: Array, time: Array, position: Array, velocity: Array) -> Booleans:
     """Return whether each step has finite numbers and an increased time, (row, step)."""
     finite = np.isfinite(position).all(axis=2) & np.isfinite(velocity).all(axis=2)
     return np.asarray(finite & (np.diff(time, axis=1, prepend=before[:, None]) > 0))

@@ -10,7 +10,7 @@ from forficula.arrays import Array
 from forficula.design import stage_drives
 from forficula.dynamics.engine.closures import LARGEST_GAP
 from forficula.dynamics.engine.model import Model
-from forficula.dynamics.stepping.stage_plan import NEVER, far_beyond, longest_rest, rest_speeds, stage_goal
+from forficula.dynamics.stepping.stage_plan import NEVER, divergence_bounds, longest_rest, rest_speeds, stage_goal
 from forficula.structure import Drive, StageGoal, drive_unit
 
 
@@ -88,7 +88,7 @@ def stepped_protocol(model: Model) -> SteppedProtocol:
     protocol, structure = model.design.protocol, model.structure
     timestep = float(protocol.timestep)
     names = [drive.name for drive in structure.drives]
-    lowest, highest = far_beyond(model)
+    lowest, highest = divergence_bounds(model)
 
     def steps(time: float) -> int:
         return round(min(time, NEVER * timestep) / timestep)
@@ -100,7 +100,7 @@ def stepped_protocol(model: Model) -> SteppedProtocol:
             SteppedDrive(
                 drive=drive,
                 unit=drive_unit(structure, drive),
-                torques=np.array(drive.shares) * _unit(model, drive),
+                torques=np.array(drive.shares) * _strength_unit(model, drive),
                 rise=drive.rise / timestep,
             )
             for drive in structure.drives
@@ -126,7 +126,7 @@ def stepped_protocol(model: Model) -> SteppedProtocol:
     )
 
 
-def _unit(model: Model, drive: Drive) -> float:
+def _strength_unit(model: Model, drive: Drive) -> float:
     """Return the SI unit of a drive's strength in the model's units."""
     units = {"N m": model.units.energy, "N": model.units.energy / model.units.length, "m": model.units.length}
     return 1 / units.get(drive_unit(model.structure, drive), 1.0)

@@ -68,13 +68,13 @@ class Stepper:
             chunk: number of steps at a time.
         """
         self._structures, self._chunk = models, chunk
-        self._models = _own_models(models, sparse)
+        self._models = _engine_models(models, sparse)
         self._explicit = models[0].explicit
         model = models[0].engine
         self._state = _start_states(models)
         self._moving, self._control = _columns(model, _MOVING), _columns(model, _CONTROL)
-        self._inner = _inner(model)
-        self._activation = self._moving[self._inner.get("act", slice(0, 0))]
+        self._branch_slices = _branch_slices(model)
+        self._activation = self._moving[self._branch_slices.get("act", slice(0, 0))]
         self._kept = _OF_SPARSE if sparse else _OF_STATES
         self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if models[0].lets_go.any() else ()))
         if models[0].structure.contact is not None:
@@ -131,7 +131,7 @@ class Stepper:
         steps = Steps(
             positions=self._structures[0].engine.nq,
             dof=self._structures[0].engine.nv,
-            inner=self._inner,
+            inner=self._branch_slices,
             before=self._state[np.ix_(rows, self._moving)],
             after=fields[_MOVING],
             derived={name: fields[name] for name in self._names},
@@ -179,7 +179,7 @@ class Stepper:
         mujoco.mj_setState(engine, data, self._state[row], _STATE)
         with _quiet:
             mujoco.mj_forward(engine, data)
-        derived = {name: getattr(data, name).copy() for name in (*_OF_STATES, *self._inner)}
+        derived = {name: getattr(data, name).copy() for name in (*_OF_STATES, *self._branch_slices)}
         folds = self._structures[row].folds
         angle = folds.angles(data.qpos)
         angle[folds.creases] = without_jump(angle[folds.creases], self._angles[row])
@@ -205,7 +205,7 @@ class Stepper:
         """Return the number of workers for a number of structures."""
         return min(-(-rows // self.together), self.threads)
 
-    def _roll(
+    def _roll_out(
         self,
         engine: Batch,
         rows: Indices,
@@ -220,7 +220,7 @@ class Stepper:
             driven = state.copy()
             driven[:, self._control] = controls[:, 0]
             first = self._fields(engine, rows, driven, self._names, mujoco.mjtStage.mjSTAGE_ACC)
-        self._put(engine, rows, state)
+        self._load_states(engine, rows, state)
         out: dict[str | int | mujoco.mjtState, Array] = {**memory}
         with _quiet:
             engine.rollout(
@@ -240,14 +240,14 @@ class Stepper:
         self, engine: Batch, rows: Indices, state: Array, names: Sequence[str], stage: mujoco.mjtStage
     ) -> dict[str, Array]:
         """Compute derived fields of structures in some states, up to a stage of the engine, (row, ...)."""
-        self._put(engine, rows, state)
+        self._load_states(engine, rows, state)
         # the engine fills only fields that were bound before
         bound = {name: engine.bind(name) for name in names}
         with _quiet:
             engine.forward(np.arange(len(rows)), stage.value)
         return {name: field[: len(rows)].copy() for name, field in bound.items()}
 
-    def _put(self, engine: Batch, rows: Indices, state: Array) -> None:
+    def _load_states(self, engine: Batch, rows: Indices, state: Array) -> None:
         """Load structures in some states, (row, number), into an engine."""
         every = [*range(len(rows)), *[0] * (engine.nsim - len(rows))]
         engine.set_models([self._models[rows[place]] for place in every])
@@ -269,7 +269,7 @@ class Stepper:
         engine, state = self._engines.get(), self._state[rows]
         try:
             if angles is None and self._drag is None:
-                self._roll(engine, rows, state, controls, memory, late)
+                self._roll_out(engine, rows, state, controls, memory, late)
                 return
             followed = self._structures[0].followed
             creases = None if self._creases is None else self._creases.some(rows)
@@ -285,7 +285,7 @@ class Stepper:
                         angles[:, block] = self._set_creases(rows, creases, state, near, means[:, block])
                     if self._drag is not None:
                         self._set_drag(engine, rows, state)
-                self._roll(engine, rows, state, np.ascontiguousarray(controls[:, steps]), in_block, of_late)
+                self._roll_out(engine, rows, state, np.ascontiguousarray(controls[:, steps]), in_block, of_late)
                 for name, values in memory.items():
                     values[:, steps] = in_block[name]
                 for field, values in late.items():
@@ -329,7 +329,7 @@ def energy_of(model: Model, moving: Array) -> float:
     return float(data.energy.sum() + floats @ (data.xipos @ model.engine.opt.gravity))
 
 
-def _own_models(models: Sequence[Model], sparse: bool) -> list[mujoco.MjModel]:
+def _engine_models(models: Sequence[Model], sparse: bool) -> list[mujoco.MjModel]:
     """Return the engine's models: without energy if it is not recorded, and a copy for each structure with creases."""
     engines = _without_energy(models) if sparse else [model.engine for model in models]
     return [
@@ -362,7 +362,7 @@ def _columns(engine: mujoco.MjModel, part: int) -> Indices:
     return indices.astype(np.int64)
 
 
-def _inner(engine: mujoco.MjModel) -> dict[str, slice]:
+def _branch_slices(engine: mujoco.MjModel) -> dict[str, slice]:
     """Return the slices of branches and of yielding tendons in the changing part of a state, by MuJoCo's names."""
     state = mujoco.mjtState
     before = state.mjSTATE_TIME.value | state.mjSTATE_QPOS.value | state.mjSTATE_QVEL.value
@@ -424,7 +424,7 @@ class _Quiet:
         with self._lock:
             if not self._users:
                 self._before = mujoco.get_mju_user_warning()
-                mujoco.set_mju_user_warning(_ignore)
+                mujoco.set_mju_user_warning(_ignore_warning)
             self._users += 1
 
     def __exit__(self, *error: object) -> None:
@@ -434,7 +434,7 @@ class _Quiet:
                 mujoco.set_mju_user_warning(self._before)
 
 
-def _ignore(message: str) -> None:
+def _ignore_warning(message: str) -> None:
     """Ignore a warning of MuJoCo."""
 
 

@@ -124,8 +124,8 @@ def _jointed_timestep(design: Design) -> float:
 def _cause(design: Design) -> str:
     """Return the key of a value that prevents any timestep, among those furthest from the reference of their kind."""
     name = design.reference
-    usual = {} if name is None else _numbers(load_design(name).si_tables())
-    values = {key: value for key, value in _numbers(design.si_tables()).items() if value != usual.get(key)}
+    usual = {} if name is None else _positive_numbers(load_design(name).si_tables())
+    values = {key: value for key, value in _positive_numbers(design.si_tables()).items() if value != usual.get(key)}
     far = {key: abs(math.log10(value / usual[key])) if usual.get(key) else math.inf for key, value in values.items()}
     for key in sorted(far, key=lambda key: -far[key])[:_SUSPECTS]:
         # values without a reference are decreased and increased
@@ -141,12 +141,12 @@ def _cause(design: Design) -> str:
     return ""
 
 
-def _numbers(tables: Mapping[str, Any], within: str = "") -> dict[str, float]:
+def _positive_numbers(tables: Mapping[str, Any], within: str = "") -> dict[str, float]:
     """Return the numbers > 0 in nested tables, by dotted key, except those of patterns and lists, and the timestep."""
     numbers: dict[str, float] = {}
     for key, value in tables.items():
         if isinstance(value, Mapping) and not key.isdecimal():
-            numbers |= _numbers(value, f"{within}{key}.")
+            numbers |= _positive_numbers(value, f"{within}{key}.")
         elif isinstance(value, float) and value > 0 and not within.startswith("pattern."):
             numbers[f"{within}{key}"] = value
     numbers.pop("protocol.timestep", None)
@@ -212,12 +212,12 @@ def _as_built(model: Model) -> _Linear:
     mujoco.mj_forward(engine, data)
     inertia = np.zeros((engine.nv, engine.nv))
     mujoco.mj_fullM(engine, data, inertia)
-    stiffness = -_slope(engine, data, data.qpos, "qfrc_passive")
-    damping = -_slope(engine, data, data.qvel, "qfrc_passive")
-    stretch = _slope(engine, data, data.qpos, "ten_length")[model.tendons]
+    stiffness = -_derivative(engine, data, data.qpos, "qfrc_passive")
+    damping = -_derivative(engine, data, data.qvel, "qfrc_passive")
+    stretch = _derivative(engine, data, data.qpos, "ten_length")[model.tendons]
     if model.lets_go.any():
         # springs and dampers that are actuators; at rest their forces contain nothing else, in motion also branches
-        stiffness -= _slope(engine, data, data.qpos, "qfrc_actuator")
+        stiffness -= _derivative(engine, data, data.qpos, "qfrc_actuator")
         for tendon in np.flatnonzero(model.lets_go):
             viscous = (model.in_units.tendons[tendon].law.damping or (0.0,))[0]
             damping += viscous * stretch[tendon : tendon + 1].T @ stretch[tendon : tendon + 1]
@@ -285,7 +285,7 @@ def _at_largest_lever(model: Model, built: _Linear) -> _Linear:
     return replace(built, stiffness=stiffness, damping=damping, stretch=stretch)
 
 
-def _slope(engine: mujoco.MjModel, data: mujoco.MjData, state: Array, name: str) -> Array:
+def _derivative(engine: mujoco.MjModel, data: mujoco.MjData, state: Array, name: str) -> Array:
     """Compute the derivative of one of MuJoCo's fields by the state, with central differences, (..., dof)."""
     columns = []
     for index in range(engine.nv):

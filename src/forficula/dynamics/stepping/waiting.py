@@ -15,8 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.dynamics.energies.account import Account
 from forficula.dynamics.energies.energy import branch_forces, branch_numbers
+from forficula.dynamics.energies.work_balance import WorkBalance
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.stepping.stages import StageTracker
 from forficula.dynamics.stepping.stepper import Stepper
@@ -58,7 +58,7 @@ class Waits:
         self._models, self._allowed = models, allowed
         self._leaps: list[_Leap | None] = [None] * len(models)
 
-    def go_on(self, row: int, tracker: StageTracker, stepper: Stepper, account: Account) -> None:
+    def go_on(self, row: int, tracker: StageTracker, stepper: Stepper, account: WorkBalance) -> None:
         """Take one leap of a resting structure, or end its wait."""
         left, stepped = tracker.left_to_wait(row)
         if left <= 0:
@@ -119,7 +119,7 @@ class Waits:
                     drift=float(drifts[number]),
                 )
                 act[places] = -after.forces
-                lost, spared = lost + after.lost, spared + after.spared
+                lost, spared = lost + after.lost, spared + after.stored_excess
         drops = forces.sum(axis=1) + branch_forces(model, act[None])[0].sum(axis=1)
         stepper.set_activation(row, act)
         self._leaps[row] = _Leap(time=time, lengths=lengths, drifts=drifts, lags=lags, drops=drops, pull=pull)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.arrays import Array, Indices
-from forficula.goals.share_interval import largest_share
+from forficula.goals.binomial_interval import one_sided_upper_bound
 
 Mask = NDArray[np.bool_]
 
@@ -41,14 +41,14 @@ class Evidence:
 
     Attributes:
         met: whether each sample certainly met each fact, (samples, facts).
-        tells: whether each sample certainly met or missed each fact, (samples, facts).
+        conclusive: whether each sample certainly met or missed each fact, (samples, facts).
         excess: deviation beyond the fact's tolerance, in units of the fact's scale, (samples, facts).
         targets: for each sample, the facts that it was placed to meet together; empty if it was drawn from the priors.
         open_between: whether values between the samples may meet some facts together, according to emulators.
     """
 
     met: Mask
-    tells: Mask
+    conclusive: Mask
     excess: Array
     targets: Sequence[tuple[int, ...]]
     open_between: Callable[[tuple[int, ...]], bool] = lambda _: False
@@ -101,7 +101,7 @@ def conjunction(facts: Sequence[int], seen: Evidence) -> Conjunction:
         seen: results of all samples that ran.
     """
     chosen, placed = list(facts), seen.placed
-    met, conclusive = seen.met[:, chosen], seen.tells[:, chosen]
+    met, conclusive = seen.met[:, chosen], seen.conclusive[:, chosen]
     all_met, all_conclusive = met.all(axis=1), conclusive.all(axis=1)
     # a fact that is certainly missed is decisive, whatever the other facts are
     open_ = ~all_conclusive & ~(conclusive & ~met).any(axis=1)
@@ -119,7 +119,7 @@ def conjunction(facts: Sequence[int], seen: Evidence) -> Conjunction:
         placed=later,
         tried=tried,
         near=near,
-        most=largest_share(drawn + int((open_ & ~placed).sum()), int((~placed).sum())),
+        most=one_sided_upper_bound(drawn + int((open_ & ~placed).sum()), int((~placed).sum())),
         verdict=verdict,
     )
 
@@ -134,7 +134,7 @@ def _verdict(drawn: int, placed: int, tried: int, near: float, alone: Indices | 
         return Together.NEVER
     if near <= _NEAR:
         return Together.NEARLY
-    if largest_share(0, int(alone.min())) > _RARE:
+    if one_sided_upper_bound(0, int(alone.min())) > _RARE:
         return Together.RARE
     return Together.EXCLUDED if tried else Together.UNTRIED
 

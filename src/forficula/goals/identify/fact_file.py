@@ -11,7 +11,7 @@ from pydantic import BeforeValidator
 
 from forficula.design import Design, key_quantity, key_value, value_from_folder
 from forficula.design.file_fields import ByKey, Settings, YesOrNo, entry
-from forficula.design.files.rejection import read_part
+from forficula.design.files.rejection import read_section
 from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.goals.identify.fact import COUNTS, NUMBERS, PLACES, Fact, LeastValue, Order, Statistic, Term
@@ -45,18 +45,18 @@ class FactTable(Section):
         'a state, a number of a run, a sum of such numbers, or "least value"', left_out="needed"
     )
     statistic: Annotated[str | None, "count, all, none, any; or least, largest, mean, least at, largest at"] = entry(
-        "statistic over all conditions: the first four for a state, the others for a number",
+        "statistic over all conditions: count, all, none or any for a state, the others for a number",
         left_out='"all" or "least"',
     )
     over: Grid = entry("conditions; all combinations of their values are run", {})
     settings: Settings = entry("value of this key under all conditions", {})
     until: str | None = entry("transition after which runs end", left_out="the whole protocol")
-    where: str | None = entry("only runs that reach this state count")
+    where: str | None = entry("state that a run must reach to be included")
     absent: Annotated[Any, "as the quantity"] = entry(
         "value for a run in which the quantity does not exist", left_out="needed for numbers"
     )
-    rising: _Keys = entry("keys whose larger values also reach the state", [])
-    falling: _Keys = entry("keys whose smaller values also reach the state", [])
+    rising: _Keys = entry("if one value of such a key reaches the state, every larger value also does", [])
+    falling: _Keys = entry("if one value of such a key reaches the state, every smaller value also does", [])
     least: LeastTable | None = entry("search for a least value under every condition")
     equals: Annotated[Any, "number, text with a unit, or table"] = entry(
         "required value: a number, or another quantity"
@@ -141,7 +141,7 @@ def _bound(table: FactTable, order: str, term: Term, base: Design, folder: Path)
     check_known(value, _OF_TERM, f"{order}.")
     defaults = table.model_dump(include={"name", *_OF_TERM}, exclude_unset=True)
     with error_prefix(f"{order}."):
-        other = _term(read_part(FactTable, defaults | dict(value)), base, folder)
+        other = _term(read_section(FactTable, defaults | dict(value)), base, folder)
     if other.unit != term.unit:
         raise InputError(f"{order}: need a quantity in the same unit")
     return other

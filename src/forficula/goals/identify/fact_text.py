@@ -7,7 +7,7 @@ from forficula.names import listed
 from forficula.quantities import Unit, reading_unit
 
 
-def asked_text(fact: Fact) -> str:
+def requirement_text(fact: Fact) -> str:
     """Return the requirement, such as "32 within 2", "none", "least at tendon.rest_length 7 cm or 8 cm"."""
     term, within = fact.term, f" within {value_text(fact.tolerance, fact.term.unit)}" if fact.tolerance else ""
     if term.statistic in PLACES:

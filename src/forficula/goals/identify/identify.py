@@ -108,10 +108,10 @@ def met_of(samples: Sequence[Sample], facts: int) -> Flags:
     return np.array([[finding.met for finding in sample.findings] or [False] * facts for sample in samples], dtype=bool)
 
 
-def tells_of(samples: Sequence[Sample], facts: int) -> Flags:
+def conclusive_of(samples: Sequence[Sample], facts: int) -> Flags:
     """Return whether each sample is conclusive for each fact, (samples, facts)."""
     return np.array(
-        [[finding.tells for finding in sample.findings] or [False] * facts for sample in samples], dtype=bool
+        [[finding.conclusive for finding in sample.findings] or [False] * facts for sample in samples], dtype=bool
     )
 
 
@@ -198,7 +198,7 @@ class Finding:
         distance: deviation from the fact, SI, at least 0. If inconclusive runs allow a range, it is the larger end; if
             they allow any value, they are treated as having no number.
         met: whether the deviation is within the fact's tolerance for every possible outcome of inconclusive runs.
-        tells: whether the fact is certainly met or certainly missed.
+        conclusive: whether the fact is certainly met or certainly missed.
         untold: number of inconclusive runs.
     """
 
@@ -206,7 +206,7 @@ class Finding:
     miss: float
     distance: float
     met: bool
-    tells: bool
+    conclusive: bool
     untold: int
 
 
@@ -227,7 +227,7 @@ def find(fact: Fact, runs: SampleRuns, rows: Rows) -> Finding | Wanted:
         miss=first.value - bound.value,
         distance=far if math.isfinite(far) else _distance(fact, first.value, bound.value),
         met=far <= within,
-        tells=far <= within or near > within,
+        conclusive=far <= within or near > within,
         untold=sum(value.untold for value in values),
     )
 

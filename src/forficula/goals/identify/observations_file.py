@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, Field
 
 from forficula.design import Design, key_quantity, numbered_key
 from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
-from forficula.design.files.rejection import read_part
+from forficula.design.files.rejection import read_section
 from forficula.design.section import Quantity, Section
 from forficula.errors import InputError, error_prefix
 from forficula.goals.deviation import positive_keys
@@ -47,7 +47,7 @@ def _with_facts_read(tables: object) -> object:
         if not isinstance(table, Mapping):
             raise InputError(f"fact {number}: need a table, got {as_written(table)}")
         with error_prefix(f"fact {table.get('name', number)}: "):
-            facts.append(read_part(FactTable, table))
+            facts.append(read_section(FactTable, table))
     return facts
 
 
@@ -145,7 +145,7 @@ def observations_of(tables: Mapping[str, Any]) -> Observations:
     Raises:
         InputError: an unknown key, or a value that is not allowed.
     """
-    return _observations(read_part(ObservationsFile, tables), Path())
+    return _observations(read_section(ObservationsFile, tables), Path())
 
 
 def named_observations() -> list[str]:

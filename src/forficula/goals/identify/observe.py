@@ -105,7 +105,7 @@ def _row(condition: Condition, term: Term, runs: SampleRuns, rows: Rows, wanted:
 
 
 def _is_conclusive(row: Row) -> bool:
-    return Verdict(row["verdict"]).tells
+    return Verdict(row["verdict"]).conclusive
 
 
 def _count(term: Term, runs: SampleRuns, rows: Rows) -> Observed | Wanted:

@@ -9,7 +9,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.goals.latin_points import latin_points
-from forficula.goals.value_at import choice_at, written
+from forficula.goals.value_at import choice_at, design_file_value
 from forficula.study.factors import Factor
 
 # 0 and 1 would give infinite values of a normal distribution
@@ -44,4 +44,4 @@ def value_at(prior: Factor, share: float) -> object:
     if prior.distribution is None:
         return choice_at(prior.values, share)
     shares = np.clip([share], _LEAST_SHARE, 1 - _LEAST_SHARE)
-    return written(float(prior.distribution.quantiles(shares)[0]), prior.unit)
+    return design_file_value(float(prior.distribution.quantiles(shares)[0]), prior.unit)

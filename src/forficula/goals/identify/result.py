@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray
 
+from forficula.goals.binomial_interval import binomial_interval
 from forficula.goals.identify.exclusion import (
     Evidence,
     agreeing,
@@ -17,12 +18,11 @@ from forficula.goals.identify.exclusion import (
     triples_of,
 )
 from forficula.goals.identify.fact import Fact
-from forficula.goals.identify.fact_text import asked_text
-from forficula.goals.identify.identify import Sample, excess_of, fact_scales, met_of, tells_of
+from forficula.goals.identify.fact_text import requirement_text
+from forficula.goals.identify.identify import Sample, conclusive_of, excess_of, fact_scales, met_of
 from forficula.goals.identify.inference import APART, Inference, infer
 from forficula.goals.identify.observations import Observations
 from forficula.goals.identify.prior import value_at
-from forficula.goals.share_interval import share_interval
 from forficula.quantities import parse_quantity
 from forficula.results import Result
 from forficula.study.factors import Factor
@@ -75,7 +75,7 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
     )
     seen = Evidence(
         met=met[inside],
-        tells=tells_of(samples, len(facts))[inside],
+        conclusive=conclusive_of(samples, len(facts))[inside],
         excess=excess[inside],
         targets=[sample.target for sample in samples if not sample.why],
         open_between=lambda facts_together: inference.apart(facts_together) <= APART,
@@ -119,7 +119,7 @@ def _samples(samples: Sequence[Sample], facts: Sequence[Fact], met: Any, excess:
         "distance": (over, _by_fact(samples, facts, "distance")),
         "scaled_distance": (over, excess),
         "met": (over, met),
-        "tells": (over, tells_of(samples, len(facts))),
+        "tells": (over, conclusive_of(samples, len(facts))),
         "untold": (over, np.nan_to_num(_by_fact(samples, facts, "untold")).astype(int)),
         "directed": ("sample", np.array([sample.directed for sample in samples])),
         "status": ("sample", np.array([sample.why or "ran" for sample in samples], dtype=object)),
@@ -146,7 +146,7 @@ def _of_facts(facts: Sequence[Fact], scales: Sequence[float] | np.ndarray[Any, A
     return {
         "fact_units": words([unit.si if unit else "" for unit in units]),
         "fact_display": words([unit.display if unit else "" for unit in units]),
-        "fact_asked": words([asked_text(fact) for fact in facts]),
+        "fact_asked": words([requirement_text(fact) for fact in facts]),
         "fact_source": words([fact.source for fact in facts]),
         "fact_tolerance": ("fact", np.array([fact.tolerance for fact in facts])),
         "fact_scale": ("fact", np.array(scales)),
@@ -155,10 +155,10 @@ def _of_facts(facts: Sequence[Fact], scales: Sequence[float] | np.ndarray[Any, A
 
 def _shares(seen: Evidence) -> dict[str, Any]:
     """Return how often each fact is met by conclusive drawn samples; intervals allow any result of the others."""
-    met, conclusive = seen.met[~seen.placed], seen.tells[~seen.placed]
+    met, conclusive = seen.met[~seen.placed], seen.conclusive[~seen.placed]
     counts_conclusive, counts = conclusive.sum(axis=0), (met & conclusive).sum(axis=0)
     ends = [
-        (share_interval(int(count), len(met))[0], share_interval(int(count + len(met) - number), len(met))[1])
+        (binomial_interval(int(count), len(met))[0], binomial_interval(int(count + len(met) - number), len(met))[1])
         for count, number in zip(counts, counts_conclusive, strict=True)
     ]
     return {

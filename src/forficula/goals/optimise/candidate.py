@@ -13,14 +13,14 @@ from forficula.arrays import Array
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.goals.assessor import Assessor, value_of
-from forficula.goals.deviation import off_values
+from forficula.goals.binomial_interval import binomial_interval
+from forficula.goals.deviation import deviating_values
 from forficula.goals.goal import Goal
 from forficula.goals.latin_points import latin_points
 from forficula.goals.limit import Limit
 from forficula.goals.optimise.screening import Screened, screened
 from forficula.goals.optimise.trials import Axis, Point, Trial
 from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity
-from forficula.goals.share_interval import share_interval
 from forficula.serial import Written
 
 # Number of neighbours that are run first; it then doubles each time.
@@ -59,7 +59,7 @@ class Neighbours:
     @property
     def interval(self) -> tuple[float, float]:
         """95 % interval of the fraction."""
-        return share_interval(self.works, self.tried, self.looks)
+        return binomial_interval(self.works, self.tried, self.looks)
 
     @property
     def ends(self) -> Annotated[Mapping[str, float], Written.BESIDE]:
@@ -111,7 +111,7 @@ def neighbours_of(
 def _variant(goal: Goal, design: Design, offsets: Array) -> Design | str:
     """Return a deviating design, or why it cannot be built."""
     try:
-        return design.with_values(off_values(design, goal.deviations, [float(offset) for offset in offsets]))
+        return design.with_values(deviating_values(design, goal.deviations, [float(offset) for offset in offsets]))
     except InputError as error:
         return str(error)
 

@@ -60,7 +60,7 @@ def optimum_table(
         "design": goal.base.name,
         "design_hash": goal.base.hash,
         "objectives": ", ".join(f"{item.kind} {item.quantity.name}" for item in goal.objectives),
-        "limits": ", ".join(str(item) for item in (*goal.given, *goal.limits)),
+        "limits": ", ".join(str(item) for item in (*goal.torque_limits, *goal.limits)),
     }
     return StudyTable(variables, _coordinates(goal, candidates), attributes)
 

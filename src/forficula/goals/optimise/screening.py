@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from forficula.analysis.margin import chained_row
+from forficula.analysis.margin import combined_row_margin
 from forficula.design import Design
 from forficula.goals.assessor import Assessor, value_of
 from forficula.goals.goal import Goal, own_limits
@@ -108,7 +108,7 @@ def _stages(goal: Goal) -> list[tuple[Source, ...]]:
 
 def _works(row: Row, transitions: Sequence[Transition]) -> float:
     """Return the margin of a run's protocol; if a goal is missed, the margin is negative, however small."""
-    margin = chained_row(row, transitions)
+    margin = combined_row_margin(row, transitions)
     return margin if margin > 0 else min(margin, -_JUST)
 
 

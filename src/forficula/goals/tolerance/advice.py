@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from forficula.goals.share_interval import LEVEL
+from forficula.goals.binomial_interval import LEVEL
 from forficula.goals.tolerance.probability import Probability, surely_less
 from forficula.goals.tolerance.tolerance import Tolerance
 
@@ -43,14 +43,14 @@ def percent(probability: Probability) -> str:
     return f"{_number(probability.share)} % ({_number(probability.low)} to {_number(probability.high)} %)"
 
 
-def most_telling(result: Tolerance) -> int | None:
+def most_important(result: Tolerance) -> int | None:
     """Return the index of the most important factor; None if nothing varies or the importance is unknown.
 
     This is the factor with the largest significant gain among those that explain most of the margin's variance; if no
     gain is significant, the one that explains most.
     """
     order = result.order
-    if not result.tells_what_decides or not order or not np.nanmax(np.abs(result.indices.first[0]), initial=0.0) > 0:
+    if not result.can_rank_factors or not order or not np.nanmax(np.abs(result.indices.first[0]), initial=0.0) > 0:
         return None
     significant = [factor for factor in order[:_MOST_NAMED] if result.narrowed[factor].gain_low > 0]
     return max(significant, key=lambda factor: result.narrowed[factor].gain) if significant else order[0]
@@ -62,7 +62,7 @@ def tighten_first(result: Tolerance) -> int | None:
     If nothing fails, there is nothing to gain. If nothing works, tighter tolerances do not help.
     """
     works = result.probability
-    return most_telling(result) if works.works and works.fails else None
+    return most_important(result) if works.works and works.fails else None
 
 
 def _nominal(result: Tolerance) -> list[str]:
@@ -101,9 +101,9 @@ def _working(result: Tolerance) -> set[str]:
 
 
 def _decides(result: Tolerance) -> list[str]:
-    if not result.tells_what_decides:
+    if not result.can_rank_factors:
         return ["There are too few designs to rank the tolerances: increase the time."]
-    factor = most_telling(result)
+    factor = most_important(result)
     if result.probability.share is None:
         return []
     if factor is None:
@@ -172,7 +172,7 @@ def _gained(result: Tolerance, factor: int) -> str:
 
 def _side(result: Tolerance) -> list[str]:
     """Return which value to increase or decrease: one for which failures are significantly rarer on one side."""
-    if not result.tells_what_decides:
+    if not result.can_rank_factors:
         return []
     sides = []
     for factor, narrowed in enumerate(result.narrowed):

@@ -13,7 +13,7 @@ from forficula.arrays import Array
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.goals.assessor import Assessor, open_assessor
-from forficula.goals.deviation import off_values
+from forficula.goals.deviation import deviating_values
 from forficula.goals.tolerance.indices import Indices, Values, line_indices, sobol_indices, total_effects
 from forficula.goals.tolerance.narrowing import narrowed
 from forficula.goals.tolerance.nearest_failure import Answer, Ask, Reach, reaches
@@ -107,7 +107,8 @@ def estimate_tolerance(
     factors = len(question.deviations)
     offsets = question.offsets(two_samples(factors, _TIMED, seed)[0]).tolist()
     designs = [
-        built_design(question.design, off_values(question.design, question.deviations, offset)) for offset in offsets
+        built_design(question.design, deviating_values(question.design, question.deviations, offset))
+        for offset in offsets
     ]
     start = time.monotonic()
     count = sum(1 for _ in evaluate([design for design in designs if isinstance(design, Design)]))

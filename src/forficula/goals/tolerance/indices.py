@@ -10,7 +10,7 @@ import scipy
 from numpy.typing import NDArray
 
 from forficula.arrays import Flags
-from forficula.goals.share_interval import LEVEL
+from forficula.goals.binomial_interval import LEVEL
 
 Values = NDArray[np.float64]
 
@@ -128,7 +128,7 @@ def line_indices(
     rows, factors = points.shape
     unknown = np.full((len(results), factors), np.nan)
     first, low, high, leads = (unknown.copy() for _ in range(4))
-    if tells_lines(rows, factors):
+    if enough_for_linear_fit(rows, factors):
         first = _plane_shares(points, at_points)
         picks = np.random.default_rng(seed).integers(rows, size=(_RESAMPLES, rows))
         resampled = np.array([_plane_shares(points[pick], at_points[:, pick]) for pick in picks])
@@ -160,7 +160,7 @@ def _leads(resampled: Values, compared: int | None = None) -> Values:
     return leads
 
 
-def tells_lines(rows: int, factors: int) -> bool:
+def enough_for_linear_fit(rows: int, factors: int) -> bool:
     """Return whether there are enough points to fit a linear function of this number of factors."""
     return rows >= 2 * (factors + 1)
 

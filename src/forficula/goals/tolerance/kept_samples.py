@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from forficula.design import Design
-from forficula.goals.deviation import off_values
+from forficula.goals.deviation import deviating_values
 from forficula.goals.kept_designs import runs_to_keep
 from forficula.goals.tolerance.nearest_failure import Answer
 from forficula.goals.tolerance.samples import built_design
@@ -29,7 +29,7 @@ def samples_to_keep(result: Tolerance, most: int = MOST_KEPT) -> list[RunToKeep]
     wanted = [turn[rank] for rank in range(len(conclusive)) for turn in turns if rank < len(turn)]
 
     def design_of(number: int) -> Design | str:
-        values = off_values(question.design, question.deviations, samples.offsets[number].tolist())
+        values = deviating_values(question.design, question.deviations, samples.offsets[number].tolist())
         return built_design(question.design, values)
 
     return runs_to_keep(len(samples.offsets), design_of, wanted, most)

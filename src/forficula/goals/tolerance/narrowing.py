@@ -9,7 +9,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from forficula.goals.share_interval import LEVEL
+from forficula.goals.binomial_interval import LEVEL
 from forficula.goals.tolerance.probability import Probability, probability
 from forficula.serial import Key, Written
 

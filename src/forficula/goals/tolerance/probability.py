@@ -7,7 +7,7 @@ from typing import Annotated
 
 import scipy
 
-from forficula.goals.share_interval import LEVEL, share_interval
+from forficula.goals.binomial_interval import LEVEL, binomial_interval
 from forficula.serial import Key, Written
 
 
@@ -42,7 +42,7 @@ class Probability:
 def interval_both_ways(works: int, fails: int, undecided: int) -> tuple[float, float]:
     """Compute the 95 % interval of a probability for every possible outcome of undecided runs.
 
-    The lower end is that of `share_interval` if all undecided runs fail, the upper end that if all of them succeed.
+    The lower end is that of `binomial_interval` if all undecided runs fail, the upper end that if all of them succeed.
 
     Args:
         works: number of runs with the property.
@@ -55,14 +55,14 @@ def interval_both_ways(works: int, fails: int, undecided: int) -> tuple[float, f
     count = works + fails + undecided
     if min(works, fails, undecided) < 0 or count == 0:
         raise ValueError(f"need runs, got {works} that work, {fails} that fail, {undecided} that are undecided")
-    return share_interval(works, count)[0], share_interval(works + undecided, count)[1]
+    return binomial_interval(works, count)[0], binomial_interval(works + undecided, count)[1]
 
 
 def probability(works: int, fails: int, unknown: int = 0, undecided: int = 0) -> Probability:
     """Estimate a probability from runs at random points.
 
-    The interval is the exact one of `share_interval`. For independent points it contains the probability in at least 95
-    of 100 cases, even near 0 or 1, whereas Wilson's interval does so only on average. Points of a Latin hypercube
+    The interval is the exact one of `binomial_interval`. For independent points it contains the probability in at least
+    95 of 100 cases, even near 0 or 1, whereas Wilson's interval does so only on average. Points of a Latin hypercube
     scatter hardly more than independent ones, and mostly less (Owen 1997, doi:10.1137/S0036142994277468), so the
     coverage is mostly higher. Inconclusive and undecided runs widen the interval by all that they could be
     (`interval_both_ways`).

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
-from forficula.analysis.margin import NOT_TRIED, chained_row, margin_column
+from forficula.analysis.margin import NOT_TRIED, combined_row_margin, margin_column
 from forficula.arrays import Array, Flags
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.goals.assessor import Assessor, value_of
-from forficula.goals.deviation import off_values
+from forficula.goals.deviation import deviating_values
 from forficula.goals.tolerance.nearest_failure import Answer
 from forficula.goals.tolerance.question import MARGIN, Question
 from forficula.structure import Transition, structure_of
@@ -85,7 +85,7 @@ def assess_samples(question: Question, assess: Assessor, offsets: Array) -> Samp
         assess: computes rows of designs.
         offsets: in widths, (samples, factors); values are limited to what their keys allow.
     """
-    values = [off_values(question.design, question.deviations, offset) for offset in offsets.tolist()]
+    values = [deviating_values(question.design, question.deviations, offset) for offset in offsets.tolist()]
     designs = [built_design(question.design, changed) for changed in values]
     rows = assess(designs, question.sources, points=values)
     transitions = structure_of(question.design).transitions
@@ -126,7 +126,7 @@ def _margins(question: Question, row: Row, design: Design | str, transitions: Se
     """Return the margins in the order of `margin_names`."""
     of_transitions = [float(row.get(margin_column(transition.name), NOT_TRIED)) for transition in transitions]
     limits = [limit.margin(value_of(row, limit.quantity, design)) for limit in question.limits]
-    return [min([chained_row(row, transitions), *limits]), *of_transitions, *limits]
+    return [min([combined_row_margin(row, transitions), *limits]), *of_transitions, *limits]
 
 
 def _answer(row: Row, margins: Sequence[float]) -> Answer:
@@ -134,7 +134,7 @@ def _answer(row: Row, margins: Sequence[float]) -> Answer:
     if verdict is Verdict.NOT_BUILT:
         return Answer.OUTSIDE
     # a diverged or unreliable run is a property of the computation, not of the structure
-    if not verdict.tells:
+    if not verdict.conclusive:
         return Answer.UNKNOWN
     return Answer.WORKS if verdict is Verdict.REACHED and all(margin >= 0 for margin in margins) else Answer.FAILS
 

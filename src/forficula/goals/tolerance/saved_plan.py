@@ -11,7 +11,7 @@ from typing import Any
 from forficula.files import write_text
 from forficula.goals.tolerance.plan import PLANS, Plan
 from forficula.goals.tolerance.question import Question
-from forficula.lock import held
+from forficula.lock import hold_lock
 
 _FILE = "plan.json"
 
@@ -35,7 +35,7 @@ def saved_plan(folder: Path, question: Question, minutes: float, seed: int, plan
     Raises:
         InputError: the folder cannot be written.
     """
-    with held(folder / f".{_FILE}.lock"):
+    with hold_lock(folder / f".{_FILE}.lock"):
         if (kept := kept_plan(folder, question, minutes, seed)) is not None:
             return kept
         content = {"asked": _asked(question, minutes, seed), "plan": _plain(plan)}

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.arrays import Flags, Indices
-from forficula.goals.share_interval import LEVEL
+from forficula.goals.binomial_interval import LEVEL
 
 Values = NDArray[np.float64]
 

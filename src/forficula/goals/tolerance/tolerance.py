@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.arrays import Flags
-from forficula.goals.tolerance.indices import Indices, Values, tells_lines
+from forficula.goals.tolerance.indices import Indices, Values, enough_for_linear_fit
 from forficula.goals.tolerance.narrowing import Narrowed
 from forficula.goals.tolerance.nearest_failure import Answer, Reach
 from forficula.goals.tolerance.plan import Plan
@@ -120,9 +120,9 @@ class Tolerance:
         return bool(self.nominal.answers[0] is Answer.WORKS)
 
     @property
-    def tells_what_decides(self) -> bool:
+    def can_rank_factors(self) -> bool:
         """Whether there are enough designs to rank the tolerances."""
-        return self.plan.rows > 0 or tells_lines(len(self.samples), len(self.question.keys))
+        return self.plan.rows > 0 or enough_for_linear_fit(len(self.samples), len(self.question.keys))
 
     @property
     def meets(self) -> bool:

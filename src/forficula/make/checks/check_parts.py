@@ -13,7 +13,7 @@ from forficula.make.checks.motion_checks import built_checks, motion_checks
 from forficula.make.checks.printing_checks import printing_checks
 from forficula.make.checks.range_checks import range_checks
 from forficula.make.checks.strength_checks import strength_checks
-from forficula.make.files.lying import OrientedPart, lying_mesh, open_edges, printed_pieces
+from forficula.make.files.print_orientation import OrientedPart, open_edges, print_mesh, printed_pieces
 from forficula.make.hinge.joint_layout import JointLayout, bar_hinges
 from forficula.make.part import PartSet
 from forficula.make.solid.mesh import MILLIMETRES
@@ -148,7 +148,7 @@ def mesh_checks(parts: PartSet) -> Iterator[Check]:
 
 def _closed(piece: OrientedPart) -> Check:
     """Check that the surface of a piece is closed, so that slicers know what is inside."""
-    gaps = open_edges(lying_mesh(*piece.parts))
+    gaps = open_edges(print_mesh(*piece.parts))
     missed = f"it is open at {gaps} edges, which slicers repair in different ways; please report this"
     return count_check("closed surface", piece.name, found=gaps, wanted=0, held="it is closed", missed=missed)
 

@@ -11,11 +11,11 @@ from forficula.design import key_quantity, key_value
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.make.checks.check import Check
-from forficula.make.flat.touching import TOUCHES, Touch, built_overlaps, touches
+from forficula.make.flat.clearance import LEAST_OVERLAP, Collision, built_overlaps, recorded_collisions
 from forficula.make.hinge.hub import Root
 from forficula.make.part import PartSet
-from forficula.make.solid.mending import Mending, mendings
 from forficula.make.solid.poses import poses_of, stage_at
+from forficula.make.solid.repair import Repair, possible_repairs
 from forficula.material.law.law_file import load_law
 from forficula.names import listed
 from forficula.quantities import show_value
@@ -37,10 +37,10 @@ def motion_checks(parts: PartSet, record: Record, mend: bool = True) -> Iterator
     if record.diverged_at is not None:
         yield _not_checked(parts)
         return
-    collisions = touches(parts, record)
+    collisions = recorded_collisions(parts, record)
     yield from _touch_checks(parts, collisions)
     if collisions and mend:
-        yield _mending_check(parts, mendings(parts, record))
+        yield _mending_check(parts, possible_repairs(parts, record))
     yield from _stop_checks(parts, record)
     yield from _root_checks(parts, record)
 
@@ -63,7 +63,7 @@ def built_checks(parts: PartSet) -> Iterator[Check]:
         part=parts.design.name,
         ok=not overlaps,
         value=worst,
-        limit=TOUCHES,
+        limit=LEAST_OVERLAP,
         unit="m^3",
         text=text,
     )
@@ -75,15 +75,15 @@ def _not_checked(parts: PartSet) -> Check:
         part=parts.design.name,
         ok=None,
         value=math.nan,
-        limit=TOUCHES,
+        limit=LEAST_OVERLAP,
         unit="m^3",
         text="not checked, because the run diverged",
     )
 
 
-def _touch_checks(parts: PartSet, found: Sequence[Touch]) -> Iterator[Check]:
+def _touch_checks(parts: PartSet, found: Sequence[Collision]) -> Iterator[Check]:
     """Yield a failed check for every pair of bodies that collide, the first ones first; or one passed check."""
-    by_pair: dict[tuple[str, str], list[Touch]] = {}
+    by_pair: dict[tuple[str, str], list[Collision]] = {}
     for touch in found:
         by_pair.setdefault(touch.bodies, []).append(touch)
     for bodies, collisions in by_pair.items():
@@ -95,7 +95,7 @@ def _touch_checks(parts: PartSet, found: Sequence[Touch]) -> Iterator[Check]:
             part=" and ".join(bodies),
             ok=False,
             value=most.volume,
-            limit=TOUCHES,
+            limit=LEAST_OVERLAP,
             unit="m^3",
             text=f"{' and '.join(first.features)} touch from {_when(first)} on, with {_angles(first)}{more}; their"
             f" overlap grows to {most.volume * 1e9:.3g} mm^3, so this motion cannot be made with these parts",
@@ -106,23 +106,23 @@ def _touch_checks(parts: PartSet, found: Sequence[Touch]) -> Iterator[Check]:
             part=parts.design.name,
             ok=True,
             value=0.0,
-            limit=TOUCHES,
+            limit=LEAST_OVERLAP,
             unit="m^3",
             text="no two bodies without a common joint touch, in rows of the record that are chosen as different from"
             " each other as possible; straps and rods are not checked",
         )
 
 
-def _when(touch: Touch) -> str:
+def _when(touch: Collision) -> str:
     """Return a text with a time in its stage."""
     return f'{touch.after * 1e3:.1f} ms of stage "{touch.stage}"'
 
 
-def _angles(touch: Touch) -> str:
+def _angles(touch: Collision) -> str:
     return listed([f"{name} at {math.degrees(angle):.1f} deg" for name, angle in touch.angles.items()])
 
 
-def _mending_check(parts: PartSet, tried: Sequence[Mending]) -> Check:
+def _mending_check(parts: PartSet, tried: Sequence[Repair]) -> Check:
     """Return the changes that would avoid the collisions."""
     results = [f"{trial.name}: {_result(trial)}" for trial in tried]
     successful = [trial for trial in tried if trial.touches is not None and not trial.touches]
@@ -139,7 +139,7 @@ def _mending_check(parts: PartSet, tried: Sequence[Mending]) -> Check:
     )
 
 
-def _result(tried: Mending) -> str:
+def _result(tried: Repair) -> str:
     """Return a text with the result of a trial."""
     if tried.touches is None:
         return f"cannot be made ({tried.why})"

@@ -17,7 +17,7 @@ from forficula.make.hinge.joint_layout import JointLayout
 from forficula.make.hinge.strap_shape import StrapPlace, strap_along, strap_line
 from forficula.make.part import PartSet
 from forficula.make.solid.mesh import MILLIMETRES, placed, solid_of
-from forficula.pattern.rotation import STILL, RigidMotion
+from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion
 from forficula.quantities import show_value
 
 # mm^3: overlap of touching round parts, because circles are polygons
@@ -247,7 +247,7 @@ def _strap_check(place: StrapPlace, swept: Sequence[_Swept], name: str, state: s
 
 def _chain(joints: Sequence[JointLayout], angles: Sequence[float]) -> list[RigidMotion]:
     """Return the positions of the bodies of a chain of joints. The first proximal body is fixed."""
-    poses = [STILL]
+    poses = [IDENTITY_MOTION]
     for joint, angle in zip(joints, angles, strict=True):
         poses.append(poses[-1].after(turned(joint, angle)))
     return poses

@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 from forficula.csv_text import csv_text
 from forficula.design import SheetDesign
-from forficula.make.files.lying import lying_size
+from forficula.make.files.print_orientation import print_size
 from forficula.make.made_values import printed_shares
 from forficula.make.part import Part, PartSet
 from forficula.structure import Structure, mass_of
@@ -148,7 +148,7 @@ def _mass(structure: Structure) -> float:
 
 
 def _row(part: Part) -> BillRow:
-    length, width, height = (float(side) for side in lying_size(part))
+    length, width, height = (float(side) for side in print_size(part))
     return BillRow(
         part=part.name,
         kind=part.kind,

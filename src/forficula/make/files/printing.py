@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from forficula.make.files.lying import file_names, lying_mesh, printed_pieces
+from forficula.make.files.print_orientation import file_names, print_mesh, printed_pieces
 from forficula.make.files.three_mf import Item, three_mf_bytes
 from forficula.make.part import PartSet
 from forficula.make.solid.mesh import Mesh
@@ -31,7 +31,7 @@ def print_files(parts: PartSet, progress: Callable[[str], None] = lambda _: None
     files: dict[str, bytes] = {}
     for piece, name in zip(pieces, file_names([piece.name for piece in pieces]), strict=True):
         progress(f"writing {name}.stl")
-        mesh = lying_mesh(*piece.parts)
+        mesh = print_mesh(*piece.parts)
         items.append(Item(name=piece.name, material=piece.material, mesh=mesh, count=piece.count))
         files[f"stl/{name}.stl"] = stl_bytes(mesh, piece.name)
     if items:

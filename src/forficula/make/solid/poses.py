@@ -39,7 +39,7 @@ def poses_of(record: Record, rows: Sequence[int] | Indices) -> PartPoses:
     return PartPoses(rows=np.asarray(rows, dtype=np.int64), frames=turns, origins=moves)
 
 
-def telling_rows(record: Record, most: int) -> Indices:
+def different_rows(record: Record, most: int) -> Indices:
     """Return rows whose poses are as different from each other as possible. Repeated poses are included only once.
 
     From the first row on, the row whose hinge angles are furthest from all selected rows is added (Gonzalez 1985).

@@ -203,7 +203,7 @@ def _fitted(
 
 
 def _gains(fitted: Sequence[FittedForm], branches: int) -> bool:
-    """Whether a Prony series with a number of branches fits better than all forms with fewer, by the criterion."""
+    """Return whether a Prony series with a number of branches has a better criterion than all forms with fewer."""
     longest = [fit for fit in fitted if fit.model.form.branches == branches]
     others = [fit for fit in fitted if fit.model.form.branches < branches]
     if not longest or not others:

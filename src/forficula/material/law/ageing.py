@@ -22,13 +22,13 @@ class Aged:
     Attributes:
         forces: forces of the branches, pulling positive, (branch,), relative to the distance of the ends.
         lost: energy dissipated in the dampers.
-        spared: energy that the branches seem to store, because their forces are relative to the distance of the ends,
-            in excess of that of the slack tendon.
+        stored_excess: energy that the branches seem to store, because their forces are relative to the distance of the
+            ends, in excess of that of the slack tendon.
     """
 
     forces: Array
     lost: float
-    spared: float
+    stored_excess: float
 
 
 def aged(law: TendonLaw, distance: float, forces: Array, time: float, *, drift: float = 0.0) -> Aged:
@@ -53,7 +53,7 @@ def aged(law: TendonLaw, distance: float, forces: Array, time: float, *, drift: 
     if not law.lets_go or _force(law, distance) + np.minimum(forces, 0.0).sum() >= 0:
         follows = stiffness * -np.expm1(-time / times) * times / time
         faded = forces * np.exp(-time / times) + (follows - stiffness) * drift
-        return Aged(forces=faded, lost=float(np.sum((forces**2 - faded**2) / (2 * stiffness))), spared=0.0)
+        return Aged(forces=faded, lost=float(np.sum((forces**2 - faded**2) / (2 * stiffness))), stored_excess=0.0)
     # actual length of the slack tendon, and the forces of the branches at this length
     length = _slack_length(law, distance, forces, stiffness)
     actual = forces + stiffness * (length - distance)
@@ -67,7 +67,7 @@ def aged(law: TendonLaw, distance: float, forces: Array, time: float, *, drift: 
     relative = actual - stiffness * (length - distance)
     last = _energy(law, length, actual, stiffness), float(np.sum(relative**2 / (2 * stiffness)))
     lost = first[0] - last[0]
-    return Aged(forces=relative, lost=lost, spared=last[1] - first[1] + lost)
+    return Aged(forces=relative, lost=lost, stored_excess=last[1] - first[1] + lost)
 
 
 def _slack_length(law: TendonLaw, distance: float, forces: Array, follows: Array) -> float:

@@ -208,7 +208,7 @@ def known_moduli(law: MaterialLaw) -> Triple:
     return law.moduli or (0.0, 0.0, 0.0)
 
 
-def chosen(law: MaterialLaw, linear_modulus: float) -> MaterialLaw:
+def with_linear_modulus(law: MaterialLaw, linear_modulus: float) -> MaterialLaw:
     """Set the modulus of a material for which only a range is known.
 
     Args:

@@ -108,5 +108,5 @@ def softened_moduli(moduli: Triple, softening: OgdenRoxburgh, peak: float) -> tu
 
 
 def pulls(first: float, second: float, third: float) -> bool:
-    """Whether a polynomial without constant term is >= 0 at every positive strain."""
+    """Return whether a polynomial without constant term is >= 0 at every positive strain."""
     return bool(first >= 0 and third >= 0 and (second >= 0 or second**2 < 4 * first * third))

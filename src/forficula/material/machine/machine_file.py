@@ -11,7 +11,7 @@ from forficula.errors import InputError
 from forficula.files import read_bytes, shown_path
 from forficula.material.machine.machine_text import parse_recordings
 from forficula.material.machine.machine_units import FORCE, LENGTH, STRAIN, STRESS, TIME, ColumnKind
-from forficula.material.machine.recording import RecordedColumn, Recording, at_line
+from forficula.material.machine.recording import RecordedColumn, Recording, message_at_line
 from forficula.material.machine.specimen import specimen_area, specimen_length
 from forficula.material.machine.spreadsheet import SPREADSHEETS, parse_spreadsheet
 from forficula.material.machine.zs2_file import parse_zs2
@@ -93,9 +93,9 @@ def _tensile_test(recording: Recording, length: float | None, area: float | None
     if (row := falling(time)) is not None:
         before, after = recording.time.values[row - 1 : row + 1]
         message = f"{recording.time.name}: need times that never decrease, got {after:g} after {before:g}"
-        raise InputError(at_line(int(recording.lines[row]), message))
+        raise InputError(message_at_line(int(recording.lines[row]), message))
     if len(time) < 2:
-        raise InputError(at_line(line, "need at least two rows of numbers, got one: is it cut off?"))
+        raise InputError(message_at_line(line, "need at least two rows of numbers, got one: is it cut off?"))
     travel, is_travel = _in_si(recording.travel, line, LENGTH, STRAIN)
     force, is_force = _in_si(recording.force, line, FORCE, STRESS)
     first_length = specimen_length(recording.properties, length)
@@ -117,4 +117,4 @@ def _in_si(column: RecordedColumn, line: int, kind: ColumnKind, other: ColumnKin
     if other is not None and (factor := other.factor(column.unit)) is not None:
         return column.values * factor, False
     what = f"{as_written(column.unit)} is not its unit" if column.unit else "the unit is missing"
-    raise InputError(at_line(line, f"{column.name}: {what}; {kind.rule()}"))
+    raise InputError(message_at_line(line, f"{column.name}: {what}; {kind.rule()}"))

@@ -136,5 +136,5 @@ def split_unit(text: str) -> tuple[str, str]:
 
 
 def is_role(name: str) -> bool:
-    """Whether a name is a known name of a role."""
+    """Return whether a name is a known name of a role."""
     return any(name_key(name) in _rank(role) for role in ROLES)

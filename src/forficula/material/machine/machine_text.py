@@ -20,7 +20,7 @@ from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.machine.machine_names import columns_by_specimen, is_role, split_unit
 from forficula.material.machine.machine_units import is_unit
-from forficula.material.machine.recording import Property, RecordedColumn, Recording, at_line, travel_among
+from forficula.material.machine.recording import Property, RecordedColumn, Recording, message_at_line, travel_among
 from forficula.quantities import as_written
 
 _DELIMITERS = ("\t", ";", ",")
@@ -57,7 +57,7 @@ def parse_recordings(content: bytes, name: str) -> tuple[Recording, ...]:
         raise InputError("need a tensile test, got an empty file")
     long = next((number for number, line in enumerate(text.splitlines(), 1) if len(line) > _LONGEST_LINE), None)
     if long is not None:
-        raise InputError(at_line(long, f"need at most {_LONGEST_LINE} characters on a line, got more"))
+        raise InputError(message_at_line(long, f"need at most {_LONGEST_LINE} characters on a line, got more"))
     return recordings_of(*_rows(text, _delimiter(text)), name)
 
 
@@ -83,7 +83,9 @@ def recordings_of(rows: list[list[str]], lines: list[int], name: str) -> tuple[R
         shared = [] if start == header else tables[0][0].properties
         tables.append(_recordings(name, rows[above:end], lines[above:end], start - above, shared))
         if number > 1 and tables[-1][0].time.values[0] >= tables[-2][0].time.values[-1]:
-            raise InputError(at_line(lines[start], "the names are repeated, but time continues: join the tables"))
+            raise InputError(
+                message_at_line(lines[start], "the names are repeated, but time continues: join the tables")
+            )
         above = end
     recordings = [recording for table in tables for recording in table]
     if len(recordings) == 1:
@@ -190,7 +192,9 @@ def _rows(text: str, delimiter: str) -> tuple[list[list[str]], list[int]]:
                 rows.append(row)
                 lines.append(reader.line_num)
     except csv.Error as error:
-        raise InputError(at_line(reader.line_num, f"need cells in closed quotes, is it cut off? ({error})")) from None
+        raise InputError(
+            message_at_line(reader.line_num, f"need cells in closed quotes, is it cut off? ({error})")
+        ) from None
     return rows, lines
 
 
@@ -211,7 +215,7 @@ def _is_numeric(row: Sequence[str]) -> bool:
 
 
 def _is_units_row(row: Sequence[str]) -> bool:
-    """Whether no cell is a number, except for 1, the unit of a strain."""
+    """Return whether no cell is a number, except for 1, the unit of a strain."""
     cells = [_unbracketed(cell) for cell in row if cell.strip()]
     return any(not _EITHER_SIGN.fullmatch(cell) for cell in cells) and all(
         cell == "1" or not _EITHER_SIGN.fullmatch(cell) for cell in cells
@@ -234,7 +238,7 @@ def _names_and_units(
         for column, unit in enumerate(row[: len(names)]):
             if unit and units[column] and unit != units[column]:
                 written = f"{as_written(units[column])} in the name and {as_written(unit)} below it"
-                raise InputError(at_line(lines[below], f"{names[column]}: the units are mixed: {written}"))
+                raise InputError(message_at_line(lines[below], f"{names[column]}: the units are mixed: {written}"))
             units[column] = unit or units[column]
         below += 1
     return names, units, below
@@ -246,23 +250,27 @@ def _columns_of_roles(names: Sequence[str], line: int) -> list[dict[str, int]]:
         return columns_by_specimen(names)
     except InputError as error:
         known = "" if any(map(is_role, names)) else f"; {_KNOWN}"
-        raise InputError(at_line(line, f"{error}{known}")) from None
+        raise InputError(message_at_line(line, f"{error}{known}")) from None
 
 
 def _check_widths(rows: list[list[str]], lines: list[int], names: Sequence[str], names_line: int) -> None:
     """Refuse a missing body, and a body whose rows do not have as many cells as names."""
     if not rows:
-        raise InputError(at_line(names_line, "need rows of numbers below the names, got none: is the file cut off?"))
+        raise InputError(
+            message_at_line(names_line, "need rows of numbers below the names, got none: is the file cut off?")
+        )
     widths = np.fromiter(map(len, rows), dtype=np.int64, count=len(rows))
     usual, width = int(np.bincount(widths).argmax()), max(n for n, name in enumerate(names, start=1) if name)
     # a delimiter at the end of every row gives an additional empty cell
     if usual < width or any(cell.strip() for cell in rows[0][len(names) :]):
         hint = "; decimal commas need another delimiter, or quotes" if usual == 2 * width else ""
-        raise InputError(at_line(lines[0], f"need {width} cells, one for each name, got {usual}{hint}"))
+        raise InputError(message_at_line(lines[0], f"need {width} cells, one for each name, got {usual}{hint}"))
     if (widths != usual).any():
         wrong = int(np.argmax(widths != usual))
         cut = ": is the file cut off?" if wrong == len(rows) - 1 else ""
-        raise InputError(at_line(lines[wrong], f"need {usual} cells, as in the other rows, got {widths[wrong]}{cut}"))
+        raise InputError(
+            message_at_line(lines[wrong], f"need {usual} cells, as in the other rows, got {widths[wrong]}{cut}")
+        )
 
 
 def _decimal_sign(cells: dict[str, list[str]], lines: Sequence[int]) -> str:
@@ -275,7 +283,7 @@ def _decimal_sign(cells: dict[str, list[str]], lines: Sequence[int]) -> str:
             for column in cells.values()
             if any(odd in cell for cell in column)
         )
-        raise InputError(at_line(lines[row], f"decimal points and commas are mixed, got {as_written(cell)}"))
+        raise InputError(message_at_line(lines[row], f"decimal points and commas are mixed, got {as_written(cell)}"))
     if not counts[","]:
         return "."
     if all(_EITHER_COMMA.fullmatch(cell.strip()) for column in cells.values() for cell in column if "," in cell):
@@ -283,7 +291,7 @@ def _decimal_sign(cells: dict[str, list[str]], lines: Sequence[int]) -> str:
         cell = cells[role][row].strip()
         readings = f"{cell.replace(',', '.')} or {cell.replace(',', '')}"
         remedy = "export without commas between thousands, or with another number of decimals"
-        raise InputError(at_line(lines[row], f"{role}: {as_written(cell)} may be {readings}; {remedy}"))
+        raise InputError(message_at_line(lines[row], f"{role}: {as_written(cell)} may be {readings}; {remedy}"))
     return ","
 
 
@@ -297,7 +305,7 @@ def _numbers(cells: list[str], decimal: str, lines: Sequence[int]) -> Array:
     if not np.isfinite(values).all():
         row = int(np.argmin(np.isfinite(values)))
         cut = ": is the file cut off?" if row == len(cells) - 1 else ""
-        raise InputError(at_line(lines[row], f"need a finite number, got {as_written(cells[row])}{cut}"))
+        raise InputError(message_at_line(lines[row], f"need a finite number, got {as_written(cells[row])}{cut}"))
     return values
 
 

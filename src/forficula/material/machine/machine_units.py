@@ -53,5 +53,5 @@ STRAIN = ColumnKind(factors={"%": 1e-2, "mm/mm": 1.0, "m/m": 1.0, "in/in": 1.0, 
 
 
 def is_unit(text: str) -> bool:
-    """Whether a text is a unit of a quantity of tensile tests."""
+    """Return whether a text is a unit of a quantity of tensile tests."""
     return any(kind.factor(text) is not None for kind in (TIME, LENGTH, AREA, FORCE, STRESS, STRAIN))

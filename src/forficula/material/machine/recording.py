@@ -74,6 +74,6 @@ def travel_among(columns: Mapping[str, RecordedColumn]) -> RecordedColumn:
     return RecordedColumn(name=position.name, unit=position.unit, values=position.values - position.values[0])
 
 
-def at_line(line: int, message: str) -> str:
+def message_at_line(line: int, message: str) -> str:
     """Return a message that begins with the number of the line, if it is not 0."""
     return f"line {line}: {message}" if line else message

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from forficula.errors import InputError
 from forficula.material.machine.machine_names import all_keys, name_key
 from forficula.material.machine.machine_units import AREA, LENGTH, ColumnKind
-from forficula.material.machine.recording import Property, at_line
+from forficula.material.machine.recording import Property, message_at_line
 from forficula.material.tensile.tensile_test import UNITS, size_rule
 from forficula.quantities import as_written, format_quantity, show_quantity
 
@@ -86,8 +86,10 @@ def _first(properties: Sequence[Property], labels: Sequence[str], kind: ColumnKi
         if not needed:
             return None
         what = f"{as_written(best.unit)} is not its unit" if best.unit else "the unit is missing"
-        raise InputError(at_line(best.line, f"{best.label}: {what}; {kind.rule()}"))
-    return _Size(value=best.value * factor, rounding=best.rounding * factor, source=at_line(best.line, best.label))
+        raise InputError(message_at_line(best.line, f"{best.label}: {what}; {kind.rule()}"))
+    return _Size(
+        value=best.value * factor, rounding=best.rounding * factor, source=message_at_line(best.line, best.label)
+    )
 
 
 def _product(a: _Size, b: _Size, factor: float) -> _Size:

@@ -56,7 +56,7 @@ def read_specimens(patterns: Sequence[str], *, length: float | None = None, area
             raise InputError(f"{file}: need a file of a tensile test, got a folder; name its files, as in {file}/*.csv")
         first = seen.setdefault(Path(file).resolve(), file)
         if first is not file:
-            raise InputError(f"{file}: is given twice; each file counts as specimens of its own")
+            raise InputError(f"{file}: is given twice; every file counts as further specimens")
     tests = [(file, test) for file in files for test in read_tensile_tests([file], length=length, area=area)]
     times = Counter(test.name for _, test in tests)
     named = [test if times[test.name] == 1 else _named_by_folder(file, test) for file, test in tests]

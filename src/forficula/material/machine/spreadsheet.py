@@ -30,7 +30,7 @@ def parse_spreadsheet(content: bytes, name: str) -> tuple[Recording, ...]:
     Raises:
         InputError: python-calamine is not installed, the file is not a workbook, or no sheet has a tensile test.
     """
-    found: list[Recording] = []
+    result: list[Recording] = []
     titles = []
     for title, rows in _sheets(content):
         titles.append(title)
@@ -38,12 +38,12 @@ def parse_spreadsheet(content: bytes, name: str) -> tuple[Recording, ...]:
         cells = [row for row in rows if any(row)]
         if any(sum(is_role(split_unit(cell)[0]) for cell in row) > 1 for row in cells):
             with error_prefix(f'sheet "{title}": '):
-                found += recordings_of(cells, lines, name)
-    if not found:
+                result += recordings_of(cells, lines, name)
+    if not result:
         raise InputError(f"need a sheet with columns of time, travel and force, got {', '.join(titles) or 'no sheet'}")
-    if len(found) == 1:
-        return tuple(found)
-    return tuple(replace(recording, name=f"{name} {number}") for number, recording in enumerate(found, start=1))
+    if len(result) == 1:
+        return tuple(result)
+    return tuple(replace(recording, name=f"{name} {number}") for number, recording in enumerate(result, start=1))
 
 
 def _sheets(content: bytes) -> list[tuple[str, list[list[str]]]]:

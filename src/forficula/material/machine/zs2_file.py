@@ -118,7 +118,7 @@ def _values(stream: bytearray) -> dict[Place, object]:
 
 
 def _matters(name: str | None, data: bytearray) -> bool:
-    """Whether a chunk begins or ends a section, or has a value that is needed; a file has 100 000 other chunks."""
+    """Return whether a chunk begins or ends a section, or has a needed value; a file has 100 000 other chunks."""
     return name is None or name in _WANTED or data[:1] == _SECTION
 
 

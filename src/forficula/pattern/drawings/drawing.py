@@ -13,7 +13,7 @@ from forficula.errors import InputError
 _DARK, _PALE, _COLOURLESS = 0.25, 0.95, 0.15
 # letters by hue: red mountain, yellow flat, green cut, blue valley, magenta unassigned, as Origami Simulator has them
 _HUES = ((0, 25, "M"), (60, 15, "F"), (120, 40, "C"), (235, 25, "V"), (305, 30, "U"), (360, 25, "M"))
-COLOURS_MEANT = (
+COLOUR_MEANINGS = (
     "red (mountain), blue (valley), black (border), green (cut), yellow or grey (flat), magenta (unassigned)"
 )
 
@@ -77,7 +77,7 @@ def letter_of_colour(red: float, green: float, blue: float) -> str | None:
     return next((letter for middle, width, letter in _HUES if abs(360 * hue - middle) <= width), None)
 
 
-def check_some(lines: Sequence[DrawnLine], left_out: Counter[str]) -> tuple[str, ...]:
+def check_has_lines(lines: Sequence[DrawnLine], left_out: Counter[str]) -> tuple[str, ...]:
     """Return remarks on lines without a meaning, and refuse a drawing without any line of a sheet.
 
     Raises:
@@ -86,5 +86,5 @@ def check_some(lines: Sequence[DrawnLine], left_out: Counter[str]) -> tuple[str,
     others = ", ".join(f"{count} of {what}" for what, count in sorted(left_out.items()))
     if not lines:
         got = f"only {others}" if others else "none"
-        raise InputError(f"need lines in {COLOURS_MEANT}, or in layers or groups with these names, got {got}")
+        raise InputError(f"need lines in {COLOUR_MEANINGS}, or in layers or groups with these names, got {got}")
     return (f"lines left out, because neither colour nor layer defines their kind: {others}",) if others else ()

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 from forficula.errors import InputError, error_prefix
 from forficula.files import read_bytes
 from forficula.names import one_line
-from forficula.pattern.drawings.drawing import Drawing, DrawnLine, check_some, letter_of_colour
+from forficula.pattern.drawings.drawing import Drawing, DrawnLine, check_has_lines, letter_of_colour
 from forficula.pattern.files.edge_names import letter_of_name
 from forficula.quantities import as_written
 
@@ -99,7 +99,7 @@ def read_dxf(file: Path) -> Drawing:
             lines += _drawn_lines(entity, layers.get(entity.dxf.layer.lower()), left_out, name)
     if binary and b"$INSUNITS" in content:
         unit = document.header.get("$INSUNITS", 0)
-    remarks = (*repairs, *check_some(lines, left_out))
+    remarks = (*repairs, *check_has_lines(lines, left_out))
     return Drawing(lines=tuple(lines), unit=_METRES.get(unit), assumed_unit=None, title="", remarks=remarks)
 
 

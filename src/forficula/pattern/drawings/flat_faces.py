@@ -132,7 +132,7 @@ def _check_places(points: Array, edges: Indices, tolerance: float) -> None:
         for one, other in pairs[np.lexsort(pairs.T[::-1])].tolist():
             if parts[one] != parts[other]:
                 raise InputError(
-                    f"vertices_coords[{other}]: need every vertex of a flat sheet at a place of its own, got that of"
+                    f"vertices_coords[{other}]: need vertices of a flat sheet at different positions, got that of"
                     f" vertex {one}; use vertex {one} instead"
                 )
 

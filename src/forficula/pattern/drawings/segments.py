@@ -154,6 +154,6 @@ def _length(vectors: Array) -> Array:
 
 
 def _apart(one: Array, other: Array, margin: float) -> Flags:
-    """Whether two signed distances from a line are on opposite sides, further than a margin."""
+    """Return whether two signed distances from a line are on opposite sides, further than a margin."""
     sides: Flags = (np.minimum(np.abs(one), np.abs(other)) > margin) & (one * other < 0)
     return sides

@@ -17,7 +17,7 @@ from forficula.arrays import Array
 from forficula.errors import InputError, error_prefix
 from forficula.files import read_bytes
 from forficula.names import one_line
-from forficula.pattern.drawings.drawing import Drawing, DrawnLine, check_some, letter_of_colour
+from forficula.pattern.drawings.drawing import Drawing, DrawnLine, check_has_lines, letter_of_colour
 from forficula.pattern.drawings.svg_style import (
     PIXEL,
     Rules,
@@ -86,7 +86,7 @@ def _drawing(root: ElementTree.Element) -> Drawing:
         name = f"{_tag(shape)} {seen[_tag(shape)]}{identifier}"
         with error_prefix(f"{name}: "):
             lines += _drawn_lines(shape, place, rules, left_out, name)
-    remarks = check_some(lines, left_out)
+    remarks = check_has_lines(lines, left_out)
     title = next((child.text or "" for child in root if _tag(child) == "title"), "")
     return Drawing(lines=tuple(lines), unit=unit, assumed_unit=assumed, title=one_line(title), remarks=remarks)
 

@@ -79,12 +79,12 @@ def style_of(element: ElementTree.Element, above: Style, rules: Rules) -> Style:
 
 
 def is_simple(selector: str) -> bool:
-    """Whether a selector consists of tag, classes and id only, without combinators."""
+    """Return whether a selector consists of tag, classes and id only, without combinators."""
     return bool(selector) and _SIMPLE.fullmatch(selector) is not None
 
 
 def _selects(selector: str, element: ElementTree.Element) -> bool:
-    """Whether a selector without combinators selects an element."""
+    """Return whether a selector without combinators selects an element."""
     match = _SIMPLE.fullmatch(selector)
     if match is None or not selector:
         return False

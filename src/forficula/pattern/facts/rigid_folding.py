@@ -76,16 +76,16 @@ def begins_as_assigned(pattern: CreasePattern) -> bool:
     _check_unfolded(pattern)
     signs = senses(pattern)
     rows: list[tuple[Array, Indices]] = []
-    for each in vertex_creases(pattern):
-        along = np.concatenate([[0.0], np.cumsum(each.sectors[:-1])]) if len(each.edges) else np.zeros(0)
-        rows += [(np.cos(along), each.edges), (np.sin(along), each.edges)]
+    for crease in vertex_creases(pattern):
+        along = np.concatenate([[0.0], np.cumsum(crease.sectors[:-1])]) if len(crease.edges) else np.zeros(0)
+        rows += [(np.cos(along), crease.edges), (np.sin(along), crease.edges)]
     lower = np.where(signs > 0, 1.0, -np.inf)
     upper = np.where(signs < 0, -1.0, np.inf)
     equations = _sparse(rows, len(signs))
-    found = scipy.optimize.linprog(
+    result = scipy.optimize.linprog(
         np.zeros(len(signs)), A_eq=equations, b_eq=np.zeros(len(rows)), bounds=np.stack([lower, upper], 1)
     )
-    return bool(found.status == 0)
+    return bool(result.status == 0)
 
 
 def folded_as_assigned(pattern: CreasePattern) -> Array | None:
@@ -104,11 +104,11 @@ def folded_as_assigned(pattern: CreasePattern) -> Array | None:
     """
     _check_unfolded(pattern)
     moving = np.zeros(len(pattern.edges_vertices), dtype=bool)
-    moving[[each.edge for each in shared_edges(pattern) if pattern.edges_assignment[each.edge] != "F"]] = True
+    moving[[edge.edge for edge in shared_edges(pattern) if pattern.edges_assignment[edge.edge] != "F"]] = True
     signs = np.where(moving, senses(pattern), 0)
     if not signs.any():
         return None
-    around = [each for each in vertex_creases(pattern) if len(each.edges)]
+    around = [crease for crease in vertex_creases(pattern) if len(crease.edges)]
     draw = np.random.default_rng(0)
     for attempt in range(_TRIES if around else 1):
         share = draw.uniform(*_SPREAD, len(signs)) if attempt else np.ones(len(signs))
@@ -147,10 +147,10 @@ def _gaps(around: Sequence[VertexCreases], angles: Array) -> tuple[Array, csr_ar
     """Compute the closure errors of the vertices, three numbers per vertex, and their derivatives by fold angle."""
     gaps: list[Array] = []
     rows: list[tuple[Array, Indices]] = []
-    for degree in sorted({len(each.edges) for each in around}):
-        alike = [each for each in around if len(each.edges) == degree]
-        edges = np.array([each.edges for each in alike])
-        product, creases = vertex_walk(np.array([each.sectors for each in alike]), angles[edges])
+    for degree in sorted({len(item.edges) for item in around}):
+        alike = [item for item in around if len(item.edges) == degree]
+        edges = np.array([item.edges for item in alike])
+        product, creases = vertex_walk(np.array([item.sectors for item in alike]), angles[edges])
         skew = product - np.swapaxes(product, 1, 2)
         gaps.append(np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1).ravel() / 2)
         rows += [(creases[place, :, axis], edges[place]) for place in range(len(alike)) for axis in range(3)]

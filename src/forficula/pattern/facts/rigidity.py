@@ -75,7 +75,7 @@ def rigidity(pattern: CreasePattern, coords: Array | None = None, *, bending: bo
     matrix = _matrix(rows, 3 * len(points))
     twice = 0
     if not bending:
-        twice = sum(nodes.plates[each.left] != nodes.plates[each.right] for each in nodes.shared)
+        twice = sum(nodes.plates[item.left] != nodes.plates[item.right] for item in nodes.shared)
     zeros, clear = nullity(matrix)
     parts = int(nodes.parts.max()) + 1
     rank = matrix.shape[1] - zeros

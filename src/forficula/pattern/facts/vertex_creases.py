@@ -39,8 +39,8 @@ def vertex_creases(pattern: CreasePattern) -> tuple[VertexCreases, ...]:
     Raises:
         InputError: faces are not counterclockwise.
     """
-    left_of = {(each.tail, each.head): (each.left, each.edge) for each in shared_edges(pattern)}
-    left_of |= {(each.head, each.tail): (each.right, each.edge) for each in shared_edges(pattern)}
+    left_of = {(edge.tail, edge.head): (edge.left, edge.edge) for edge in shared_edges(pattern)}
+    left_of |= {(edge.head, edge.tail): (edge.right, edge.edge) for edge in shared_edges(pattern)}
     start: dict[int, int] = {vertex: facet for facet, face in enumerate(pattern.faces_vertices) for vertex in face}
     return tuple(_around(pattern, vertex, start[vertex], left_of) for vertex in interior_vertices(pattern).tolist())
 

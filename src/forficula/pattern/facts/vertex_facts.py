@@ -56,19 +56,19 @@ def vertex_facts(pattern: CreasePattern) -> tuple[VertexFacts, ...]:
     checks = vertex_checks(pattern) if flat else (None,) * len(around)
     return tuple(
         VertexFacts(
-            vertex=each.vertex,
-            creases=len(each.edges),
-            total=each.total,
-            missing=_missing(each),
+            vertex=item.vertex,
+            creases=len(item.edges),
+            total=item.total,
+            missing=_missing(item),
             check=check,
-            freedoms=vertex_freedoms(len(each.edges)),
-            folds=vertex_folds(pattern, each) if flat else None,
+            freedoms=vertex_freedoms(len(item.edges)),
+            folds=vertex_folds(pattern, item) if flat else None,
         )
-        for each, check in zip(around, checks, strict=True)
+        for item, check in zip(around, checks, strict=True)
     )
 
 
-def fault_words(facts: VertexFacts) -> tuple[str, ...]:
+def fault_labels(facts: VertexFacts) -> tuple[str, ...]:
     """Return short labels of the flat-folding conditions that a flat vertex fails."""
     check, words = facts.check, []
     if check is None:

@@ -13,7 +13,7 @@ from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.dimensions import check_count, check_lengths
 from forficula.pattern.facet_sheet import Creases, sheet_of_facets
-from forficula.pattern.fold_angles import kept_as_built
+from forficula.pattern.fold_angles import with_built_fold_angles
 
 
 class KreslingLengths(NamedTuple):
@@ -101,7 +101,7 @@ def kresling_pattern(
     if end_plates:
         faces += [tuple(reversed(range(sides))), tuple(range(layers * sides, (layers + 1) * sides))]
     title = f"Kresling tower, {sides} sides, {layers} layer{'s' if layers > 1 else ''}"
-    return kept_as_built(sheet_of_facets(coords, faces, creases, title))
+    return with_built_fold_angles(sheet_of_facets(coords, faces, creases, title))
 
 
 def kresling_lengths(sides: int, radius: float, height: ArrayLike, twist: ArrayLike) -> KreslingLengths:
@@ -159,7 +159,7 @@ def kresling_other_state(sides: int, radius: float, height: float, twist: float)
     other = math.pi - 2 * math.pi / sides - abs(twist)
     least = 4 * radius**2 * (math.sin(other / 2) ** 2 - math.sin(abs(twist) / 2) ** 2)
     if not height**2 >= least:
-        lowest, got = (f"{100 * each:.6g} cm" for each in (math.sqrt(least), height))
+        lowest, got = (f"{100 * item:.6g} cm" for item in (math.sqrt(least), height))
         raise InputError(f"pattern.height: need at least {lowest} for a second state, got {got}")
     return KreslingState(math.sqrt(height**2 - least), math.copysign(other, twist))
 

@@ -36,7 +36,7 @@ def pleat_pattern(panel_lengths: Sequence[float], width: float, assignment: str)
     if count < 2:
         raise InputError(f"pattern.panels: need 2 or more, got {count}")
     for key, length in (
-        *((f"panel_lengths.{panel}", each) for panel, each in enumerate(panel_lengths)),
+        *((f"panel_lengths.{panel}", length) for panel, length in enumerate(panel_lengths)),
         ("width", width),
     ):
         if not 0 < length < math.inf:

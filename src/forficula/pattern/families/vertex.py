@@ -14,7 +14,7 @@ from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.dimensions import check_angle, check_lengths
 from forficula.pattern.facet_sheet import Creases, sheet_of_facets
-from forficula.pattern.fold_angles import kept_as_built
+from forficula.pattern.fold_angles import with_built_fold_angles
 
 _LETTERS = "MVFU"
 _ROUNDING = 1e-9  # rad; sectors whose sum differs from 360 deg by no more are flat
@@ -68,7 +68,7 @@ def vertex_pattern(
         creases,
         f"vertex of {count} creases, sectors of {math.degrees(total):.6g} deg",
     )
-    return drawn if assignment or flat else kept_as_built(drawn)
+    return drawn if assignment or flat else with_built_fold_angles(drawn)
 
 
 def _checked(

@@ -12,7 +12,7 @@ from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.dimensions import check_angle, check_count, check_lengths
 from forficula.pattern.facet_sheet import Creases, sheet_of_facets
-from forficula.pattern.fold_angles import kept_as_built
+from forficula.pattern.fold_angles import with_built_fold_angles
 
 _ROUNDING = 1 + 1e-9  # allowed overlap of ends that meet, as a factor
 
@@ -107,7 +107,9 @@ def yoshimura_tube(sides: int, rows: int, base: float, height: float) -> CreaseP
     along = np.repeat(np.arange(rows + 1), sides) * math.sqrt((height - climb) * (height + climb))
     coords = np.column_stack([radius * np.cos(angles), radius * np.sin(angles), along])
     faces, creases = _triangles(sides, rows, lambda line, corner: line * sides + corner % sides)
-    return kept_as_built(sheet_of_facets(coords, faces, creases, f"Yoshimura tube, {sides} sides, {rows} rows"))
+    return with_built_fold_angles(
+        sheet_of_facets(coords, faces, creases, f"Yoshimura tube, {sides} sides, {rows} rows")
+    )
 
 
 def _check_triangles(key: str, count: int, least: int, rows: int, base: float, height: float) -> None:

@@ -101,7 +101,7 @@ def _inherit(frames: Sequence[object], number: int, known: dict[int, FoldFrame])
     above = known[number]
     for number, frame in reversed(below.items()):
         if "vertices_coords" in frame and "vertices_coords" in above and "edges_vertices" not in frame:
-            count, needed = (len(list_at(each, "vertices_coords")) for each in (frame, above))
+            count, needed = (len(list_at(item, "vertices_coords")) for item in (frame, above))
             if count != needed:
                 raise InputError(f"vertices_coords: need {needed} positions, as many as in the parent, got {count}")
         above = known[number] = above | frame

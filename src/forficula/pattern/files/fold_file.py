@@ -138,10 +138,10 @@ def read_folded_frames(
         frames = all_frames(fold_document(Path(path)))
         sheet = _sheet(frames, unit, frame, choose_unit=choose_unit)
         chosen, unit = chosen_frame(frames, frame), sheet.unit
-        for number, each in enumerate(frames[1:], 1):
+        for number, item in enumerate(frames[1:], 1):
             try:
-                if number != chosen and "foldedForm" in frame_classes(each):
-                    states.append(_folded_state(each, unit, sheet))
+                if number != chosen and "foldedForm" in frame_classes(item):
+                    states.append(_folded_state(item, unit, sheet))
             except InputError as error:
                 raise InputError(f"file_frames[{number - 1}]: {error}") from error
     except InputError as error:
@@ -201,7 +201,7 @@ def _sheet_of(frames: Sequence[FoldFrame], number: int, unit: float | None) -> _
     elif plane is not None and not folded_flat:
         faces = [face if face_area(coords, face) > 0 else face[::-1] for face in faces]
     else:
-        faces, turned = turned_alike(faces)
+        faces, turned = oriented_faces(faces)
         if turned:
             remarks.append(f"faces_vertices: {len(turned)} of {len(faces)} reversed to the orientation of the others")
     faces_at = Counter(frozenset(side) for face in faces for side in face_sides(face))
@@ -358,7 +358,7 @@ def _named(what: str, numbers: Sequence[int]) -> str:
     return f"{what if len(shown) == 1 else plural} {listed(shown)}"
 
 
-def turned_alike(faces: Sequence[Sequence[int]]) -> tuple[list[list[int]], list[int]]:
+def oriented_faces(faces: Sequence[Sequence[int]]) -> tuple[list[list[int]], list[int]]:
     """Reverse faces so that two faces that share an edge pass along it in opposite directions.
 
     As few faces as possible of every connected piece are reversed; if both choices reverse half of them, the first face
@@ -402,10 +402,10 @@ def _neighbours(faces: Sequence[Sequence[int]]) -> dict[int, list[tuple[int, boo
     for number, face in enumerate(faces):
         for side in face_sides(face):
             at[frozenset(side)].append((number, side))
-    found = defaultdict[int, list[tuple[int, bool]]](list)
+    result = defaultdict[int, list[tuple[int, bool]]](list)
     for pair in at.values():
         if len(pair) == 2:
             (one, side), (other, opposite) = pair
-            found[one].append((other, side != opposite))
-            found[other].append((one, side != opposite))
-    return found
+            result[one].append((other, side != opposite))
+            result[other].append((one, side != opposite))
+    return result

@@ -44,7 +44,7 @@ def read_pattern(
     check_may_read(file)
     ending = file.suffix.lower()
     if ending not in PATTERN_FILES:
-        known = ", ".join(f"{each} ({what})" for each, what in PATTERN_FILES.items())
+        known = ", ".join(f"{key} ({what})" for key, what in PATTERN_FILES.items())
         raise InputError(
             f"{shown_path(file)}: need a file that ends with one of {known}, got {as_written(file.suffix)}"
         )

@@ -10,7 +10,7 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
 from forficula.show.page.data.shape_mesh import ShapeMesh, shape_mesh
-from forficula.show.page.playback import blown_up, kept_frames
+from forficula.show.page.playback import diverged_rows, kept_frames
 from forficula.show.structure.painted_shape import tint
 from forficula.show.structure.shape import Shape, shape_of, vertex_places
 from forficula.show.style import BLUE, VERMILION
@@ -118,7 +118,7 @@ def frame_times(record: Record) -> Array:
     Rows after a divergence are left out. At most 2000 frames are kept, and always those at the ends of stages.
     """
     points = np.concatenate([record.series["point_position"], record.series["membrane_position"]], axis=1)
-    points[blown_up(record)] = np.nan
+    points[diverged_rows(record)] = np.nan
     moments = [moment for end in record.stages for moment in (end.start, end.end)]
     rows = kept_frames(record.time, points, moments, most=_MOST_FRAMES, tolerance=_TOLERANCE * record.structure.span)
     time = record.time[rows]

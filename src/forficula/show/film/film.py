@@ -46,7 +46,7 @@ def check_choices(size: object, fps: object, slower: object) -> None:
         InputError: the size is too small, too large or odd, or the rate or the speed is out of range.
     """
     sides = size if isinstance(size, tuple | list) else ()
-    even = [each for each in sides if isinstance(each, int) and SMALLEST <= each <= LARGEST and each % 2 == 0]
+    even = [side for side in sides if isinstance(side, int) and SMALLEST <= side <= LARGEST and side % 2 == 0]
     if size is not None and not len(even) == len(sides) == 2:
         raise InputError(f"size: need two even numbers from {SMALLEST} to {LARGEST} such as (1280, 720), got {size!r}")
     if fps is not None and not (isinstance(fps, int) and 1 <= fps <= 60):
@@ -120,8 +120,8 @@ def _pictures(
 
 def _ffmpeg() -> str:
     """Return the path of ffmpeg: the system's, or that of imageio-ffmpeg."""
-    if found := shutil.which("ffmpeg"):
-        return found
+    if result := shutil.which("ffmpeg"):
+        return result
     try:
         import imageio_ffmpeg
     except ImportError:
@@ -172,12 +172,12 @@ def _write_gif(pictures: Iterable[Picture], path: Path, rate: int) -> None:
 
     drawn = [Image.fromarray(picture) for picture in pictures]
     some = drawn[:: max(1, len(drawn) // 12)]
-    sheet = Image.new("RGB", (some[0].width, sum(each.height for each in some)))
-    for place, each in enumerate(some):
-        sheet.paste(each, (0, place * each.height))
+    sheet = Image.new("RGB", (some[0].width, sum(item.height for item in some)))
+    for place, item in enumerate(some):
+        sheet.paste(item, (0, place * item.height))
     palette = sheet.quantize(_PALETTE, method=Image.Quantize.MEDIANCUT)
     palette.putpalette([*(palette.getpalette() or [])[: 3 * _PALETTE], *_WHITE])
-    first, *others = (_with_palette(each, palette) for each in drawn)
+    first, *others = (_with_palette(item, palette) for item in drawn)
     # a .gif measures time in hundredths of a second
     ends = [round(100 * number / rate) for number in range(len(drawn) + 1)]
     lengths = [10 * (end - start) for start, end in pairwise(ends)]

@@ -11,7 +11,7 @@ import numpy as np
 from forficula.analysis import Outcome, State
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
-from forficula.show.run.stalled import still_time
+from forficula.show.run.missed_goal import still_time
 from forficula.show.run.state_names import lettered_states
 
 _HOLD, _SKIP, _MOVE = 1.2, 0.8, 3.5  # s of the film: a state, the time before a state, and a move
@@ -50,11 +50,11 @@ def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> 
     driven = [stage for stage in record.stages if stage_drives(stage.stage) and stage.start < end]
     if not driven:
         return (_move("the whole run", 0.0, end, slowed, None),)
-    held = sorted(lettered_states(record.structure, outcome), key=lambda each: each[1].time)
+    held = sorted(lettered_states(record.structure, outcome), key=lambda item: item[1].time)
     # half a step, because times are multiples of the timestep only up to rounding
     half = float(record.design.protocol.timestep) / 2
     cuts: list[FilmCut] = []
-    for name, state in [each for each in held if each[1].time <= driven[0].start + half][-1:]:
+    for name, state in [item for item in held if item[1].time <= driven[0].start + half][-1:]:
         cuts.append(_hold(name, state.time))
         if state.time < driven[0].start:
             skipped = FilmCut(words=name, first=state.time, last=driven[0].start, length=_SKIP)

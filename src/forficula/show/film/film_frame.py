@@ -111,7 +111,7 @@ class FilmFrame:
         pixels = np.asarray(self._canvas.buffer_rgba())[::-1]  # type: ignore[no-untyped-call]
         size = np.array(pixels.shape[1::-1])
         low, high = self._axes.transData.transform(painted.corners)
-        first, last = (np.clip(each, 0, size).astype(int) for each in (np.floor(low), np.ceil(high)))
+        first, last = (np.clip(item, 0, size).astype(int) for item in (np.floor(low), np.ceil(high)))
         start, beside = self._axes.transData.inverted().transform([first, first + 1])
         width, height = (last - first).tolist()
         drawn = painted.picture(start, float(beside[0] - start[0]), (width, height))[::-1]
@@ -123,13 +123,13 @@ class FilmFrame:
         times = self._record.time
         shown = times[(times >= cuts[0].first) & (times <= cuts[-1].last)]
         surfaces = (surface_at(self._record, self._shape, float(time)) for time in shown)
-        return max((float(face_strains(self._shape, each).max(initial=0.0)) for each in surfaces), default=0.0)
+        return max((float(face_strains(self._shape, surface).max(initial=0.0)) for surface in surfaces), default=0.0)
 
     def _corners(self, cuts: tuple[FilmCut, ...]) -> Array:
         """Return all positions of the structure's parts in the picture, m, (point, 2)."""
         times = np.concatenate([np.linspace(cut.first, cut.last, 25) for cut in cuts])
         surfaces = [surface_at(self._record, self._shape, time) for time in times]
-        drawn = [np.concatenate([each.bars.reshape(-1, 3), each.faces.reshape(-1, 3)]) for each in surfaces]
+        drawn = [np.concatenate([surface.bars.reshape(-1, 3), surface.faces.reshape(-1, 3)]) for surface in surfaces]
         flat, radius = self._view.project(np.concatenate(drawn)), self._shape.thickness / 2
         return np.concatenate([flat - radius, flat + radius])
 
@@ -216,7 +216,7 @@ def _key(figure: Figure, shape: Shape, record: Record, strain: bool) -> None:
     axes = figure.add_axes(_KEY)
     axes.set_axis_off()
     every = shape_handles(shape, record.structure, ENERGY_COLOURS(0.95), 2.4)
-    handles = [each for each in every if not (strain and isinstance(each, Patch))]
+    handles = [item for item in every if not (strain and isinstance(item, Patch))]
     for (name, (_, colour)), style in zip(_energies(record).items(), LINE_STYLES, strict=False):
         of = f"{'energy ' * (style == LINE_STYLES[0])}of the {name}"
         label = "kinetic energy" if name == "kinetic" else of

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from forficula.csv_text import csv_text
 from forficula.files import replacing_all, write_text
-from forficula.show.folder.cell import printed_with_figure
+from forficula.show.folder.notebook_cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.page.results_page import write_results_page
 from forficula.show.study.assumptions_figure import draw_assumptions

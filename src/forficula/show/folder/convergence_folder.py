@@ -14,7 +14,7 @@ from forficula.design.design import DesignIdentity
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_text
 from forficula.serial import Written, json_text
-from forficula.show.folder.cell import printed_with_figure
+from forficula.show.folder.notebook_cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.page.results_page import write_results_page
 from forficula.show.study.convergence_figure import draw_convergence_angles, draw_convergence_times

@@ -19,10 +19,10 @@ from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
 from forficula.serial import WithUnit, Written, json_text
-from forficula.show.folder.cell import first_figure
+from forficula.show.folder.notebook_cell import first_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.page.parts.html import Cell, paragraph, remarks, section, table
-from forficula.show.page.parts.words import readable
+from forficula.show.page.parts.run_sentences import readable
 from forficula.show.page.results_page import figure_html, read_page, with_section
 from forficula.show.run.cycling_figure import draw_cycling
 from forficula.show.style import Drawing, figure_files, save_figures
@@ -68,7 +68,7 @@ def cycling_rows(cycling: Cycling) -> list[dict[str, Any]]:
             **dict(zip(_STIFFNESS, run.stiffness, strict=True)),
             "residual_strain": run.residual_strain,
             **{name: run.row.get(name) for name in _columns(structure)},
-            **{f"{each.name}_margin": run.margins.get(each.name) for each in structure.transitions},
+            **{f"{transition.name}_margin": run.margins.get(transition.name) for transition in structure.transitions},
         }
         for run in cycling.runs
     ]
@@ -79,9 +79,9 @@ def _columns(structure: Structure) -> list[str]:
     transitions = structure.transitions
     return [
         "status",
-        *(each.state for each in transitions),
+        *(transition.state for transition in transitions),
         *(f"{state.name}_energy_J" for state in structure.states),
-        *(f"{each.name}_{number}" for each in transitions for number in ("time_s", "work_J")),
+        *(f"{transition.name}_{number}" for transition in transitions for number in ("time_s", "work_J")),
     ]
 
 
@@ -160,7 +160,7 @@ def _cycle_run(row: dict[str, Any], structure: Structure) -> CycleRun:
         stiffness=tuple(row[name] for name in _STIFFNESS),
         residual_strain=row["residual_strain"],
         row={name: row[name] for name in _columns(structure)},
-        margins={each.name: row[f"{each.name}_margin"] for each in structure.transitions},
+        margins={transition.name: row[f"{transition.name}_margin"] for transition in structure.transitions},
     )
 
 
@@ -169,8 +169,8 @@ def print_cycling(cycling: Cycling) -> None:
     console = Console(width=110, highlight=False)
     console.print(f"\nCycles: {cycling.verdict}", markup=False)
     runs = cycling.runs
-    for each in cycling.transitions:
-        name = each.name
+    for transition in cycling.transitions:
+        name = transition.name
         first, last = (run.margins[name] for run in (runs[0], runs[-1]))
         if first is not None and last is not None:
             text = f"{first:.3g} at cycle 1, {last:.3g} at cycle {runs[-1].cycle}"
@@ -194,7 +194,7 @@ PRESENTATION = Presentation(
 
 def cycling_section(cycling: Cycling, drawn: str) -> str:
     """Return the section of the page: the verdict, the figure as HTML, a row for every cycle, and remarks."""
-    driven = [(each, each.wording.doing) for each in cycling.transitions]
+    driven = [(transition, transition.wording.doing) for transition in cycling.transitions]
     headings = ["cycle", "stiffness relative to cycle 1", "residual strain"]
     headings += [f"{doing}: {what}" for _, doing in driven for what in ("time", "work", "margin")]
     return section(
@@ -213,11 +213,11 @@ def _row(cycling: Cycling, run: CycleRun) -> list[str | Cell]:
     low, high = (f"{bound:.3g}" for bound in bounds)
     numbers = chain.from_iterable(
         (
-            _number(run.row.get(f"{each.name}_time_s"), "s"),
-            _number(run.row.get(f"{each.name}_work_J"), "J"),
-            _number(run.margins.get(each.name), ""),
+            _number(run.row.get(f"{transition.name}_time_s"), "s"),
+            _number(run.row.get(f"{transition.name}_work_J"), "J"),
+            _number(run.margins.get(transition.name), ""),
         )
-        for each in cycling.transitions
+        for transition in cycling.transitions
     )
     return [
         Cell(text=str(run.cycle), note="" if run.measured else "extrapolated"),

@@ -14,7 +14,7 @@ from forficula.csv_text import csv_text
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.identify.marginal import marginals, unknowns_of
 from forficula.serial import json_text
-from forficula.show.folder.cell import first_figure, numbers, printed
+from forficula.show.folder.notebook_cell import first_figure, numbers, printed
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.goals.identify_figures import identify_drawings
 from forficula.show.goals.identify_text import (
@@ -24,7 +24,7 @@ from forficula.show.goals.identify_text import (
     together_sentences,
 )
 from forficula.show.page.identify_page import write_identify_page
-from forficula.show.page.parts.rich_html import laid_out
+from forficula.show.page.parts.rich_html import printed_result
 from forficula.show.style import save_figures
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def write_identification(result: Dataset, folder: Path) -> None:
             "\n".join([first_sentence(result), *together_sentences(result), *agrees_sentences(result)]) + "\n",
         )
         save_figures(identify_drawings(result), unfinished)
-        write_identify_page(result, laid_out(identification_text(result)), unfinished / "report.html", csv=csv)
+        write_identify_page(result, printed_result(identification_text(result)), unfinished / "report.html", csv=csv)
 
 
 def samples_csv(result: Dataset) -> str:
@@ -70,7 +70,7 @@ def samples_csv(result: Dataset) -> str:
     rows: list[list[Any]] = []
     for sample in range(result.sizes["sample"]):
         values = [result[name].values[sample] for name in names]
-        missed = ["" if np.isnan(each) else float(each) for each in distances[sample]]
+        missed = ["" if np.isnan(distance) else float(distance) for distance in distances[sample]]
         kind = "placed" if result["directed"].values[sample] else "drawn"
         rows.append([kind, *values, *missed, int(met[sample].sum()), str(result["status"].values[sample])])
     return csv_text([["sample", *headings, *of_facts, "facts met", "status"], *rows])
@@ -171,13 +171,13 @@ def identification_summary(result: Dataset) -> IdentificationSummary:
         agrees_sentences=agrees_sentences(result),
         unknowns=[
             UnknownSummary(
-                key=each.key,
-                units=str(result[each.name].attrs.get("units", "")),
-                believed=[_number(end) for end in each.believed],
-                agrees=[_number(end) for end in each.agrees],
-                chance=each.chance,
+                key=marginal.key,
+                units=str(result[marginal.name].attrs.get("units", "")),
+                believed=[_number(end) for end in marginal.believed],
+                agrees=[_number(end) for end in marginal.agrees],
+                chance=marginal.chance,
             )
-            for each in marginals(result)
+            for marginal in marginals(result)
         ],
     )
 

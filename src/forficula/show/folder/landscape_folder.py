@@ -17,14 +17,14 @@ from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
 from forficula.reproduction import shown_tendon
 from forficula.serial import json_text
-from forficula.show.folder.cell import printed_with_figure
+from forficula.show.folder.notebook_cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.landscape.barriers_figure import draw_barriers
-from forficula.show.landscape.courses_figure import draw_courses
+from forficula.show.landscape.equilibria_figure import draw_equilibria
 from forficula.show.landscape.landscape_figure import draw_fold_path
 from forficula.show.landscape.landscape_table import landscape_table
 from forficula.show.landscape.levels_figure import draw_levels
-from forficula.show.landscape.rests_figure import draw_rests
+from forficula.show.landscape.slow_paths_figure import draw_slow_paths
 from forficula.show.landscape.states_figure import draw_modes, draw_states
 from forficula.show.landscape.tendon_figure import draw_tendon
 from forficula.show.page.landscape_page import landscape_page
@@ -76,12 +76,12 @@ def landscape_drawings(
     drawings: dict[str, Drawing] = {
         "tendon": lambda width: draw_tendon(landscape, drawn, width, tendon),
         "wing": lambda width: draw_fold_path(landscape, width),
-        "rests": lambda width: draw_rests(landscape, width),
+        "rests": lambda width: draw_equilibria(landscape, width),
         "levels": lambda width: draw_levels(landscape, width),
         "states": lambda width: draw_states(landscape, width),
         "modes": lambda width: draw_modes(landscape, width),
         "barriers": lambda width: draw_barriers(landscape, width),
-        "courses": lambda width: draw_courses(landscape, width),
+        "courses": lambda width: draw_slow_paths(landscape, width),
     }
     return {kind: drawings[kind] for kind in landscape_kinds(landscape)}
 

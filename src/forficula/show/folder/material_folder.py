@@ -9,14 +9,14 @@ from forficula.files import replacing_all, write_text
 from forficula.material.characterisation import Characterisation
 from forficula.material.law.law_file import save_law
 from forficula.serial import json_text
-from forficula.show.folder.cell import picture, printed
+from forficula.show.folder.notebook_cell import picture, printed
 from forficula.show.folder.presentation import Presentation
 from forficula.show.material.cycles_figure import draw_cycles
 from forficula.show.material.drift_figure import draw_drift
 from forficula.show.material.law_figure import draw_fit
 from forficula.show.material.material_table import material_table
 from forficula.show.material.modulus_figure import draw_moduli
-from forficula.show.page.parts.rich_html import laid_out
+from forficula.show.page.parts.rich_html import printed_result
 from forficula.show.page.results_page import figure_sections, results_page
 from forficula.show.style import PAGE_WIDTH, Drawing, figure_files, save_figures
 
@@ -49,7 +49,7 @@ def _write_files(material: Characterisation, folder: Path) -> None:
     if material.law is not None:
         save_law(material.law, folder / LAW_FILE)
     texts = save_figures(material_drawings(material), folder)
-    printed_text = laid_out(material_table(material))
+    printed_text = printed_result(material_table(material))
     page = results_page("material", material.name, printed_text, figure_sections(folder, _HEADINGS, texts))
     write_text(folder / "report.html", page)
 

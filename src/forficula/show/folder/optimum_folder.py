@@ -15,15 +15,15 @@ from forficula.goals.goal import own_limits
 from forficula.goals.optimise.candidate import Neighbours, Verification
 from forficula.goals.optimise.optimum import Effort, Optimum
 from forficula.goals.optimise.optimum_table import optimum_csv
-from forficula.goals.optimise.telling import told
+from forficula.goals.optimise.summary import summary_sentences
 from forficula.goals.optimise.trials import Relaxation
 from forficula.serial import Seconds, Written, json_text
-from forficula.show.folder.cell import printed_with_figure
+from forficula.show.folder.notebook_cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.goals.optimum_figures import draw_candidates, draw_front
 from forficula.show.goals.optimum_text import optimum_text
 from forficula.show.page.goal_page import write_goal_page
-from forficula.show.page.parts.rich_html import laid_out
+from forficula.show.page.parts.rich_html import printed_result
 from forficula.show.style import Drawing, save_figures
 from forficula.study.running.kept_runs import KeptRun
 
@@ -40,7 +40,7 @@ def write_optimum(optimum: Optimum, folder: Path) -> None:
     Raises:
         InputError: the folder cannot be written.
     """
-    names = [f"best-{each:02d}.toml" for each in range(1, len(optimum.designs) + 1)]
+    names = [f"best-{index:02d}.toml" for index in range(1, len(optimum.designs) + 1)]
     names = ["best.toml"] if len(names) == 1 else names
     with replacing_all(folder, [path.name for path in folder.glob("best*.toml")]) as unfinished:
         for name, design in zip(names, optimum.designs, strict=True):
@@ -71,7 +71,7 @@ def write_optimum_report(optimum: Optimum, kept: Iterable[KeptRun], count: int, 
     Raises:
         InputError: it cannot be written.
     """
-    write_goal_page(optimum, laid_out(optimum_text(optimum)), folder / "report.html", kept, count)
+    write_goal_page(optimum, printed_result(optimum_text(optimum)), folder / "report.html", kept, count)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -113,13 +113,13 @@ def optimum_summary(optimum: Optimum) -> OptimumSummary:
     return OptimumSummary(
         goal=goal.name,
         design=goal.base.identity,
-        objectives={each.quantity.name: each.kind for each in goal.objectives},
-        limits=[str(each) for each in (*goal.given, *goal.limits)],
-        says=told(optimum),
-        best=[_verified(optimum, each) for each in optimum.best],
-        discarded=[_verified(optimum, each) for each in optimum.discarded],
+        objectives={objective.quantity.name: objective.kind for objective in goal.objectives},
+        limits=[str(limit) for limit in (*goal.torque_limits, *goal.limits)],
+        says=summary_sentences(optimum),
+        best=[_verified(optimum, item) for item in optimum.best],
+        discarded=[_verified(optimum, item) for item in optimum.discarded],
         effort=optimum.effort,
-        would_have_to_give={names[each.limit]: each for each in optimum.relaxations},
+        would_have_to_give={names[relaxation.limit]: relaxation for relaxation in optimum.relaxations},
         seed=goal.seed,
         versions=versions(),
     )

@@ -21,7 +21,7 @@ from forficula.make.as_made import AS_MADE
 from forficula.make.checks.check import Check
 from forficula.make.checks.check_parts import check_parts
 from forficula.make.files.bill import bill_csv, bill_json, bill_of
-from forficula.make.files.lying import file_names
+from forficula.make.files.print_orientation import file_names
 from forficula.make.files.printing import print_files
 from forficula.make.files.step import check_step, write_step
 from forficula.make.flat.sheet_dxf import write_sheet_dxf
@@ -29,7 +29,7 @@ from forficula.make.flat.sheet_svg import write_sheet_svg
 from forficula.make.make_parts import PartName, make_parts
 from forficula.make.part import PartSet
 from forficula.serial import json_text, plain
-from forficula.show.folder.cell import framed
+from forficula.show.folder.notebook_cell import framed
 from forficula.show.folder.presentation import Presentation
 from forficula.show.make.made_figure import draw_made
 from forficula.show.make.parts_figure import draw_parts
@@ -166,7 +166,7 @@ def read_parts(folder: Path) -> PartSet:
             parts = make_parts(design, part)
         except InputError:  # the design has no such part
             continue
-        if [*(each.name for each in parts.parts), *([] if parts.sheet is None else ["sheet"])] == names:
+        if [*(part.name for part in parts.parts), *([] if parts.sheet is None else ["sheet"])] == names:
             return parts
     raise InputError(f"{folder}: its bill is not of its design: make it again, forficula make …")
 

@@ -117,7 +117,7 @@ def write_figure(folder: Path, kind: str, path: Path, width: float | None = None
     if path.suffix not in ENDINGS:
         raise InputError(f"--out: need a file that ends with .png, .svg or .pdf, got {path}")
     clear_leftovers(folder)  # an interrupted run may have set files aside
-    copied = next((found for each in kinds_in(folder) if (found := presentation(each)).read is None), None)
+    copied = next((result for kind in kinds_in(folder) if (result := presentation(kind)).read is None), None)
     if copied is not None:
         _copy(folder, kind, path, width, copied.copied)
         return

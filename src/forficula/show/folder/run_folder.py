@@ -15,16 +15,16 @@ from forficula.analysis.run_files import read_run, write_run_files
 from forficula.analysis.storage import storages
 from forficula.dynamics import Record, compile_model
 from forficula.files import replacing_all, write_text
-from forficula.show.folder.cell import framed
 from forficula.show.folder.cycling_folder import CYCLING_FILES
+from forficula.show.folder.notebook_cell import framed
 from forficula.show.folder.presentation import Presentation
 from forficula.show.page import write_run_page
 from forficula.show.page.run_page import run_page
 from forficula.show.run.angles_figure import draw_angles
 from forficula.show.run.energies_figure import draw_energies
 from forficula.show.run.folding_figure import draw_folding
+from forficula.show.run.missed_goal import needed_torque
 from forficula.show.run.package_figure import draw_package
-from forficula.show.run.stalled import needed_torque
 from forficula.show.run.storage_figure import draw_storage
 from forficula.show.structure.pattern_figure import draw_pattern
 from forficula.show.style import VERMILION, Drawing, copy_files, figure_style, save_figures
@@ -83,7 +83,7 @@ def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
         "folding": lambda width: _marked(draw_folding(record, outcome, width), outcome),
         **({STRAIN: strain} if record.structure.membranes else {}),
         **(package if folds else {}),
-        **(storage if any(each.pulls is not None for each in storages(record)) else {}),
+        **(storage if any(storage.pulls is not None for storage in storages(record)) else {}),
     }
 
 
@@ -91,7 +91,7 @@ def _marked(figure: Figure, outcome: Outcome) -> Figure:
     """Write on a figure the outcome of a run that did not reach its goal, and the advice."""
     if outcome.verdict is not Verdict.REACHED:
         status = f"{outcome.status[:1].upper()}{outcome.status[1:]}"
-        advice = f". {outcome.advice}" if outcome.verdict.tells and outcome.advice else ""
+        advice = f". {outcome.advice}" if outcome.verdict.conclusive and outcome.advice else ""
         words = textwrap.fill(status + advice, int(_LETTERS * figure.get_figwidth()))
         with figure_style():  # names may contain "$", which must not start a formula
             figure.suptitle(words, color=VERMILION, fontweight=None if advice else "bold", fontsize=_HEADING)

@@ -11,7 +11,7 @@ import numpy as np
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_bytes, write_text
-from forficula.show.folder.cell import first_figure
+from forficula.show.folder.notebook_cell import first_figure
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.page.parts.html import paragraph, section
 from forficula.show.page.results_page import figure_html, read_page, with_section
@@ -76,7 +76,7 @@ def write_static_map(study: Study, table: Dataset, folder: Path, simulated: Data
         texts = save_figures(drawings, unfinished)
         if (page := read_page(folder)) is not None:
             sentences = static_map_sentences(table, structure_of(study.base).appearance.whole, simulated)
-            words = [paragraph(f"{each}.") for each in sentences]
+            words = [paragraph(f"{sentence}.") for sentence in sentences]
             made = section("Map", figure_html(unfinished, "map", texts["map"]), *words, name="map")
             write_text(unfinished / "report.html", with_section(page, "map", made))
 
@@ -91,7 +91,7 @@ def print_static_map(table: Dataset, whole: str, simulated: Dataset | None = Non
     print()
     for sentence in static_map_sentences(table, whole, simulated):
         first, *rest = sentence.split("; compared with the simulation: ")
-        print(first, *(f"    compared with the simulation: {each}" for each in rest), sep="\n")
+        print(first, *(f"    compared with the simulation: {entry}" for entry in rest), sep="\n")
 
 
 def static_map_sentences(table: Dataset, whole: str, simulated: Dataset | None = None) -> list[str]:
@@ -103,16 +103,17 @@ def static_map_sentences(table: Dataset, whole: str, simulated: Dataset | None =
         simulated: table of a simulated study with the same factors, to compare with.
     """
     count, sentences = table["outcome"].size, []
-    for each in table_transitions(table):
-        if each.least not in table:
+    for transition in table_transitions(table):
+        if transition.least not in table:
             continue
-        made = len(least_values(table, each))
+        made = len(least_values(table, transition))
         sentences.append(
-            f"{made} of {count} {whole}s {each.wording.verb} under slowly growing torques{lost_text(table, each)}"
+            f"{made} of {count} {whole}s {transition.wording.verb} under slowly growing torques"
+            + lost_text(table, transition)
         )
         if simulated is not None:
             words, numbers = np.unique(
-                compare_maps(table, simulated, each.least).values.astype(str), return_counts=True
+                compare_maps(table, simulated, transition.least).values.astype(str), return_counts=True
             )
             parts = [f"{number} {word}" for word, number in zip(words.tolist(), numbers.tolist(), strict=True)]
             sentences[-1] += f"; compared with the simulation: {', '.join(parts)}"

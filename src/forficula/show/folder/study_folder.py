@@ -10,7 +10,7 @@ from forficula.files import replacing_all, write_bytes, write_text
 from forficula.reproduction import compare
 from forficula.reproduction.comparison import comparison_markdown
 from forficula.serial import json_text
-from forficula.show.folder.cell import first_figure, numbers
+from forficula.show.folder.notebook_cell import first_figure, numbers
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.page.study_page import write_study_page
 from forficula.show.study.choices_figure import draw_choices

@@ -25,13 +25,13 @@ from forficula.goals.tolerance.probability import Probability
 from forficula.goals.tolerance.question import MARGIN
 from forficula.goals.tolerance.tolerance_table import tolerance_of_table, tolerance_table
 from forficula.serial import Written, json_text, unit_suffix
-from forficula.show.folder.cell import first_figure, heading, numbers
+from forficula.show.folder.notebook_cell import first_figure, heading, numbers
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
 from forficula.show.goals.tolerance_text import tolerance_text
 from forficula.show.page.parts.html import paragraph
-from forficula.show.page.parts.rich_html import laid_out
-from forficula.show.page.tolerance_page import VerdictCells, write_tolerance_page
+from forficula.show.page.parts.rich_html import printed_result
+from forficula.show.page.tolerance_page import VerdictGrid, write_tolerance_page
 from forficula.show.style import Drawing, save_figures
 from forficula.study.running.kept_runs import KeptRun
 
@@ -85,7 +85,7 @@ def write_tolerance_report(tolerance: Tolerance, kept: Iterable[KeptRun], count:
         question.design,
         question.deviations,
         table,
-        laid_out(tolerance_text(tolerance)),
+        printed_result(tolerance_text(tolerance)),
         folder / "report.html",
         kept,
         count,
@@ -94,7 +94,7 @@ def write_tolerance_report(tolerance: Tolerance, kept: Iterable[KeptRun], count:
     )
 
 
-def _verdict_cells(tolerance: Tolerance) -> VerdictCells | None:
+def _verdict_cells(tolerance: Tolerance) -> VerdictGrid | None:
     """Return the map of verdicts over values, not over widths of tolerances; None without a map."""
     if tolerance.map is None:
         return None
@@ -106,7 +106,7 @@ def _verdict_cells(tolerance: Tolerance) -> VerdictCells | None:
     )
     works = (tolerance.map.samples.answers == Answer.WORKS).reshape(len(across), len(upwards))
     first, second = (question.keys[factor] for factor in factors)
-    return VerdictCells(
+    return VerdictGrid(
         first=first, second=second, across=across.tolist(), upwards=upwards.tolist(), works=works.tolist()
     )
 
@@ -191,7 +191,7 @@ def tolerance_summary(tolerance: Tolerance) -> ToleranceSummary:
 def _three(value: Values, low: Values, high: Values, row: int, column: int) -> dict[str, float] | None:
     if not np.isfinite(value[row, column]):
         return None
-    return {name: float(each[row, column]) for name, each in (("index", value), ("low", low), ("high", high))}
+    return {name: float(item[row, column]) for name, item in (("index", value), ("low", low), ("high", high))}
 
 
 def _samples_csv(table: Dataset) -> str:

@@ -12,7 +12,7 @@ from rich.console import Console
 from forficula.goals.identify.identify import Sample
 from forficula.goals.optimise.candidate import trial_of
 from forficula.goals.optimise.optimise import SoFar
-from forficula.goals.optimise.telling import value_texts
+from forficula.goals.optimise.summary import value_texts
 from forficula.terminal import is_quiet
 
 # s, time between lines
@@ -28,7 +28,7 @@ def identify_progress() -> Iterator[
     start, last = monotonic(), [monotonic()]
 
     def samples(done: int, total: int, results: Sequence[Sample]) -> None:
-        most = max((sum(each.met for each in sample.findings) for sample in results), default=0)
+        most = max((sum(finding.met for finding in sample.findings) for sample in results), default=0)
         facts = max((len(sample.findings) for sample in results), default=0)
         left = (monotonic() - start) / done * (total - done)
         console.print(

@@ -75,7 +75,7 @@ def draw_facts(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             Line2D([], [], color=VERMILION, marker="D", ms=4, ls="", label="nearest of these"),
         ]
         fit_legend(figure, handles, 2, loc="outside lower center")
-        shares = "; ".join(f"{name}: {each:.3g} %" for name, each in zip(names, share, strict=True))
+        shares = "; ".join(f"{name}: {item:.3g} %" for name, item in zip(names, share, strict=True))
         return describe(figure, f"Share of samples that meet each fact, and distances of the others to it. {shares}.")
 
 
@@ -191,14 +191,14 @@ def draw_unknowns(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
     with figure_style():
         figure = Figure(figsize=(width, _PANEL * rows + 0.35), layout="constrained")
         grid = figure.subplots(rows, columns, squeeze=False).ravel()
-        for axes, each in zip(grid, marked, strict=False):
-            shares = result[f"{each.name}_share"].values
-            bins = _bins(result[each.name])
+        for axes, item in zip(grid, marked, strict=False):
+            shares = result[f"{item.name}_share"].values
+            bins = _bins(result[item.name])
             weights = np.full(int(agrees.sum()), (len(bins) - 1) / max(int(agrees.sum()), 1))
             axes.axhspan(0, 1, color=_PALE, lw=0)
-            axes.hist(shares[agrees], bins=bins, weights=weights, color=BLUE, alpha=1.0 if each.told else 0.45)
-            axes.set_title(_label(result[each.name], 18 if is_narrow(width) else 22), fontsize=6.5, loc="left", pad=2)
-            _share_axis(axes.xaxis, result, each.name)
+            axes.hist(shares[agrees], bins=bins, weights=weights, color=BLUE, alpha=1.0 if item.told else 0.45)
+            axes.set_title(_label(result[item.name], 18 if is_narrow(width) else 22), fontsize=6.5, loc="left", pad=2)
+            _share_axis(axes.xaxis, result, item.name)
             axes.set_xlim(0, 1)
             axes.set_yticks([])
             axes.spines["left"].set_visible(False)
@@ -213,7 +213,7 @@ def draw_unknowns(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             Patch(color=BLUE, alpha=0.45, label="samples that agree, difference may be chance"),
         ]
         fit_legend(figure, handles, 3, loc="outside lower center")
-        narrowed = [each.key for each in marked if each.told]
+        narrowed = [item.key for item in marked if item.told]
         what = f"The facts narrow {', '.join(narrowed)}." if narrowed else "The facts narrow none of them."
         return describe(figure, f"Distribution of each unknown: samples that agree before the prior. {what}")
 
@@ -226,7 +226,7 @@ def draw_pairs(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         width: width of the figure, inch.
     """
     most = _PAIRS_NARROW if is_narrow(width) else _PAIRS
-    names = [each.name for each in marginals(result)[:most]] if len(unknowns_of(result)) > 1 else []
+    names = [marginal.name for marginal in marginals(result)[:most]] if len(unknowns_of(result)) > 1 else []
     agrees, drawn = result["agrees"].values, ~result["directed"].values
     ran = result["status"].values == "ran"
     counts = result["met"].values.sum(axis=1)
@@ -293,4 +293,4 @@ def _share_axis(axis: Any, result: Dataset, name: str, *, labelled: bool = True)
     values, _ = display_values(coordinate)
     order = np.argsort(shares)
     at = np.interp([0.1, 0.5, 0.9], shares[order], values[order].astype(float))
-    axis.set_ticks([0.1, 0.5, 0.9], [number_text(float(f"{each:.2g}")) for each in at] if labelled else [])
+    axis.set_ticks([0.1, 0.5, 0.9], [number_text(float(f"{item:.2g}")) for item in at] if labelled else [])

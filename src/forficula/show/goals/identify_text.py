@@ -136,7 +136,7 @@ def _most_met(result: Dataset) -> list[str]:
     if most == facts:
         count, what = int(result["met"].all("fact").sum()), f"all {facts} facts" if facts > 1 else "the fact"
         return [f"{count} samples meet {what}." if count > 1 else f"One sample meets {what}."]
-    best = [str(each) for each in np.atleast_1d(result.attrs["met_most"])]
+    best = [str(item) for item in np.atleast_1d(result.attrs["met_most"])]
     if not most:
         return [*_between(result), *(["No sample meets any fact."] if facts > 1 else [])]
     sentences = [*_between(result), f"The largest number of facts that one sample meets is {most}: {best[0]}."]
@@ -241,12 +241,12 @@ def unknowns_table(result: Dataset) -> Table:
     table = Table(box=None, padding=(0, 2, 0, 0))
     for heading in ("unknown", "prior", "agrees", "narrowed"):
         table.add_column(heading)
-    for each in marginals(result):
-        narrowed = f"yes (by chance in {100 * each.chance:.2g} %)" if each.told else ""
+    for marginal in marginals(result):
+        narrowed = f"yes (by chance in {100 * marginal.chance:.2g} %)" if marginal.told else ""
         table.add_row(
-            plain_name(result[each.name]),
-            _range(result, each, each.believed),
-            _range(result, each, each.agrees),
+            plain_name(result[marginal.name]),
+            _range(result, marginal, marginal.believed),
+            _range(result, marginal, marginal.agrees),
             narrowed,
         )
     return table

@@ -76,7 +76,7 @@ def draw_front(optimum: Optimum, width: float = PAGE_WIDTH) -> Figure:
         optimum: a result with at least two objectives.
         width: width of the figure, inch.
     """
-    objectives = [each.quantity for each in optimum.goal.objectives[:2]]
+    objectives = [objective.quantity for objective in optimum.goal.objectives[:2]]
     (first, one), (second, other) = (
         (_label(quantity.name, quantity.unit), _shown(optimum.table[quantity.dimension].values, quantity.unit))
         for quantity in objectives
@@ -109,7 +109,7 @@ def draw_front(optimum: Optimum, width: float = PAGE_WIDTH) -> Figure:
 
 def _verified(optimum: Optimum) -> str:
     """Return a note if the best designs were verified; statics alone verifies nothing."""
-    return ", verified" if any(each.finer is not None or each.fresh is not None for each in optimum.best) else ""
+    return ", verified" if any(item.finer is not None or item.fresh is not None for item in optimum.best) else ""
 
 
 def _axes_of(optimum: Optimum) -> list[tuple[str, str, Array]]:
@@ -118,7 +118,7 @@ def _axes_of(optimum: Optimum) -> list[tuple[str, str, Array]]:
     for parameter in optimum.goal.parameters:
         values, unit = optimum.table[parameter.factor.dimension].values, parameter.factor.unit
         if values.dtype.kind in "OU":  # choices that are words, by index
-            indices = [float([str(each) for each in parameter.choices].index(str(value))) for value in values]
+            indices = [float([str(choice) for choice in parameter.choices].index(str(value))) for value in values]
             rows.append((key_text(parameter.key), "", np.array(indices)))
         else:
             rows.append((key_text(parameter.key), unit.display if unit else "", _shown(values, unit)))

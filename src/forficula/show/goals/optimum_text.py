@@ -8,7 +8,7 @@ from rich.text import Text
 
 from forficula.goals.optimise.candidate import Verification
 from forficula.goals.optimise.optimum import Optimum
-from forficula.goals.optimise.telling import told
+from forficula.goals.optimise.summary import summary_sentences
 from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity
 from forficula.quantities import show_quantity
 
@@ -24,7 +24,7 @@ def optimum_text(optimum: Optimum) -> RenderableType:
     Args:
         optimum: the result of the optimisation.
     """
-    first, *others = told(optimum)
+    first, *others = summary_sentences(optimum)
     parts: list[RenderableType] = [Text(f"{optimum.goal.name}: {first}", style="bold"), *map(Text, others)]
     shown = optimum.best or optimum.discarded[:1]
     if shown:
@@ -40,8 +40,8 @@ def _designs(optimum: Optimum, shown: tuple[Verification, ...]) -> Table:
     table.add_column("")
     for number in range(len(shown)):
         table.add_column(str(number + 1) if len(shown) > 1 else "", justify="right")
-    for each in goal.parameters:
-        table.add_row(each.key, *(str(one.candidate.values[each.key]) for one in shown))
+    for parameter in goal.parameters:
+        table.add_row(parameter.key, *(str(one.candidate.values[parameter.key]) for one in shown))
     for quantity in goal.quantities:
         if quantity.name != PROBABILITY:
             table.add_row(quantity.name, *(_value(one, quantity) for one in shown))

@@ -29,7 +29,7 @@ def tolerance_text(tolerance: Tolerance) -> RenderableType:
     parts += [*map(Text, others), Text()]
     parts += [Text("probability of working", style="italic"), _facts(tolerance), Text()]
     parts += [Text("outcomes of the designs", style="italic"), _outcomes(tolerance), Text()]
-    if tolerance.tells_what_decides:
+    if tolerance.can_rank_factors:
         parts += [Text(_decides_title(tolerance), style="italic"), _indices(tolerance), Text()]
     if tolerance.reaches:
         parts += [Text("deviation of one value at which the design fails", style="italic"), _reaches(tolerance), Text()]
@@ -46,9 +46,11 @@ def _table(*headings: str) -> Table:
 
 def _facts(tolerance: Tolerance) -> Table:
     table = _table("", "probability", "runs")
-    for name, each in tolerance.probabilities.items():
-        unknown = f", {each.unknown} unknown" if each.unknown else ""
-        table.add_row(name, percent(each), f"{each.works} of {each.works + each.fails}{unknown}")
+    for name, probability in tolerance.probabilities.items():
+        unknown = f", {probability.unknown} unknown" if probability.unknown else ""
+        table.add_row(
+            name, percent(probability), f"{probability.works} of {probability.works + probability.fails}{unknown}"
+        )
     return table
 
 

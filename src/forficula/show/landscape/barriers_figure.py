@@ -37,13 +37,13 @@ def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figu
     states, passes = landscape.states, landscape.passes
     places = _places(landscape)
     energies = [state.energy for state in states]
-    tops = [energies[each.ends[0]] + each.barriers[0] for each in passes]
+    tops = [energies[course_pass.ends[0]] + course_pass.barriers[0] for course_pass in passes]
     unit, factor = reading_unit("J", max(map(abs, [*energies, *tops])))
     with figure_style():
         figure = Figure(figsize=(width, 2.8), layout="constrained")
         axes = figure.subplots()
-        for each, top in zip(passes, tops, strict=True):
-            _draw_pass(axes, [(places[end], energies[end]) for end in each.ends], top, factor)
+        for course_pass, top in zip(passes, tops, strict=True):
+            _draw_pass(axes, [(places[end], energies[end]) for end in course_pass.ends], top, factor)
         for place, energy in zip(places, energies, strict=True):
             axes.plot([place - _HALF, place + _HALF], [factor * energy] * 2, color=BLUE, lw=2.5, zorder=4)
         axes.set_xlim(-0.6, max(places) + 0.6)
@@ -64,9 +64,9 @@ def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figu
 def _places(landscape: EnergyLandscape) -> list[int]:
     """Return the horizontal positions of states, such that neighbours are connected by saddles where possible."""
     beside: dict[int, list[int]] = {number: [] for number in range(len(landscape.states))}
-    for each in landscape.passes:
-        beside[each.ends[0]].append(each.ends[1])
-        beside[each.ends[1]].append(each.ends[0])
+    for course_pass in landscape.passes:
+        beside[course_pass.ends[0]].append(course_pass.ends[1])
+        beside[course_pass.ends[1]].append(course_pass.ends[0])
     order: list[int] = []
     for start in sorted(beside, key=lambda number: (len(beside[number]) != 1, number)):
         waiting = [start]
@@ -106,9 +106,9 @@ def _text(landscape: EnergyLandscape) -> str:
     names = [state.name for state in landscape.states]
     states = ", ".join(f"{state.name} {shown_value(state.energy, 'J', 3)}" for state in landscape.states)
     paths = [
-        f"{names[each.ends[0]]} to {names[each.ends[1]]} {shown_value(each.barriers[0], 'J', 3)}"
-        f" and back {shown_value(each.barriers[1], 'J', 3)}"
-        for each in landscape.passes
+        f"{names[course_pass.ends[0]]} to {names[course_pass.ends[1]]} {shown_value(course_pass.barriers[0], 'J', 3)}"
+        f" and back {shown_value(course_pass.barriers[1], 'J', 3)}"
+        for course_pass in landscape.passes
     ]
     barriers = f" Barriers: {'; '.join(paths)}." if paths else " No saddle between them was found."
     what = f"Energies of the stable states of the {landscape.structure.appearance.whole} {landscape.design.name}"

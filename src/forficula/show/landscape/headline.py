@@ -44,15 +44,15 @@ def _barriers(landscape: EnergyLandscape) -> str:
             return ""
         return f"barrier {show_value(alone, 'J')} to fold one hinge from {landscape.rests[0].name}"
     names = _state_names(landscape)
-    found = {}
+    result = {}
     for one, other in combinations(names[:_MOST_NAMED], 2):
         with suppress(InputError):  # no saddle was found between them
-            found[one, other] = barrier(landscape, one, other), barrier(landscape, other, one)
-    if not found:
+            result[one, other] = barrier(landscape, one, other), barrier(landscape, other, one)
+    if not result:
         return "no barrier was found between them" if len(names) > 1 else ""
-    one, other = max(found, key=lambda ends: min(found[ends]))
-    there, back = (show_value(value, "J") for value in found[one, other])
-    return f"barrier {there} from {one} to {other}, {back} back"
+    one, other = max(result, key=lambda ends: min(result[ends]))
+    present, back = (show_value(value, "J") for value in result[one, other])
+    return f"barrier {present} from {one} to {other}, {back} back"
 
 
 def _holds(landscape: EnergyLandscape) -> str:

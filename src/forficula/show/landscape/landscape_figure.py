@@ -11,14 +11,14 @@ from matplotlib.figure import Figure
 
 from forficula.quantities import reading_unit, show_value
 from forficula.show.landscape.landscape_marks import (
+    energy_storing_parts,
     mark_barrier,
     mark_state,
     rounding_torque,
     sheet_parts,
     show_angle,
-    springy_parts,
     state_handles,
-    torque_words,
+    torque_location,
     write_note,
 )
 from forficula.show.style import (
@@ -58,7 +58,7 @@ def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fig
         InputError: the panels have no way or several ways to fold.
     """
     path = fold_path_of(landscape)
-    pulling, stretched = springy_parts(landscape.structure), sheet_parts(landscape.structure)
+    pulling, stretched = energy_storing_parts(landscape.structure), sheet_parts(landscape.structure)
     pleat, moment, sheet_energy = np.degrees(path.pleat_angle), path.moment, path.sheet_energy
     rounding = rounding_torque(landscape)
     if float(np.abs(moment).max()) <= rounding:
@@ -200,8 +200,8 @@ def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding
     if path.unfold_torque is not None:
         moves = (path.fold_slope > 0) & (path.unfold_rate > 0)
         torque_back = np.where(moves, path.moment, 0.0) / np.where(moves, path.unfold_rate, 1.0)
-        opening = next(each for each in landscape.structure.transitions if each.wording.doing == back)
-        where_back = torque_words(landscape.structure, opening)
+        opening = next(transition for transition in landscape.structure.transitions if transition.wording.doing == back)
+        where_back = torque_location(landscape.structure, opening)
         places.append((int(np.argmax(torque_back)), back, path.unfold_torque, where_back, 5))
     middle = (path.pleat_angle[0] + path.pleat_angle[-1]) / 2
     for place, name, torque, where, up in places:

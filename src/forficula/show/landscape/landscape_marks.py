@@ -51,7 +51,7 @@ def hinge_measure(structure: Structure, hinge: int) -> Measure:
     return role_measure
 
 
-def torque_words(structure: Structure, transition: Transition) -> str:
+def torque_location(structure: Structure, transition: Transition) -> str:
     """Return where the torque of a transition acts, such as "on every distal hinge"."""
     drive = drive_of(structure, transition.drive)
     if drive.part:
@@ -67,7 +67,7 @@ def show_angles(measure: Measure, angles: Array) -> str:
     return low if low == high else f"{low} to {high}"
 
 
-def springy_parts(structure: Structure) -> str:
+def energy_storing_parts(structure: Structure) -> str:
     """Return the names of the parts that store energy, except membranes and guards."""
     parts = (
         ("tendons", bool(structure.tendons)),
@@ -156,7 +156,7 @@ def shown_strength(structure: Structure, course: Course, size: float) -> str:
     return shown_value(size, drive_unit(structure, course.drive))
 
 
-def held_words(withstood: Withstood) -> str:
+def withstood_text(withstood: Withstood) -> str:
     """Return the load that a state withstands as text."""
     value = shown_value(withstood.value, withstood.unit, 3)
     return {"limit": f"to {value}", "bifurcation": f"to {value}, then sideways", "none": f"beyond {value}"}[
@@ -164,7 +164,7 @@ def held_words(withstood: Withstood) -> str:
     ]
 
 
-def course_words(structure: Structure, course: Course) -> str:
+def slow_path_text(structure: Structure, course: Course) -> str:
     """Return a phrase on the equilibria under a slowly growing drive."""
     size = abs(course.drive.strength)
     snaps = [snap for snap in course.slow.snaps if snap.kind != "branch"]

@@ -24,14 +24,14 @@ from forficula.dynamics import Record
 from forficula.quantities import show_value
 from forficula.show.landscape.headline import headline
 from forficula.show.landscape.landscape_marks import (
-    course_words,
-    held_words,
     reading_words,
     rounding_torque,
     show_angle,
     show_angles,
     shown_value,
-    torque_words,
+    slow_path_text,
+    torque_location,
+    withstood_text,
 )
 from forficula.show.structure.labels import shown_angles, stress_text, title_of
 from forficula.statics import CrossedHinge, EnergyLandscape, HingeLandscape
@@ -127,7 +127,7 @@ def _states(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[
         yield {
             "": f"{whole}, {rest.name or 'at the start'}",
             "kind": "not stable" if not rest.stable else f"as {rest.same_as}" if rest.same_as else "rests",
-            "at": ", ".join(f"{title_of(each)} {show_angles(each, rest.angles)}" for each in measures),
+            "at": ", ".join(f"{title_of(item)} {show_angles(item, rest.angles)}" for item in measures),
             "energy": show_value(rest.energy, "J"),
         }
 
@@ -194,9 +194,9 @@ def _barriers(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterato
         ]
     for name, value in rows:
         yield {"": name, "energy": _NONE if value is None else show_value(value, "J")}
-    for each in landscape.passes if landscape.net is not None else ():
-        one, other = (landscape.states[end].name for end in each.ends)
-        forward, back = (shown_value(barrier, "J", 3) for barrier in each.barriers)
+    for course_pass in landscape.passes if landscape.net is not None else ():
+        one, other = (landscape.states[end].name for end in course_pass.ends)
+        forward, back = (shown_value(barrier, "J", 3) for barrier in course_pass.barriers)
         yield {"": f"{one} to {other}", "forward": forward, "back": back}
 
 
@@ -212,11 +212,11 @@ def _torques(landscape: EnergyLandscape) -> Iterator[Row]:
     """Yield the least torques of the transitions of a tree of joints: along its rigid fold, and of the whole."""
     structure, path, fold = landscape.structure, landscape.fold_path, landscape.structure.rigid_fold
     rounding, whole = rounding_torque(landscape), structure.appearance.whole
-    courses = {each.name: each for each in landscape.courses if isinstance(each, LeastTorque)}
+    courses = {course.name: course for course in landscape.courses if isinstance(course, LeastTorque)}
     for transition in structure.transitions if courses else ():
         course, verb = courses[transition.name], transition.wording.verb
         slow = f"{'≤ ' * (course.inertial_help is not None)}{_least(course.least, rounding)}"
-        name = f"that {'make it ' * (' ' in verb)}{verb}, {torque_words(structure, transition)}"
+        name = f"that {'make it ' * (' ' in verb)}{verb}, {torque_location(structure, transition)}"
         if path is None or fold is None:
             yield {"": name, whole: slow}
         else:
@@ -236,7 +236,7 @@ def _courses(landscape: EnergyLandscape) -> Iterator[Row]:
         released = sum(snap.released for snap in course.slow.snaps)
         yield {
             "": f"{course.name}, {where}" if 0 < len(where) <= _LONGEST else course.name,
-            "on the way": course_words(structure, course),
+            "on the way": slow_path_text(structure, course),
             "at its goal": "" if course.least is None else shown_value(course.least, unit, 3),
             "energy released": shown_value(released, "J", 3) if course.slow.snaps else "",
         }
@@ -245,7 +245,9 @@ def _courses(landscape: EnergyLandscape) -> Iterator[Row]:
 def _withstands(landscape: EnergyLandscape) -> Iterator[Row]:
     """Yield a row for each load, with the value up to which each state withstands the load."""
     states = [state for state in net_states(landscape) if state.withstands]
-    held = {(state.name, each.load): held_words(each) for state in states for each in state.withstands}
+    held = {
+        (state.name, withstand.load): withstood_text(withstand) for state in states for withstand in state.withstands
+    }
     for load in dict.fromkeys(load for _, load in held):
         yield {"": load, **{state.name: held.get((state.name, load), "") for state in states}}
 
@@ -271,26 +273,26 @@ def _snap(landscape: EnergyLandscape, record: Record | None, shown: CrossedHinge
     snap = None if record is None else simulated_snap(record, shown)
     name = hinge_name(structure, shown.tendon)
     alone = {"ideal hinge": shown.ideal, name: shown.own}
-    hinges = {of: each for of, each in alone.items() if each is not None and each.spring is None}
+    hinges = {of: item for of, item in alone.items() if item is not None and item.spring is None}
     top = "its top" if shown.own.hinge.offset_angle else "straight"
     start, simulated = f"from {show_angle(FOLD_START)} past {top}", f"in the simulated {structure.appearance.whole}"
     rows = list[Row]()
     if hinges:
-        rows.append({"": "time scale t*", **{of: _time(each.time_scale) for of, each in hinges.items()}})
-        rates = {of: _rate(each.growth_rate) for of, each in hinges.items()}
+        rows.append({"": "time scale t*", **{of: _time(hinge.time_scale) for of, hinge in hinges.items()}})
+        rates = {of: _rate(hinge.growth_rate) for of, hinge in hinges.items()}
         rows.append({"": f"growth rate at {top}", **rates})
     if hinges or snap is not None:
         if folded is not None:
-            times = {of: _time(each.time_to(folded)) for of, each in hinges.items()}
+            times = {of: _time(hinge.time_to(folded)) for of, hinge in hinges.items()}
             timed = {} if snap is None else {simulated: _simulated_time(snap, snap.folded_time)}
             rows.append({"": f"{start} to {show_angle(folded)}", **times, **timed})
-        times = {of: _time(each.fold_time) for of, each in hinges.items()}
+        times = {of: _time(hinge.fold_time) for of, hinge in hinges.items()}
         timed = {} if snap is None else {simulated: _simulated_time(snap, snap.fold_time)}
         rows.append({"": f"{start} to {show_angle(limit)}", **times, **timed})
         speed = "largest speed"
         if hinges:
             speed = f"final speed{'; simulated: the largest' * (snap is not None)}"
-        speeds = {of: _speed(each.final_speed) for of, each in hinges.items()}
+        speeds = {of: _speed(hinge.final_speed) for of, hinge in hinges.items()}
         rows.append({"": speed, **speeds, **({} if snap is None else {simulated: _speed(snap.peak_speed)})})
     yield _table("Snap of one hinge alone, without damping" if hinges else f"Snap of {name}", rows)
 

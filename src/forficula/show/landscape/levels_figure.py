@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from forficula.quantities import reading_unit, show_value
-from forficula.show.landscape.landscape_marks import sheet_parts, springy_parts, write_note
+from forficula.show.landscape.landscape_marks import energy_storing_parts, sheet_parts, write_note
 from forficula.show.structure.labels import label_of
 from forficula.show.style import BLACK, BLUE, ORANGE, PAGE_WIDTH, describe, figure_style, fit_legend
 from forficula.statics import EnergyLandscape, PartialFold, folding_hinges
@@ -131,7 +131,7 @@ def _handles(landscape: EnergyLandscape) -> list[Line2D | Patch]:
         numbered = " (number above)" * all(_level(landscape, len(fold.folded)) is not None for fold in folds)
         handles.append(Line2D([], [], color=BLACK, ls="--", lw=1.2, label=f"{_independent(landscape)}{numbered}"))
     handles.append(Line2D([], [], color=BLACK, lw=1.6, label=f"coupled {whole}" if compared else whole))
-    handles.append(Patch(facecolor=BLUE, alpha=0.75, label=f"share of {springy_parts(landscape.structure)}"))
+    handles.append(Patch(facecolor=BLUE, alpha=0.75, label=f"share of {energy_storing_parts(landscape.structure)}"))
     if stretched:
         handles.append(Patch(facecolor=ORANGE, alpha=0.75, label=f"share of {stretched}"))
     if not all(fold.stable for fold in folds):

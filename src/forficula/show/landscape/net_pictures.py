@@ -11,12 +11,18 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from forficula.arrays import Array
-from forficula.show.structure.painted_shape import PaintedShape, hang, paint_shape, shape_handles, structure_view
+from forficula.show.structure.painted_shape import (
+    PaintedShape,
+    paint_shape,
+    shape_handles,
+    show_painted,
+    structure_view,
+)
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_of
 from forficula.show.style import ORANGE
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_of import places
+from forficula.statics.net.net_of import point_positions
 from forficula.structure import Structure
 
 
@@ -49,17 +55,17 @@ def net_pictures(structure: Structure, net: Net, shapes: Sequence[NetShape]) -> 
     at = {point.body: number for number, point in enumerate(structure.points)}
     nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
     painted, lines = list[PaintedShape](), list[Array]()
-    for each in shapes:
-        points = places(net, each)[: len(structure.points)]
+    for item in shapes:
+        points = point_positions(net, item)[: len(structure.points)]
         surface = surface_of(
             shape,
             np.concatenate((points, points[nodes])),
-            each.angles,
+            item.angles,
             two_sided=bool(structure.facets),
         )
         painted.append(paint_shape(surface, view, ORANGE))
         lines.append(view.project(surface.lines))
-    corners = np.concatenate([each.corners for each in painted])
+    corners = np.concatenate([item.corners for item in painted])
     return Pictures(
         painted=tuple(painted),
         lines=tuple(lines),
@@ -68,9 +74,9 @@ def net_pictures(structure: Structure, net: Net, shapes: Sequence[NetShape]) -> 
     )
 
 
-def hang_all(pictures: Pictures, all_axes: Iterable[Axes], width: float) -> None:
+def show_pictures(pictures: Pictures, all_axes: Iterable[Axes], width: float) -> None:
     """Draw pictures into axes of a given width, inch, without lines; remaining axes stay empty."""
     for axes in (all_axes := list(all_axes)):
         axes.set_axis_off()
     for axes, painted in zip(all_axes, pictures.painted, strict=False):
-        hang(axes, painted, pictures.window, width)
+        show_painted(axes, painted, pictures.window, width)

@@ -7,7 +7,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from forficula.show.landscape.landscape_marks import shown_value
-from forficula.show.landscape.net_pictures import hang_all, net_pictures
+from forficula.show.landscape.net_pictures import net_pictures, show_pictures
 from forficula.show.style import PAGE_WIDTH, describe, figure_style, fit_legend, is_narrow
 from forficula.statics import EnergyLandscape
 from forficula.statics.landscape import net_states
@@ -35,11 +35,11 @@ def draw_states(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
     with figure_style():
         figure = Figure(figsize=(width, rows * height + _LEGEND * (1 + is_narrow(width))), layout="constrained")
         axes = np.ravel(figure.subplots(rows, columns, squeeze=False))
-        hang_all(pictures, axes, width / columns)
-        for each, state in zip(axes, states, strict=False):
-            each.set_title(f"{state.name}\n{shown_value(state.energy, 'J', 3)}", pad=2)
+        show_pictures(pictures, axes, width / columns)
+        for axis, state in zip(axes, states, strict=False):
+            axis.set_title(f"{state.name}\n{shown_value(state.energy, 'J', 3)}", pad=2)
         fit_legend(figure, pictures.handles, 4, loc="outside lower center")
-        energies = "; ".join(f"{each.name} with {shown_value(each.energy, 'J', 3)}" for each in states)
+        energies = "; ".join(f"{state.name} with {shown_value(state.energy, 'J', 3)}" for state in states)
         what = f"The stable states of the {structure.appearance.whole} {landscape.design.name} in 3-D"
         return describe(figure, f"{what}. {energies}.")
 
@@ -65,13 +65,13 @@ def draw_modes(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         drawn = [axes for row, state in zip(grid, states, strict=True) for axes in row[: len(state.modes)]]
         for axes in grid.ravel():
             axes.set_axis_off()
-        hang_all(pictures, drawn, width / columns)
+        show_pictures(pictures, drawn, width / columns)
         for row, state, still in zip(grid, states, pictures.lines[len(swung) :], strict=True):
             for axes, frequency in zip(row, state.frequencies, strict=False):
                 axes.add_collection(LineCollection(list(still), colors="0.35", linewidths=0.5, linestyles=":"))
                 first = axes is row[0]
                 axes.set_title(f"{state.name}\n{_hertz(frequency)}" if first else f"\n{_hertz(frequency)}", pad=2)
-        words = "; ".join(f"{each.name} {', '.join(map(_hertz, each.frequencies.tolist()))}" for each in states)
+        words = "; ".join(f"{state.name} {', '.join(map(_hertz, state.frequencies.tolist()))}" for state in states)
         what = f"The slowest modes of the {structure.appearance.whole} {landscape.design.name} about its states"
         return describe(figure, f"{what}, at full amplitude. {words}.")
 

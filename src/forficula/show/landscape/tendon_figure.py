@@ -130,7 +130,7 @@ def tendon_curves(
         name = "ideal hinge, bars square to its axis"
         yield shown.ideal, shown.ideal.energy, shown.ideal.moment, name, ideal_style
     structure = landscape.structure
-    labels = parts_of([label_of(structure.tendons[each.tendon]) for each in landscape.hinges])
+    labels = parts_of([label_of(structure.tendons[hinge.tendon]) for hinge in landscape.hinges])
     crease = "" if shown.ideal is None else f", its {structure.hinges[shown.hinge].role} crease"
     whose = f"hinge of the {landscape.structure.appearance.whole}{crease}" if shown.own.spring is None else "tendon"
     for number, (group, names) in enumerate(_groups(landscape.tendons, labels.names)):

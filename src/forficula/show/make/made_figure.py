@@ -91,22 +91,22 @@ def _mark_stop(axes: Axes, hinge: HingeLandscape, factor: float, style: dict[str
 
 def _close_up(axes: Axes, pair: HingePair) -> None:
     """Draw an inset of the barriers, relative to the overbend stop; nothing if there is no barrier."""
-    tops = [each for each in (pair.designed, pair.made) if each.barrier and each.barrier_angle is not None]
+    tops = [item for item in (pair.designed, pair.made) if item.barrier and item.barrier_angle is not None]
     if not tops:
         return
-    unit, factor = reading_unit("J", max(each.barrier or 0.0 for each in tops))
+    unit, factor = reading_unit("J", max(top.barrier or 0.0 for top in tops))
     near = axes.inset_axes(_INSET)
-    stop = max(each.hinge.overbend for each in tops)
-    reach = _NEAR * (stop - min(each.barrier_angle or 0.0 for each in tops))
+    stop = max(top.hinge.overbend for top in tops)
+    reach = _NEAR * (stop - min(top.barrier_angle or 0.0 for top in tops))
     last = max(stop - reach, -pair.made.hinge.fold_limit)
-    for each, style in ((pair.designed, _DESIGNED), (pair.made, _MADE)):
-        angle = np.linspace(each.hinge.overbend, last, 121)
-        above = each.stored_energy(angle) - each.stored_energy(each.hinge.overbend)
-        near.plot(_degrees(each, angle), factor * above, **style)
-        if each.barrier and each.barrier_angle is not None:
-            place = (float(_degrees(each, each.barrier_angle)), factor * each.barrier)
+    for item, style in ((pair.designed, _DESIGNED), (pair.made, _MADE)):
+        angle = np.linspace(item.hinge.overbend, last, 121)
+        above = item.stored_energy(angle) - item.stored_energy(item.hinge.overbend)
+        near.plot(_degrees(item, angle), factor * above, **style)
+        if item.barrier and item.barrier_angle is not None:
+            place = (float(_degrees(item, item.barrier_angle)), factor * item.barrier)
             near.plot(*place, "o", color=style["color"], ms=3.5, zorder=4)
-    top = factor * max(each.barrier or 0.0 for each in tops)
+    top = factor * max(top.barrier or 0.0 for top in tops)
     near.set(xlim=sorted(near.get_xlim(), reverse=pair.made.sense > 0), ylim=(-0.5 * top, 1.35 * top))
     near.set_ylabel(f"above the stop ({unit})", fontsize=6 if in_column(axes) else 7, labelpad=2)
     near.set_xlabel("angle (deg)", fontsize=7, labelpad=1)
@@ -136,8 +136,8 @@ def _numbers(hinge: HingeLandscape, top: str = "") -> str:
 def _text(compared: MadeComparison, pair: HingePair) -> str:
     """Describe the tendon as designed and as made."""
     versions = []
-    for each, name in ((pair.designed, "as designed"), (pair.made, "as made")):
-        top = "" if each.barrier_angle is None else f" at {show_angle(each.sense * each.barrier_angle)}"
-        versions.append(f"{name} {_numbers(each, top)}")
+    for item, name in ((pair.designed, "as designed"), (pair.made, "as made")):
+        top = "" if item.barrier_angle is None else f" at {show_angle(item.sense * item.barrier_angle)}"
+        versions.append(f"{name} {_numbers(item, top)}")
     beginning = f"Energy and moment of a tendon of {compared.designed.name} over the angle of {pair.name}"
     return f"{beginning}: {'; '.join(versions)}."

@@ -14,11 +14,11 @@ from forficula.make.part import Part, PartSet
 from forficula.make.solid.mesh import MILLIMETRES, mesh_of, solid_of
 from forficula.make.solid.solids import Cut, Rod
 from forficula.pattern.geometry import triangle_normals
-from forficula.pattern.rotation import STILL, RigidMotion
+from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion
 from forficula.show.make.part_looks import STOP_COLOUR, part_looks
 from forficula.show.make.part_mesh import PartMesh, part_mesh, sharp_edges
-from forficula.show.make.pose import apart, poses_at
-from forficula.show.structure.painted_shape import PaintedShape, View, ribbons
+from forficula.show.make.part_poses import apart, poses_at
+from forficula.show.structure.painted_shape import PaintedShape, Viewpoint, ribbons
 
 _EDGE = "#2A2F35"
 # m, half the width of an edge, and the distance by which edges are moved towards the eye
@@ -55,34 +55,34 @@ def placed_parts(parts: PartSet, angle: float, away: float = 0.0) -> list[Placed
         if part.kind == "strap":
             mesh = _strap_mesh(parts, next(straps), poses, away * shift)
         else:
-            mesh, pose = part_mesh(part, parts.joints), STILL if part.body is None else poses[part.body]
+            mesh, pose = part_mesh(part, parts.joints), IDENTITY_MOTION if part.body is None else poses[part.body]
             mesh = _moved(mesh, pose.of(mesh.points + away * shift))
         placed.append(PlacedPart(part=part, look=look, mesh=mesh))
     return placed
 
 
-def paint_parts(placed: list[PlacedPart], colours: list[str], view: View) -> PaintedShape:
+def paint_parts(placed: list[PlacedPart], colours: list[str], view: Viewpoint) -> PaintedShape:
     """Shade parts in the colours of their looks, with dark edges, and the faces of stops in the colour of stops."""
     triangles, shades = [], []
     lamp = _LAMP / np.linalg.norm(_LAMP)
-    for each in placed:
-        corners = each.mesh.points[each.mesh.triangles]
+    for item in placed:
+        corners = item.mesh.points[item.mesh.triangles]
         normals = triangle_normals(corners)
         normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
-        own = np.tile(to_rgb(colours[each.look]), (len(corners), 1))
-        own[: each.mesh.stops] = to_rgb(STOP_COLOUR)
+        own = np.tile(to_rgb(colours[item.look]), (len(corners), 1))
+        own[: item.mesh.stops] = to_rgb(STOP_COLOUR)
         axes = np.column_stack([view.right, view.up, view.towards])
         facing = np.maximum(normals @ axes @ lamp, 0.0)
         visible = normals @ view.towards > 0
         triangles.append(_on_picture(corners[visible], view))
         shades.append(np.clip(own * (_DARK + _LIGHT * facing)[:, None], 0, 1)[visible])
-        quads, dark = ribbons(each.mesh.points[each.mesh.edges], view, _EDGE, _THIN, _NEARER)
+        quads, dark = ribbons(item.mesh.points[item.mesh.edges], view, _EDGE, _THIN, _NEARER)
         triangles.append(_on_picture(quads[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3), view))
         shades.append(np.repeat(dark, 2, axis=0))
     return PaintedShape(triangles=np.concatenate(triangles), colours=np.concatenate(shades))
 
 
-def _on_picture(corners: Array, view: View) -> Array:
+def _on_picture(corners: Array, view: Viewpoint) -> Array:
     return np.concatenate([view.project(corners), (corners @ view.towards)[..., np.newaxis]], axis=-1)
 
 
@@ -92,11 +92,11 @@ def _moved(mesh: PartMesh, points: Array) -> PartMesh:
 
 def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, RigidMotion], shift: Array) -> PartMesh:
     """Return all straps of a tendon, bent, with their eyes; slack straps bow away from the hinge."""
-    joint = next(each for each in parts.joints if each.tendon == place.tendon)
+    joint = next(joint for joint in parts.joints if joint.tendon == place.tendon)
     axis = poses[joint.proximal.body].rotation @ joint.frame[:, 1]
     meshes = []
     for ends in place.ends:
-        start, end = (poses[body].of(each) for body, each in zip(place.bodies, ends, strict=True))
+        start, end = (poses[body].of(end) for body, end in zip(place.bodies, ends, strict=True))
         meshes.append(_band(place, strap_line(place, start, end, axis, 1), axis))
         for body, across, middle in zip(place.bodies, place.across, (start, end), strict=True):
             meshes.append(_eye(place, middle, poses[body].rotation @ across))

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from forficula.make.files.bill import bill_of
-from forficula.make.files.lying import lying_size
+from forficula.make.files.print_orientation import print_size
 from forficula.make.part import Part, PartSet
 from forficula.make.solid.mesh import MILLIMETRES
 from forficula.quantities import show_value
@@ -19,7 +19,7 @@ _SHOWN = {"m": ("mm", 1e3), "m^2": ("mm²", 1e6), "m^3": ("mm³", 1e9), "kg": ("
 
 def size_text(part: Part) -> str:
     """Return the size of a part in its printing position, mm, without the unit."""
-    return " × ".join(f"{MILLIMETRES * each:.1f}" for each in lying_size(part))
+    return " × ".join(f"{MILLIMETRES * item:.1f}" for item in print_size(part))
 
 
 def mass_text(mass: float | None, digits: int = 3) -> str:

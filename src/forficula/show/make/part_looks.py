@@ -54,7 +54,7 @@ def _name(parts: PartSet, part: Part) -> str:
     """Return the name shared by parts with one look: bars by the role of their bodies, if there are several roles."""
     if part.kind != "bar" or part.body is None or part.body == GROUND:
         return part.kind
-    bodies = [each.body for each in parts.parts if each.kind == "bar" and each.body not in (None, GROUND)]
+    bodies = [part.body for part in parts.parts if part.kind == "bar" and part.body not in (None, GROUND)]
     roles = {parts.structure.bodies[body].role for body in bodies if body is not None}
     role = parts.structure.bodies[part.body].role
     return f"{role} {part.kind}" if role and len(roles) > 1 else part.kind

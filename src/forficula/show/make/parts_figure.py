@@ -17,8 +17,8 @@ from forficula.quantities import round_below
 from forficula.show.make.painted_parts import PlacedPart, paint_parts, placed_parts
 from forficula.show.make.part_facts import mass_text, masses_text, part_masses, total_mass
 from forficula.show.make.part_looks import PartLook, part_looks
-from forficula.show.make.pose import angle_range
-from forficula.show.structure.painted_shape import PaintedShape, View, hang
+from forficula.show.make.part_poses import angle_range
+from forficula.show.structure.painted_shape import PaintedShape, Viewpoint, show_painted
 from forficula.show.style import PAGE_WIDTH, describe, draw_bar, figure_style, is_narrow
 
 # direction to the eye in the axes of the first joint: along the arms, along its hinge, and up
@@ -57,14 +57,14 @@ def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
         return describe(figure, _text(parts, posed))
 
 
-def _view(parts: PartSet) -> View:
+def _view(parts: PartSet) -> Viewpoint:
     """Return the viewpoint: beside the arms of the first joint, from above."""
     frame = parts.joints[0].frame
     towards = frame @ np.array(_TOWARDS)
     towards /= np.linalg.norm(towards)
     right = np.cross(frame[:, 2], towards)
     right /= np.linalg.norm(right)
-    return View(right=right, up=np.cross(towards, right), towards=towards)
+    return Viewpoint(right=right, up=np.cross(towards, right), towards=towards)
 
 
 def _panels(
@@ -89,10 +89,10 @@ def _panels(
         box = (column / columns, bottom / total, 1 / columns, heights[row] / total)
         panel = figure.add_axes(box)
         half = np.array([each, heights[row]]) * scale / 2
-        hang(panel, picture, _around(picture, half), each)
+        show_painted(panel, picture, _around(picture, half), each)
         axes.append(panel)
     below = figure.add_axes((0, 2.2 * _LINE / total, 1, last / total))
-    hang(below, apart, _around(apart, size / 2), width)
+    show_painted(below, apart, _around(apart, size / 2), width)
     return figure, axes, below
 
 
@@ -114,16 +114,16 @@ def _name(
     taken: Sequence[PlacedPart],
     looks: Sequence[PartLook],
     known: Mapping[str, float | None],
-    view: View,
+    view: Viewpoint,
     narrow: bool,
 ) -> None:
     """Write the names of parts above and below their picture, each with a line to one of them."""
     named = []
     for number, look in enumerate(looks):
-        own = [each for each in taken if each.look == number]
-        count = sum(each.part.count for each in own)
+        own = [item for item in taken if item.look == number]
+        count = sum(item.part.count for item in own)
         text = f"{look.name}, {count}" if count > 1 else look.name
-        masses = masses_text([known[each.part.name] for each in own])
+        masses = masses_text([known[item.part.name] for item in own])
         text += f"\n{masses}{' each' * (count > 1)}" if masses else ""
         named.append((text, _anchor(view.project(own[-1].mesh.points))))
     stop = _best_stop(taken, view)
@@ -131,17 +131,17 @@ def _name(
         named.append(("face of\na stop", stop))
     # the upper half of the parts have their names above; the scale is at the lower left
     left, right = axes.get_xlim()
-    named.sort(key=lambda each: (each[1][0] > left + _BESIDE * (right - left), -each[1][1]))
+    named.sort(key=lambda item: (item[1][0] > left + _BESIDE * (right - left), -item[1][1]))
     above = (len(named) + 1) // 2
     for group, edge, side in ((named[:above], 1, 1), (named[above:], 0, -1)):
-        _row(axes, sorted(group, key=lambda each: float(each[1][0])), edge, side, narrow)
+        _row(axes, sorted(group, key=lambda item: float(item[1][0])), edge, side, narrow)
 
 
-def _best_stop(taken: Sequence[PlacedPart], view: View) -> Array | None:
+def _best_stop(taken: Sequence[PlacedPart], view: Viewpoint) -> Array | None:
     """Return the centre of the best visible face of a stop in the picture; None if none faces the eye."""
     best, most = None, 0.0
-    for each in taken:
-        corners = each.mesh.points[each.mesh.triangles[: each.mesh.stops]]
+    for item in taken:
+        corners = item.mesh.points[item.mesh.triangles[: item.mesh.stops]]
         areas = triangle_normals(corners) @ view.towards
         visible = np.maximum(areas, 0.0)
         if visible.sum() > most:
@@ -195,7 +195,7 @@ def _text(parts: PartSet, posed: Sequence[tuple[str, float]]) -> str:
     """Describe the figure."""
     looks, own = part_looks(parts)
     counts = [
-        sum(part.count for part, each in zip(parts.parts, own, strict=True) if each == n) for n in range(len(looks))
+        sum(part.count for part, item in zip(parts.parts, own, strict=True) if item == n) for n in range(len(looks))
     ]
     names = ", ".join(f"{count} × {look.name}" for look, count in zip(looks, counts, strict=True))
     mass = total_mass(parts)

@@ -49,17 +49,17 @@ def _bill(rows: Sequence[BillRow]) -> Table:
 
 def _totals(totals: Sequence[BillTotal]) -> Table:
     table = _plain("material", "pieces", "cm³", "g", "g/cm³", "density from")
-    for each in totals:
-        density = _NONE if each.density is None else f"{1e-3 * each.density:.4g}"
-        volume = f"{1e6 * each.volume:.3g}"
-        table.add_row(each.material, str(each.count), volume, _grams(each.mass), density, each.density_source)
+    for total in totals:
+        density = _NONE if total.density is None else f"{1e-3 * total.density:.4g}"
+        volume = f"{1e6 * total.volume:.3g}"
+        table.add_row(total.material, str(total.count), volume, _grams(total.mass), density, total.density_source)
     table.columns[-1].justify = "left"
     return table
 
 
 def _unknown(totals: Sequence[BillTotal]) -> list[Text]:
     """Return a sentence on materials without a known density."""
-    names = [each.material for each in totals if each.density is None]
+    names = [total.material for total in totals if total.density is None]
     return [Text(f"No source gives a density of {listed(names, 'and')}: masses do not include it.")] if names else []
 
 

@@ -26,10 +26,10 @@ _POINTS = 201
 
 def draw_cycles(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
     """Draw stress over strain, a panel for each cycle: specimens thin, their median thick; width in inch."""
-    left_out = {cycle.number for each in material.specimens for cycle in each.left_out}
+    left_out = {cycle.number for specimen in material.specimens for cycle in specimen.left_out}
     by_number: dict[int, list[Cycle]] = {}
-    for each in material.specimens:
-        for cycle in (*each.left_out, *each.cycles):
+    for specimen in material.specimens:
+        for cycle in (*specimen.left_out, *specimen.cycles):
             by_number.setdefault(cycle.number, []).append(cycle)
     numbers = _shown(sorted(by_number))
     peak = max(float(cycle.loading.stress.max()) for number in numbers for cycle in by_number[number])

@@ -27,16 +27,16 @@ def draw_drift(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
             _draw_value(axes, material, key)
             axes.set_xlabel("cycle N")
             axes.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
-        left_out = any(each.left_out for each in material.specimens)
+        left_out = any(specimen.left_out for specimen in material.specimens)
         _legend(figure, many=len(material.specimens) > 1, left_out=left_out)
         return describe(figure, _text(material))
 
 
 def _draw_value(axes: Axes, material: Characterisation, key: str) -> None:
     value, _ = DRIFTING[key]
-    kept = [each.cycles for each in material.specimens]
+    kept = [specimen.cycles for specimen in material.specimens]
     numbers, table = common_cycles(kept), cycle_table(kept, value)
-    first = np.array([[value(cycle) for cycle in each.left_out] for each in material.specimens])
+    first = np.array([[value(cycle) for cycle in specimen.left_out] for specimen in material.specimens])
     every = np.concatenate([table.ravel(), first.ravel()])
     finite = every[np.isfinite(every)]
     label, factor = _reading(key, float(finite.max(initial=0.0)))

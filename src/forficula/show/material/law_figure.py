@@ -36,15 +36,17 @@ def draw_fit(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
     if fit is None:
         raise InputError(f"{material.name}: there is no law to draw")
     shown = _typical(fit)
-    unit, factor = stress_unit(max(float(each.stress.max()) for each in fit.residuals))
-    longest = max(float(each.time[-1]) for each in fit.residuals)
+    unit, factor = stress_unit(max(float(residual.stress.max()) for residual in fit.residuals))
+    longest = max(float(residual.time[-1]) for residual in fit.residuals)
     time_unit, time = _time_unit(longest)
     with figure_style():
         figure = Figure(figsize=(width, 4.3), layout="constrained")
         panels = figure.subplots(2, 2, sharex="col", sharey="row", height_ratios=[2.2, 1])
-        middles = {each.test.name: (each.test.time[0] + each.test.time[-1]) / 2 for each in material.specimens}
-        for each in fit.residuals:
-            _draw_data(panels, each, factor, time, middles[each.name])
+        middles = {
+            specimen.test.name: (specimen.test.time[0] + specimen.test.time[-1]) / 2 for specimen in material.specimens
+        }
+        for item in fit.residuals:
+            _draw_data(panels, item, factor, time, middles[item.name])
         stress = _without_zero(shown, shown.fitted, middles[shown.name]) / factor
         panels[0, 0].plot(100 * shown.strain, stress, color=VERMILION, lw=1.0)
         panels[0, 1].plot(shown.time / time, stress, color=VERMILION, lw=1.0)
@@ -66,7 +68,7 @@ def draw_fit(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
 
 def _typical(fit: LawFit) -> Residual:
     """Return the specimen with the median misfit."""
-    ranked = sorted(fit.residuals, key=lambda each: float(np.mean((each.fitted - each.stress) ** 2)))
+    ranked = sorted(fit.residuals, key=lambda item: float(np.mean((item.fitted - item.stress) ** 2)))
     return ranked[len(ranked) // 2]
 
 
@@ -98,7 +100,7 @@ def _legend(figure: Figure, material: Characterisation, fit: LawFit, misfit: str
     many = len(fit.residuals) > 1
     along = f"law × {shown.amplitude:.3g} along {shown.name}"
     data = f"data of {len(fit.residuals)} specimens" if many else "data"
-    cycles = [cycle for each in material.specimens for cycle in each.cycles]
+    cycles = [cycle for specimen in material.specimens for cycle in specimen.cycles]
     rows = sum(len(cycle.loading.time) + len(cycle.unloading.time) for cycle in cycles) / fit.points
     means = f", means of {rows:.0f} rows" if rows >= _SOME_ROWS else ""
     handles = [

@@ -56,11 +56,11 @@ def plain_table(*headings: str) -> Table:
 
 
 def _heading(material: Characterisation) -> str:
-    tests = [each.test for each in material.specimens]
-    lengths = _spread([show_quantity(each.length, LENGTH) for each in tests])
-    areas = _spread([show_quantity(each.area, AREA).replace("^2", "²") for each in tests])
+    tests = [specimen.test for specimen in material.specimens]
+    lengths = _spread([show_quantity(test.length, LENGTH) for test in tests])
+    areas = _spread([show_quantity(test.area, AREA).replace("^2", "²") for test in tests])
     count = "1 specimen" if len(tests) == 1 else f"{len(tests)} specimens"
-    cycles = [each.number for each in material.cycles]
+    cycles = [cycle.number for cycle in material.cycles]
     which = f"cycle {cycles[0]}" if len(cycles) == 1 else f"cycles {cycles[0]} to {cycles[-1]}"
     return f"{material.name}: {count}, length {lengths}, area {areas}, {which}"
 
@@ -70,21 +70,21 @@ def _spread(texts: list[str]) -> str:
 
 
 def _cycles(material: Characterisation) -> list[RenderableType]:
-    stress, modulus = stress_unit(max(each.secant_modulus for each in material.cycles))
-    energy, loss = energy_unit(max(abs(each.loss) for each in material.cycles))
+    stress, modulus = stress_unit(max(cycle.secant_modulus for cycle in material.cycles))
+    energy, loss = energy_unit(max(abs(cycle.loss) for cycle in material.cycles))
     table = plain_table(
         *("cycle", "specimens", f"secant modulus\n({stress})", f"loss\n({energy})", "residual\nstrain (%)"),
         *("no force on\nunloading below (%)", "largest\nstrain (%)"),
     )
-    for each in material.cycles:
+    for cycle in material.cycles:
         table.add_row(
-            str(each.number),
-            str(each.specimens),
-            _number(each.secant_modulus / modulus),
-            _number(each.loss / loss),
-            _number(100 * each.residual_strain),
-            _number(100 * each.slack_strain),
-            _number(100 * each.largest_strain),
+            str(cycle.number),
+            str(cycle.specimens),
+            _number(cycle.secant_modulus / modulus),
+            _number(cycle.loss / loss),
+            _number(100 * cycle.residual_strain),
+            _number(100 * cycle.slack_strain),
+            _number(100 * cycle.largest_strain),
         )
     change = material.change
     if change.specimens:
@@ -101,11 +101,11 @@ def _cycles(material: Characterisation) -> list[RenderableType]:
 
 
 def _moduli(material: Characterisation) -> list[RenderableType]:
-    unit, factor = stress_unit(max(each.secant_modulus.upper for each in material.pooled))
+    unit, factor = stress_unit(max(item.secant_modulus.upper for item in material.pooled))
     table = plain_table("strain (%)", "loading:\nsecant", "local", "unloading:\nsecant", "local")
     classes: dict[tuple[float, float], dict[str, ModulusClass]] = {}
-    for each in material.pooled:
-        classes.setdefault((each.from_strain, each.to_strain), {})[each.way] = each
+    for item in material.pooled:
+        classes.setdefault((item.from_strain, item.to_strain), {})[item.way] = item
     for (low, high), by_branch in sorted(classes.items()):
         cells = [
             _quartiles(getattr(by_branch[branch], kind), factor) if branch in by_branch else _NONE
@@ -127,7 +127,7 @@ def _drifts(material: Characterisation) -> list[RenderableType]:
 def _drift(drift: Drift) -> list[str]:
     if drift.kind == "none":
         return ["no drift", "", ""]
-    values = [100 * (each - 1) if drift.relative else 100 * each for each in drift.change(drift.seen[1])]
+    values = [100 * (item - 1) if drift.relative else 100 * item for item in drift.change(drift.seen[1])]
     middle, low, high = (_signed(value) for value in values)
     unit = "%" if drift.relative else "percentage points"
     course = "ln N" if drift.kind == "logarithm" else f"plateau after {drift.cycles:.2g} cycles"
@@ -137,9 +137,9 @@ def _drift(drift: Drift) -> list[str]:
 def law_table(law: MaterialLaw) -> Table:
     """Return a table of a law's values, with intervals where they are known."""
     table = plain_table("", "value", "95 % interval")
-    for each in known_values(law):
-        interval = _NONE if each.interval is None else _minus(show_range(each.key, *each.interval))
-        table.add_row(each.key, _minus(show_value(each.key, each.value)), interval)
+    for value in known_values(law):
+        interval = _NONE if value.interval is None else _minus(show_range(value.key, *value.interval))
+        table.add_row(value.key, _minus(show_value(value.key, value.value)), interval)
     return table
 
 
@@ -152,8 +152,8 @@ def _amplitudes(fit: LawFit) -> Iterator[Text]:
     """Yield a sentence on the differences between specimens, if there are several."""
     if fit.scatter is None:
         return
-    least, *_, most = sorted(fit.residuals, key=lambda each: each.amplitude)
-    shown = [f"{_signed(100 * (each.amplitude - 1))} % ({each.name})" for each in (least, most)]
+    least, *_, most = sorted(fit.residuals, key=lambda item: item.amplitude)
+    shown = [f"{_signed(100 * (item.amplitude - 1))} % ({item.name})" for item in (least, most)]
     yield Text(
         f"The specimens' amplitudes differ from the law's by {shown[0]} to {shown[1]}, standard deviation"
         f" {_number(100 * fit.scatter)} %; the intervals hold for the material, not only for these specimens."
@@ -161,11 +161,11 @@ def _amplitudes(fit: LawFit) -> Iterator[Text]:
 
 
 def _candidates(fit: LawFit) -> list[RenderableType]:
-    tried = [each for each in fit.candidates if math.isfinite(each.bic)]
+    tried = [candidate for candidate in fit.candidates if math.isfinite(candidate.bic)]
     table = plain_table("", "values", "criterion minus\nthat of the chosen", "residual")
-    for each in _best_of_each_kind(tried)[:_MOST_LAWS]:
-        above = "chosen" if each is tried[0] else _minus(f"{each.bic - tried[0].bic:+.3g}")
-        table.add_row(each.form.name, str(len(each.form.keys)), above, _stress(each.misfit))
+    for item in _best_of_each_kind(tried)[:_MOST_LAWS]:
+        above = "chosen" if item is tried[0] else _minus(f"{item.bic - tried[0].bic:+.3g}")
+        table.add_row(item.form.name, str(len(item.form.keys)), above, _stress(item.misfit))
     refused = len(fit.candidates) - len(tried)
     title = f"Best laws of each kind by the Bayesian information criterion; {len(tried)} compared, {refused} rejected"
     return [Text(title, style="italic"), table]
@@ -174,8 +174,8 @@ def _candidates(fit: LawFit) -> list[RenderableType]:
 def _best_of_each_kind(tried: list[FitCandidate]) -> list[FitCandidate]:
     """Return the best candidate for each model of dissipation and softening."""
     best: dict[tuple[object, ...], FitCandidate] = {}
-    for each in tried:
-        best.setdefault((each.form.damper, each.form.branches, each.form.softening), each)
+    for item in tried:
+        best.setdefault((item.form.damper, item.form.branches, item.form.softening), item)
     return list(best.values())
 
 

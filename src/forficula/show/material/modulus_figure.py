@@ -81,7 +81,7 @@ def _draw_boxes(axes: Axes, material: Characterisation, branch: str, kind: Kind)
     face, edge, hatch = _LOOKS[branch]
     side = -_GAP if branch == "loading" else _GAP
     boxes, places = [], []
-    for entry in (each for each in material.pooled if each.way == branch):
+    for entry in (item for item in material.pooled if item.way == branch):
         values = _single_values(material, entry, kind)
         quartiles = getattr(entry, kind)
         boxes.append(
@@ -111,19 +111,19 @@ def _draw_boxes(axes: Axes, material: Characterisation, branch: str, kind: Kind)
 
 def _single_values(material: Characterisation, entry: ModulusClass, kind: Kind) -> Any:
     """Return the single values of an entry, Pa, shape (value,)."""
-    same = [each for each in material.single if (each.way, each.from_strain) == (entry.way, entry.from_strain)]
-    return np.array([getattr(each, kind).median for each in same])
+    same = [item for item in material.single if (item.way, item.from_strain) == (entry.way, entry.from_strain)]
+    return np.array([getattr(item, kind).median for item in same])
 
 
 def _straight(material: Characterisation) -> float:
     """Return the decade below the largest secant modulus, MPa, below which the scale is linear."""
-    largest = max(each.secant_modulus.upper for each in material.pooled) / _MPA
+    largest = max(item.secant_modulus.upper for item in material.pooled) / _MPA
     return float(10.0 ** math.floor(math.log10(largest / 2)))
 
 
 def _scale(axes: Axes, material: Characterisation) -> None:
     """Set a logarithmic scale over the decades of the moduli, linear about 0 for slack specimens."""
-    values = [getattr(each, kind).median / _MPA for each in material.single for kind in _NAMES]
+    values = [getattr(item, kind).median / _MPA for item in material.single for kind in _NAMES]
     low, high = min(values), max(*values, material.simulated_moduli[1] / _MPA)
     straight = _straight(material)
     axes.set_yscale("symlog", linthresh=straight, linscale=0.8, subs=range(2, 10))
@@ -133,19 +133,19 @@ def _scale(axes: Axes, material: Characterisation) -> None:
 
 def _classes(axes: Axes, material: Characterisation) -> None:
     """Label the classes and draw lines between them."""
-    classes = sorted({(each.from_strain, each.to_strain) for each in material.pooled})
+    classes = sorted({(item.from_strain, item.to_strain) for item in material.pooled})
     places = [_place(low, high) for low, high in classes]
     axes.set_xticks(places, [f"{100 * low:g}–{100 * high:g}" for low, high in classes])
     if in_column(axes):
         axes.tick_params(axis="x", rotation=90)
     axes.set_xlim(places[0] - 0.5, places[-1] + 0.5)
-    for each in axes.figure.axes:
+    for axis in axes.figure.axes:
         for place in places[1:]:
-            each.axvline(place - 0.5, color="0.88", lw=0.6, zorder=0.5)
+            axis.axvline(place - 0.5, color="0.88", lw=0.6, zorder=0.5)
 
 
 def _legend(figure: Figure, material: Characterisation) -> None:
-    sizes = [(each.test.length, each.test.area) for each in material.specimens]
+    sizes = [(specimen.test.length, specimen.test.area) for specimen in material.specimens]
     length, area = (float(np.median(values)) for values in zip(*sizes, strict=True))
     low, high = (modulus / _MPA for modulus in material.simulated_moduli)
     size = f"{show_quantity(length, LENGTH)} and {show_quantity(area, AREA).replace('^2', '²')}"
@@ -155,7 +155,7 @@ def _legend(figure: Figure, material: Characterisation) -> None:
     ]
     band = f"{low:.3g} to {high:.3g} MPa, required for 10 to 60 N/cm at {size}"
     handles.append(Patch(facecolor=_BAND, edgecolor=_BAND_INK, lw=0.4, label=band))
-    count = max(each.values for each in material.pooled)
+    count = max(item.values for item in material.pooled)
     what = f"box: quartiles, line: median, whiskers: extremes of up to {count} values, one per specimen and cycle"
     note = f"{what}; linear scale below {_straight(material):g} MPa"
     narrow = is_narrow(figure.get_figwidth())
@@ -168,7 +168,7 @@ def _text(material: Characterisation) -> str:
     """Describe the secant moduli."""
     medians_by_branch = []
     for branch in _LOOKS:
-        medians = [each.secant_modulus.median / _MPA for each in material.pooled if each.way == branch]
+        medians = [item.secant_modulus.median / _MPA for item in material.pooled if item.way == branch]
         medians_by_branch.append(f"when {branch} {min(medians):.3g} to {max(medians):.3g} MPa")
     low, high = (modulus / _MPA for modulus in material.simulated_moduli)
     return (

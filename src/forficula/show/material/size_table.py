@@ -31,10 +31,10 @@ def print_sizes(law: MaterialLaw, sizes: Sequence[TendonSizes]) -> None:
 def size_table(law: MaterialLaw, sizes: Sequence[TendonSizes]) -> RenderableType:
     """Return a table for each length, with the tendon's state in the flat structure."""
     parts: list[RenderableType] = []
-    for each in sizes:
-        heading = f"{law.name}, length {show_quantity(each.length, LENGTH)}, {each.why}"
+    for size in sizes:
+        heading = f"{law.name}, length {show_quantity(size.length, LENGTH)}, {size.why}"
         blank = [Text()] if parts else []
-        parts += [*blank, Text(heading, style="bold"), _table(law, each), Text(_flat(each, law))]
+        parts += [*blank, Text(heading, style="bold"), _table(law, size), Text(_flat(size, law))]
     remarks = [Text(sentence(remark)) for remark in _remarks(law)]
     return Group(*parts, *([Text(), *remarks] if remarks else []))
 
@@ -46,14 +46,14 @@ def sizes_json(sizes: Sequence[TendonSizes]) -> list[dict[str, float | bool | No
             zip(
                 _COLUMNS,
                 (
-                    *(each.length, size.stiffness, size.area, size.diameter, size.mean_area),
-                    *(each.flat_strain, each.beyond),
+                    *(item.length, size.stiffness, size.area, size.diameter, size.mean_area),
+                    *(item.flat_strain, item.beyond),
                 ),
                 strict=True,
             )
         )
-        for each in sizes
-        for size in each.sizes
+        for item in sizes
+        for size in item.sizes
     ]
 
 

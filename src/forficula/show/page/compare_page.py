@@ -25,7 +25,7 @@ from forficula.show.page.page import page_html, page_path
 from forficula.show.page.parts.design_rows import DIGITS, differing_rows
 from forficula.show.page.parts.html import Cell, escaped, paragraph, section, table
 from forficula.show.page.parts.plots import Line, Plot, energy_plot, plot_data
-from forficula.show.page.parts.words import angle_range, outcome_sentence, readable, reading_range
+from forficula.show.page.parts.run_sentences import angle_range, outcome_sentence, readable, reading_range
 from forficula.show.page.playback import (
     BUDGET,
     Clip,
@@ -34,10 +34,10 @@ from forficula.show.page.playback import (
     energy_scale,
     legend_data,
     make_clip,
-    whole_of,
+    structure_noun,
 )
 from forficula.show.run.outcome_rows import state_angles
-from forficula.show.structure.drive_words import acting
+from forficula.show.structure.drive_labels import acting
 from forficula.show.structure.labels import shown_angles, shown_distances, title_of
 from forficula.structure import Measure, drive_of, drive_unit
 
@@ -139,7 +139,7 @@ def _printable(name: str) -> str:
 
 
 def _data(clips: Sequence[Clip], distances: Sequence[Plot]) -> dict[str, Any]:
-    names, whole = " and ".join(clip.name for clip in clips), whole_of(clips)
+    names, whole = " and ".join(clip.name for clip in clips), structure_noun(clips)
     progress = _progress(clips)
     return {
         "kind": "compare",
@@ -211,28 +211,28 @@ def _progress_reading(clip: Clip) -> _ProgressReading | None:
 def _progress(clips: Sequence[Clip]) -> Plot | None:
     """Return a plot of the progress of every run; None if a run has no measure of it or the units differ."""
     readings = [progress for clip in clips if (progress := _progress_reading(clip)) is not None]
-    kinds = {each.readings.measure.kind for each in readings}
+    kinds = {reading.readings.measure.kind for reading in readings}
     if len(readings) < len(clips) or len(kinds) > 1:
         return None
     unit, factor = "deg", float(np.degrees(1.0))
     if "distance" in kinds:
-        unit, factor = reading_unit("m", max(float(np.abs(each.least).max()) for each in readings))
-    titles, dones = {each.title for each in readings}, {each.done for each in readings}
+        unit, factor = reading_unit("m", max(float(np.abs(reading.least).max()) for reading in readings))
+    titles, dones = {reading.title for reading in readings}, {reading.done for reading in readings}
     title = titles.pop() if len(titles) == 1 else "reading furthest from its goal"
     subject = title if title.startswith("reading") else f"the {title}"
     reached = ", ".join(
-        f"{clip.name} {reading_range(np.array([factor * each.best]), unit)}"
-        for clip, each in zip(clips, readings, strict=True)
+        f"{clip.name} {reading_range(np.array([factor * reading.best]), unit)}"
+        for clip, reading in zip(clips, readings, strict=True)
     )
     furthest = f"furthest {dones.pop()}" if len(dones) == 1 else "at best"
     return Plot(
         title=title,
         unit=unit,
         lines=tuple(
-            Line(name=clip.name, clip=index, values=factor * each.least)
-            for index, (clip, each) in enumerate(zip(clips, readings, strict=True))
+            Line(name=clip.name, clip=index, values=factor * item.least)
+            for index, (clip, item) in enumerate(zip(clips, readings, strict=True))
         ),
-        text=f"{subject[0].upper()}{subject[1:]} in every {whole_of(clips)}; {furthest}: {reached}.",
+        text=f"{subject[0].upper()}{subject[1:]} in every {structure_noun(clips)}; {furthest}: {reached}.",
     )
 
 
@@ -245,7 +245,7 @@ def _energies(clips: Sequence[Clip]) -> Plot:
         for index, clip in enumerate(clips)
     ]
     most = ", ".join(f"{name} {readable(float(values.max(initial=0.0)), 'J')}" for name, _, values in lines)
-    return energy_plot(what, lines, f"The {what} of every {whole_of(clips)}; largest values: {most}.")
+    return energy_plot(what, lines, f"The {what} of every {structure_noun(clips)}; largest values: {most}.")
 
 
 def _sum(energies: list[Array], clip: Clip) -> Array:
@@ -254,19 +254,19 @@ def _sum(energies: list[Array], clip: Clip) -> Array:
 
 def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
     rows = [["status", *(run.outcome.status for run in runs)]]
-    for name in dict.fromkeys(each.name for run in runs for each in run.record.structure.transitions):
+    for name in dict.fromkeys(transition.name for run in runs for transition in run.record.structure.transitions):
         kind = listed(dict.fromkeys(acting(run.record.structure).removesuffix("s") for run in runs), "or")
         tried = [f"{name} {kind}, time, work", *("not tried" for _ in runs)]
         for index, run in enumerate(runs, start=1):
             result, built = run.outcome.transitions.get(name), run.record.structure
-            transition = next((each for each in built.transitions if each.name == name), None)
+            transition = next((transition for transition in built.transitions if transition.name == name), None)
             if result is not None and transition is not None:
                 time = "—" if result.time is None else readable(result.time, "s")
                 strength = readable(result.strength, drive_unit(built, drive_of(built, transition.drive)))
                 tried[index] = f"{strength}, {time}, {readable(result.work, 'J')}"
         rows.append(tried)
     measures = [
-        {each.name: each for each in (*shown_angles(built), *shown_distances(built))}
+        {item.name: item for item in (*shown_angles(built), *shown_distances(built))}
         for built in (run.record.structure for run in runs)
     ]
     titles = {name: title_of(those[name]) + "s" * (len(those[name].parts) > 1) for those in measures for name in those}

@@ -14,7 +14,7 @@ from forficula.goals.goal import Goal
 from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.optimum_table import optimum_csv
 from forficula.goals.outcome_quantity import PROBABILITY
-from forficula.show.page.data.samples_data import MET, Number, ShownSamples, samples_data
+from forficula.show.page.data.samples_data import MET, PointQuantity, ShownSamples, samples_data
 from forficula.show.page.parts.deviation_text import deviation_text
 from forficula.show.page.parts.goal_tables import (
     effort_table,
@@ -28,7 +28,7 @@ from forficula.show.page.parts.goal_tables import (
 )
 from forficula.show.page.parts.html import section
 from forficula.show.page.parts.outcome_words import signs_of
-from forficula.show.page.parts.rich_html import LaidOut
+from forficula.show.page.parts.rich_html import PrintedResult
 from forficula.show.page.samples_page import about_rows, samples_page
 from forficula.structure import structure_of
 from forficula.study.running.kept_runs import KeptRun
@@ -46,7 +46,7 @@ _SHARE = {"units": "", "display": "%"}
 
 
 def write_goal_page(
-    optimum: Optimum, printed: LaidOut, path: Path, kept: Iterable[KeptRun] = (), count: int = 0
+    optimum: Optimum, printed: PrintedResult, path: Path, kept: Iterable[KeptRun] = (), count: int = 0
 ) -> None:
     """Write an optimisation as one HTML file that needs no network.
 
@@ -58,7 +58,7 @@ def write_goal_page(
     write_text(path, goal_page(optimum, printed, kept, count))
 
 
-def goal_page(optimum: Optimum, printed: LaidOut, kept: Iterable[KeptRun] = (), count: int = 0) -> str:
+def goal_page(optimum: Optimum, printed: PrintedResult, kept: Iterable[KeptRun] = (), count: int = 0) -> str:
     """Return an optimisation as one page: the goal, the best design's margins, and all designs that were tried.
 
     Args:
@@ -118,12 +118,16 @@ def _in_percent(optimum: Optimum) -> Dataset:
 
 
 def _views(goal: Goal, optimum: Optimum, results: Dataset, best: int | None) -> dict[str, Any]:
-    lines = [each.key for each in goal.parameters]
-    lines += [each.dimension for each in goal.quantities if each.dimension in results and each.name not in lines]
+    lines = [parameter.key for parameter in goal.parameters]
+    lines += [
+        quantity.dimension
+        for quantity in goal.quantities
+        if quantity.dimension in results and quantity.name not in lines
+    ]
     several = len(goal.objectives) > 1
-    keys = {each.key for each in goal.parameters}
-    objectives = [each.quantity for each in goal.objectives]
-    named = [each.name if each.name in keys else each.dimension for each in objectives]
+    keys = {parameter.key for parameter in goal.parameters}
+    objectives = [objective.quantity for objective in goal.objectives]
+    named = [objective.name if objective.name in keys else objective.dimension for objective in objectives]
     planes = [*(name for name in named if name in keys or name in results), "margin", lines[0]]
     return {
         "order": ["lines", "plane"],
@@ -144,12 +148,12 @@ def _data(goal: Goal, optimum: Optimum, results: Dataset) -> dict[str, Any]:
             file="table.csv",
             keeps="The runs of the best designs, and of some others, are kept.",
             table=results,
-            factors=tuple(each.factor.dimension for each in goal.parameters),
+            factors=tuple(parameter.factor.dimension for parameter in goal.parameters),
             numbers=_numbers(goal, results),
             words=[_word(optimum, results, number) for number in range(len(optimum.candidates))],
             signs=signs_of(results, _SIGNS),
-            statuses=[str(each) for each in results["status"].values],
-            built=[str(each) != Verdict.NOT_BUILT for each in results["verdict"].values],
+            statuses=[str(value) for value in results["status"].values],
+            built=[str(value) != Verdict.NOT_BUILT for value in results["verdict"].values],
         )
     )
 
@@ -159,7 +163,7 @@ def _word(optimum: Optimum, results: Dataset, number: int) -> str:
     if bool(results["feasible"].values[number]):
         return _MEETS
     candidate, outcome = optimum.candidates[number], str(results["outcome"].values[number])
-    if candidate.point in {each.candidate.point for each in optimum.discarded}:
+    if candidate.point in {item.candidate.point for item in optimum.discarded}:
         return _LOST
     if candidate.found.meets:
         return _UNASKED if candidate.neighbours is None else _FEW
@@ -168,32 +172,32 @@ def _word(optimum: Optimum, results: Dataset, number: int) -> str:
     return _MISSES if candidate.found.works > 0 else outcome
 
 
-def _numbers(goal: Goal, results: Dataset) -> tuple[Number, ...]:
+def _numbers(goal: Goal, results: Dataset) -> tuple[PointQuantity, ...]:
     """Return the quantities with their limits, the least margin, and the margin of each limit."""
     numbers = []
-    aims = {each.quantity.name: each.kind for each in goal.objectives}
-    own = {each.factor.dimension for each in goal.parameters}
+    aims = {objective.quantity.name: objective.kind for objective in goal.objectives}
+    own = {parameter.factor.dimension for parameter in goal.parameters}
     for quantity in goal.quantities:
         if quantity.dimension in results and quantity.dimension not in own:
-            bounds = tuple((each.kind, each.bound) for each in goal.limits if each.quantity.name == quantity.name)
+            bounds = tuple((limit.kind, limit.bound) for limit in goal.limits if limit.quantity.name == quantity.name)
             aim = aims.get(quantity.name, "")
-            numbers.append(Number(variable=quantity.dimension, title=title_of(quantity), aim=aim, bounds=bounds))
-    numbers.append(Number(variable="margin", title="least margin", bounds=MET))
+            numbers.append(PointQuantity(variable=quantity.dimension, title=title_of(quantity), aim=aim, bounds=bounds))
+    numbers.append(PointQuantity(variable="margin", title="least margin", bounds=MET))
     if goal.simulate:
-        numbers.append(Number(variable="margin_works", title="margin: works in a run", bounds=MET))
+        numbers.append(PointQuantity(variable="margin_works", title="margin: works in a run", bounds=MET))
     for limit, name in limit_margins(goal):
         if name in results:
-            numbers.append(Number(variable=name, title=f"margin: {limit_text(limit)}", bounds=MET))
+            numbers.append(PointQuantity(variable=name, title=f"margin: {limit_text(limit)}", bounds=MET))
     return tuple(numbers)
 
 
 def _about(goal: Goal) -> list[str]:
     """Return the goal as in its file, and the command that repeats the optimisation."""
     rows = [["design", goal.base.name]]
-    rows += [["may vary", str(each)] for each in goal.parameters]
-    rows += [["must hold", limit_text(each)] for each in (*goal.given, *goal.limits)]
-    rows += [["objective", f"{each.kind} {title_of(each.quantity)}"] for each in goal.objectives]
-    rows += [["tolerance", f"{each.key} {deviation_text(goal.base, each)}"] for each in goal.deviations]
+    rows += [["may vary", str(parameter)] for parameter in goal.parameters]
+    rows += [["must hold", limit_text(limit)] for limit in (*goal.torque_limits, *goal.limits)]
+    rows += [["objective", f"{objective.kind} {title_of(objective.quantity)}"] for objective in goal.objectives]
+    rows += [["tolerance", f"{deviation.key} {deviation_text(goal.base, deviation)}"] for deviation in goal.deviations]
     rows += [
         ["largest number of designs", str(goal.runs)],
         ["designs per batch", str(goal.batch)],

@@ -12,11 +12,11 @@ import scipy
 from forficula.files import write_text
 from forficula.goals.identify.exclusion import Together
 from forficula.quantities import show_value
-from forficula.show.page.data.samples_data import Number, ShownSamples, samples_data
+from forficula.show.page.data.samples_data import PointQuantity, ShownSamples, samples_data
 from forficula.show.page.parts.bars import BarRow, bar, bar_table, percent_text
 from forficula.show.page.parts.html import escaped, paragraph, section
-from forficula.show.page.parts.outcome_words import Signs
-from forficula.show.page.parts.rich_html import LaidOut
+from forficula.show.page.parts.outcome_words import OutcomeSigns
+from forficula.show.page.parts.rich_html import PrintedResult
 from forficula.show.page.samples_page import about_rows, samples_page
 from forficula.show.study.factor_text import plain_name, value_with_unit
 from forficula.study.running.kept_runs import KeptRun
@@ -40,7 +40,7 @@ _TOGETHER: dict[str, str] = {
 
 
 def write_identify_page(
-    results: Dataset, printed: LaidOut, path: Path, kept: Iterable[KeptRun] = (), count: int = 0, csv: str = ""
+    results: Dataset, printed: PrintedResult, path: Path, kept: Iterable[KeptRun] = (), count: int = 0, csv: str = ""
 ) -> None:
     """Write an identification as one HTML file that needs no network.
 
@@ -53,7 +53,7 @@ def write_identify_page(
 
 
 def identify_page(
-    results: Dataset, printed: LaidOut, kept: Iterable[KeptRun] = (), count: int = 0, csv: str = ""
+    results: Dataset, printed: PrintedResult, kept: Iterable[KeptRun] = (), count: int = 0, csv: str = ""
 ) -> str:
     """Return an identification as one page.
 
@@ -65,8 +65,8 @@ def identify_page(
         csv: contents of `samples.csv`.
     """
     data = _data(results)
-    ranked = telling_unknowns(results)
-    keys = {name: each["key"] for name, each in zip(_unknowns(results), data["factors"], strict=True)}
+    ranked = unknowns_by_distance(results)
+    keys = {name: item["key"] for name, item in zip(_unknowns(results), data["factors"], strict=True)}
     named = [keys[name] for name in ranked]
     views = {
         "lines": [*named[:8], "facts_met"],
@@ -99,10 +99,10 @@ def identify_page(
 def _unknowns(results: Dataset) -> list[str]:
     """Return the names of the coordinates that are unknowns."""
     named = results.attrs["unknowns"]
-    return [named] if isinstance(named, str) else [str(each) for each in named]
+    return [named] if isinstance(named, str) else [str(item) for item in named]
 
 
-def telling_unknowns(results: Dataset) -> list[str]:
+def unknowns_by_distance(results: Dataset) -> list[str]:
     """Return the unknowns, beginning with those about which the facts say most.
 
     Ranked by the largest distance between the distribution of the samples that agree and that of all drawn samples
@@ -169,11 +169,14 @@ def _data(results: Dataset) -> dict[str, Any]:
             table=table,
             factors=tuple(_unknowns(results)),
             numbers=(
-                Number(variable="facts_met", title="facts met"),
-                *(Number(variable=f"fact_{number}", title=f"misses: {name}") for number, name in enumerate(facts)),
+                PointQuantity(variable="facts_met", title="facts met"),
+                *(
+                    PointQuantity(variable=f"fact_{number}", title=f"misses: {name}")
+                    for number, name in enumerate(facts)
+                ),
             ),
             words=words,
-            signs=Signs(signs=_SIGNS),
+            signs=OutcomeSigns(signs=_SIGNS),
             statuses=statuses,
             built=[bool(runs) for runs in ran],
         )

@@ -12,13 +12,13 @@ from forficula.analysis import measure
 from forficula.analysis.simulated_snap import inner_hinge
 from forficula.dynamics import Record
 from forficula.show.landscape.landscape_table import landscape_table
-from forficula.show.page.data.landscape_curves import Curve, curve_data, landscape_curves
+from forficula.show.page.data.landscape_curves import EnergyPlot, curve_data, landscape_curves
 from forficula.show.page.data.landscape_poses import NO_POSE, LandscapePoses, pose_clip, poses_of
 from forficula.show.page.data.packing import packed
 from forficula.show.page.parts.design_rows import design_title
-from forficula.show.page.parts.rich_html import laid_out
-from forficula.show.page.parts.words import outcome_sentence, structure_text
-from forficula.show.page.playback import clip_data, energy_scale, legend_data, make_clip, whole_of
+from forficula.show.page.parts.rich_html import printed_result
+from forficula.show.page.parts.run_sentences import outcome_sentence, structure_text
+from forficula.show.page.playback import clip_data, energy_scale, legend_data, make_clip, structure_noun
 from forficula.show.page.results_page import figure_sections, results_page
 from forficula.show.page.run_page import playback_data
 from forficula.statics import EnergyLandscape
@@ -59,17 +59,17 @@ def landscape_page(
     if curves and drawn is None:
         poses = poses_of(landscape, inner_hinge(landscape, tendon))
         data = {"kind": "curves", **({} if poses is None else _still_data(poses))}
-        drawn_curves = [curve_data(each) | _pose_data(each, landscape, poses) for each in curves]
+        drawn_curves = [curve_data(curve) | _pose_data(curve, landscape, poses) for curve in curves]
     if drawn is not None:
         outcome = measure(drawn)
         clip = make_clip(drawn, outcome)
         run = f"Run of this design: {outcome_sentence(name, outcome)}"
         data = playback_data(clip)
-        drawn_curves = [curve_data(each) for each in landscape_curves(landscape, drawn, tendon, clip.time)]
+        drawn_curves = [curve_data(curve) for curve in landscape_curves(landscape, drawn, tendon, clip.time)]
     return results_page(
         "landscape",
         name,
-        laid_out(landscape_table(landscape, record, tendon)),
+        printed_result(landscape_table(landscape, record, tendon)),
         figure_sections(folder, _HEADINGS, texts),
         run=run,
         data=None if data is None else data | {"curves": drawn_curves},
@@ -80,7 +80,7 @@ def _still_data(poses: LandscapePoses) -> dict[str, Any]:
     """Return the data of a structure that a slider moves, for the page's script."""
     clip = pose_clip(poses, poses.structure.name)
     return {
-        "whole": whole_of([clip]),
+        "whole": structure_noun([clip]),
         "clips": [clip_data(clip)],
         "energy": energy_scale([clip]),
         "legend": legend_data([clip]),
@@ -88,7 +88,7 @@ def _still_data(poses: LandscapePoses) -> dict[str, Any]:
     }
 
 
-def _pose_data(curve: Curve, landscape: EnergyLandscape, poses: LandscapePoses | None) -> dict[str, Any]:
+def _pose_data(curve: EnergyPlot, landscape: EnergyLandscape, poses: LandscapePoses | None) -> dict[str, Any]:
     """Return the angles of the poses on a curve, rising, deg, and a text on how they were computed or why not."""
     if poses is None:
         return {"poses": None, "drawn": NO_POSE}

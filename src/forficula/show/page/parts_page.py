@@ -107,7 +107,7 @@ def _checked(checks: Sequence[Check]) -> str:
     """Return a sentence with the number of checks that fail, in red, as HTML."""
     if not checks:
         return "The parts are not checked yet; ff.make.check_parts checks them."
-    failed, held = (sum(check.ok is each for check in checks) for each in (False, True))
+    failed, held = (sum(check.ok is item for check in checks) for item in (False, True))
     left = sum(check.ok is None for check in checks)
     rest = f" {left} could not be carried out." * (left > 0)
     if not failed:

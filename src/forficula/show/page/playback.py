@@ -43,7 +43,7 @@ _TOLERANCE, _RELATIVE_TOLERANCE = 5e-7, 1e-5
 
 
 @dataclass(frozen=True, kw_only=True)
-class Mark:
+class StateMark:
     """State on the time line.
 
     Attributes:
@@ -111,7 +111,7 @@ class Clip:
     time: Array
     points: Array
     mesh: ShapeMesh
-    marks: tuple[Mark, ...]
+    marks: tuple[StateMark, ...]
     stages: tuple[StageEnd, ...]
     readings: tuple[Readings, ...]
     tendon_energy: Array
@@ -138,13 +138,13 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
     structure = record.structure
     mesh = shape_mesh(structure)
     points, readings = moving_points(record, mesh), _readings(record)
-    points[blown_up(record)] = np.nan
+    points[diverged_rows(record)] = np.nan
     marks = state_marks(structure, outcome)
     moments = [mark.time for mark in marks]
     for end in record.stages:
         moments += [end.start, end.end, *([] if end.goal_time is None else [end.goal_time])]
     tolerance = min(_TOLERANCE, _RELATIVE_TOLERANCE * structure.span)
-    read = sum(each.values.shape[1] for each in readings) + len(structure.tendons)
+    read = sum(reading.values.shape[1] for reading in readings) + len(structure.tendons)
     bytes_per_frame = 8 + 4 * (points[0].size + read + _SERIES)
     most = max(budget // bytes_per_frame, 2)
     rows = kept_frames(record.time, points, moments, most=most, tolerance=tolerance)
@@ -157,7 +157,7 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
         mesh=mesh,
         marks=tuple(mark for mark in marks if mark.time <= shown_until),
         stages=tuple(end for end in record.stages if end.start <= shown_until),
-        readings=tuple(replace(each, values=each.values[rows]) for each in readings),
+        readings=tuple(replace(reading, values=reading.values[rows]) for reading in readings),
         tendon_energy=record.series["tendon_energy"][rows],
         stored_energy={_STORED.get(name, name): values[rows] for name, (values, _) in stored_energies(record).items()},
         largest_energy={_STORED.get(name, name): value for name, value in largest_energies(record).items()},
@@ -173,17 +173,17 @@ def _rest_lengths(record: Record, rows: Indices) -> Array:
     return np.array([[tendon.law.rest_length for tendon in record.structure.tendons]])
 
 
-def state_marks(structure: Structure, outcome: Outcome) -> tuple[Mark, ...]:
+def state_marks(structure: Structure, outcome: Outcome) -> tuple[StateMark, ...]:
     """Return the marks of the states on the time line."""
     letters = state_letters(structure)
     return tuple(
-        Mark(letter=letters[state.name], name=table_name(state, outcome), state=reached)
+        StateMark(letter=letters[state.name], name=table_name(state, outcome), state=reached)
         for state in structure.states
         if (reached := outcome.states[state.name]) is not None
     )
 
 
-def blown_up(record: Record) -> Flags:
+def diverged_rows(record: Record) -> Flags:
     """Return which rows of a diverged run are meaningless, (time,): from a full turn of a hinge beyond its stops on."""
     if record.diverged_at is None:
         return np.zeros(len(record.time), dtype=np.bool_)
@@ -194,12 +194,12 @@ def blown_up(record: Record) -> Flags:
     return np.logical_or.accumulate(~((angles <= most) & np.isfinite(angles)).all(axis=1))
 
 
-def mark_readings(clip: Clip, readings: Readings, mark: Mark) -> tuple[Array, Array | None]:
+def mark_readings(clip: Clip, readings: Readings, mark: StateMark) -> tuple[Array, Array | None]:
     """Return the readings in a state: means, and half the ranges if the state has them, rad or m, (reading,)."""
     measured = mark.state.readings.get(readings.measure.name)
     if measured is not None:
         mean, low, high = (
-            condensed(clip.structure, readings.measure, each) for each in (measured.mean, measured.low, measured.high)
+            condensed(clip.structure, readings.measure, item) for item in (measured.mean, measured.low, measured.high)
         )
         return mean, (high - low) / 2
     # the outcome has no means of driven angles
@@ -238,14 +238,14 @@ def clip_data(clip: Clip) -> dict[str, Any]:
         "parts": {"heading": heading, "names": list(names)},
         "readings": [
             {
-                "name": each.measure.name,
-                "label": title_of(each.measure),
-                "row": each.row,
-                "unit": each.unit,
+                "name": reading.measure.name,
+                "label": title_of(reading.measure),
+                "row": reading.row,
+                "unit": reading.unit,
                 "parts": place,
-                "values": packed(each.factor * each.values, "f4"),
+                "values": packed(reading.factor * reading.values, "f4"),
             }
-            for each, place in zip(clip.readings, places, strict=False)
+            for reading, place in zip(clip.readings, places, strict=False)
         ],
         "tendonParts": places[-1],
         "tendonEnergy_J": packed(clip.tendon_energy, "f4"),
@@ -285,19 +285,24 @@ def _columns(clip: Clip) -> tuple[str, tuple[str, ...], list[list[int]]]:
         The word with which all names begin, or ""; the names; and the column indices of each reading's numbers, then
         of the tendons'.
     """
-    rows = [list(each.labels) for each in clip.readings] + [[label_of(tendon) for tendon in clip.structure.tendons]]
+    rows = [list(reading.labels) for reading in clip.readings] + [
+        [label_of(tendon) for tendon in clip.structure.tendons]
+    ]
     columns, places = aligned(rows)
     parts = parts_of(columns)
     return parts.heading, parts.names, places
 
 
-def _mark_data(clip: Clip, mark: Mark) -> dict[str, Any]:
+def _mark_data(clip: Clip, mark: StateMark) -> dict[str, Any]:
     """Return a state as data for JSON, with the numbers of the summary."""
     states = {}
-    for each in clip.readings:
-        mean, swing = mark_readings(clip, each, mark)
+    for reading in clip.readings:
+        mean, swing = mark_readings(clip, reading, mark)
         if swing is not None:
-            states[each.measure.name] = {"mean": (each.factor * mean).tolist(), "swing": (each.factor * swing).tolist()}
+            states[reading.measure.name] = {
+                "mean": (reading.factor * mean).tolist(),
+                "swing": (reading.factor * swing).tolist(),
+            }
     return {
         "letter": mark.letter,
         "name": mark.name,
@@ -337,7 +342,7 @@ def legend_data(clips: Sequence[Clip]) -> list[dict[str, str]]:
     ]
 
 
-def whole_of(clips: Sequence[Clip]) -> str:
+def structure_noun(clips: Sequence[Clip]) -> str:
     """Return the common noun of the structures of clips, such as "wing"."""
     names = {clip.structure.appearance.whole for clip in clips}
     return names.pop() if len(names) == 1 else "structure"

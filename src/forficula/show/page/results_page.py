@@ -13,7 +13,7 @@ from forficula.errors import InputError
 from forficula.files import write_text
 from forficula.show.page.page import page_html
 from forficula.show.page.parts.html import escaped, paragraph, remarks, section
-from forficula.show.page.parts.rich_html import LaidOut, laid_out
+from forficula.show.page.parts.rich_html import PrintedResult, printed_result
 from forficula.show.style import COPIES
 
 # sections that are added later, such as a landscape, are placed before this section
@@ -23,7 +23,7 @@ _LAST = '<section id="design">'
 def results_page(
     kind: str,
     name: str,
-    printed: LaidOut,
+    printed: PrintedResult,
     figures: Iterable[str],
     *,
     run: str = "",
@@ -39,7 +39,7 @@ def results_page(
         run: a sentence on the outcome of a run of the same design.
         data: data for the page's script, if any.
     """
-    elements = "".join(f'<div id="{each}"></div>\n' for each in ("player", "curves", "plots", "readout"))
+    elements = "".join(f'<div id="{item}"></div>\n' for item in ("player", "curves", "plots", "readout"))
     heading = printed.heading.removeprefix(f"{name}: ").rstrip(".")
     sentence = paragraph(f"{heading[:1].upper()}{heading[1:]}.", "outcome")
     body = "".join(
@@ -92,7 +92,7 @@ def write_results_page(
     Raises:
         InputError: it cannot be written.
     """
-    page = results_page(kind, name, laid_out(table), figure_sections(folder, headings, texts))
+    page = results_page(kind, name, printed_result(table), figure_sections(folder, headings, texts))
     write_text(folder / "report.html", page)
 
 

@@ -20,8 +20,14 @@ from forficula.show.page.parts.design_tables import design_tables
 from forficula.show.page.parts.html import escaped, paragraph, remarks, section, table
 from forficula.show.page.parts.outcome_tables import groups_table, outcome_tables, strength_table
 from forficula.show.page.parts.plots import energy_plot, plot_data, reading_plot
-from forficula.show.page.parts.words import energy_text, outcome_remarks, outcome_sentence, shape_text, structure_text
-from forficula.show.page.playback import BUDGET, Clip, clip_data, energy_scale, legend_data, make_clip, whole_of
+from forficula.show.page.parts.run_sentences import (
+    energy_text,
+    outcome_remarks,
+    outcome_sentence,
+    shape_text,
+    structure_text,
+)
+from forficula.show.page.playback import BUDGET, Clip, clip_data, energy_scale, legend_data, make_clip, structure_noun
 from forficula.structure import structure_warnings
 
 # bytes of a clip on a page that contains the engine, so that the page stays below 5 MB
@@ -53,7 +59,7 @@ def run_page(record: Record, outcome: Outcome, *, engine: bool = False) -> str:
     """
     design = record.design
     clip = make_clip(record, outcome, budget=_BESIDE_ENGINE if engine else BUDGET)
-    measures = [each.measure for each in clip.readings]
+    measures = [reading.measure for reading in clip.readings]
     live = live_data(design, measures, clip.mesh.anchors.tolist()) if engine else None
     title = design_title(design)
     sentence = paragraph(outcome_sentence(design.name, outcome), "outcome")
@@ -95,7 +101,7 @@ def playback_data(clip: Clip) -> dict[str, Any]:
     )
     return {
         "kind": "run",
-        "whole": whole_of([clip]),
+        "whole": structure_noun([clip]),
         "clips": [clip_data(clip)],
         "spans": [span_data(span) for span in run_spans(clip)],
         "plots": plot_data(plots),

@@ -10,7 +10,7 @@ from forficula.show.page.data.kept_run_data import runs_data
 from forficula.show.page.page import page_html
 from forficula.show.page.parts.html import escaped, paragraph, remarks, section, table
 from forficula.show.page.parts.points_table import has_rows, points_table
-from forficula.show.page.parts.rich_html import LaidOut
+from forficula.show.page.parts.rich_html import PrintedResult
 from forficula.study.running.kept_runs import KeptRun
 
 
@@ -18,7 +18,7 @@ def samples_page(
     *,
     name: str,
     kind: str,
-    printed: LaidOut,
+    printed: PrintedResult,
     before: Iterable[str],
     after: Iterable[str] = (),
     data: dict[str, Any],
@@ -60,7 +60,7 @@ def samples_page(
 
 def _body(
     name: str,
-    printed: LaidOut,
+    printed: PrintedResult,
     before: Iterable[str],
     after: Iterable[str],
     data: dict[str, Any],

@@ -9,8 +9,8 @@ from forficula.design import TORQUE, StageSection, key_quantity, stage_drives
 from forficula.dynamics import compile_model, why_not_portable
 from forficula.errors import InputError
 from forficula.quantities import show_quantity
-from forficula.show.page.bench_page import at_start, bench_data
 from forficula.show.page.data.live_data import live_data
+from forficula.show.page.live_page import live_page_data, start_clip
 from forficula.study import Study
 from forficula.study.search import SEARCH_TEXTS
 from forficula.study.search_steps import Search, SearchStep
@@ -46,12 +46,12 @@ def study_live(study: Study) -> dict[str, Any]:
     for step in study.search.steps if study.search is not None else ():
         ends = [step.sign * value for value in (*step.values, study.search.reference if study.search else 0.0)]
         ranges[step.key] = (min(ends), max(ends))
-    clip = at_start(design)
-    live = live_data(design, [each.measure for each in clip.readings], clip.mesh.anchors.tolist(), ranges)
+    clip = start_clip(design)
+    live = live_data(design, [reading.measure for reading in clip.readings], clip.mesh.anchors.tolist(), ranges)
     if "refused" in live:
         return live
     search = None if study.search is None else _search(study.search, design.protocol.stages)
-    return live | {"bench": bench_data(clip), "points": points, "search": search}
+    return live | {"bench": live_page_data(clip), "points": points, "search": search}
 
 
 def _in_si(study: Study, point: Any) -> dict[str, float] | None:

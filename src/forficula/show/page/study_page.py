@@ -25,11 +25,11 @@ from forficula.study.running.kept_runs import KeptRun
 from forficula.study.search_steps import SearchStep
 from forficula.study.tables.outcome_kinds import (
     TableTransition,
-    asked_transitions,
     confirmation_sentence,
-    did_all,
     least_values,
     lost_text,
+    reached_all,
+    studied_transitions,
     undecided_text,
 )
 
@@ -105,30 +105,30 @@ def study_page(
 
 def study_sentence(study: Study, results: Dataset) -> str:
     """Return a sentence with the number of points and of those that completed each transition."""
-    count, transitions = f"{len(study.points)} points", asked_transitions(results)
+    count, transitions = f"{len(study.points)} points", studied_transitions(results)
     confirmed = f" {sentence}." if (sentence := confirmation_sentence(results)) else ""
     if study.search is None:
         counts = [
-            f"{int(did_all(results, transitions[: index + 1]).sum())} {_can(transitions, index)}"
+            f"{int(reached_all(results, transitions[: index + 1]).sum())} {_can(transitions, index)}"
             for index in range(len(transitions))
         ]
         return f"{count}: {', '.join(counts)}.{confirmed}" if counts else f"{count}.{confirmed}"
     parts = []
-    for index, (step, each) in enumerate(zip(study.search.steps, transitions, strict=True)):
-        what = _can(transitions, index, again=False) if index == 0 else f"{each.wording.verb} again"
-        values = least_values(results, each)
+    for index, (step, item) in enumerate(zip(study.search.steps, transitions, strict=True)):
+        what = _can(transitions, index, again=False) if index == 0 else f"{item.wording.verb} again"
+        values = least_values(results, item)
         if not len(values):
-            parts.append(f"none can {what}{undecided_text(results, each)}")
+            parts.append(f"none can {what}{undecided_text(results, item)}")
             continue
         low, high = (show_quantity(float(end), step.unit) for end in (values.min(), values.max()))
         between = low if low == high else f"{low} to {high}"
-        parts.append(f"{len(values)}{undecided_text(results, each)} {what}, with {between}{lost_text(results, each)}")
+        parts.append(f"{len(values)}{undecided_text(results, item)} {what}, with {between}{lost_text(results, item)}")
     return f"{count}: {'; '.join(parts)}.{confirmed}"
 
 
 def _can(transitions: Sequence[TableTransition], index: int, *, again: bool = True) -> str:
     """Return the verbs of the transitions up to an index, such as "fold and open again"."""
-    verbs = [each.wording.verb for each in transitions[: index + 1]]
+    verbs = [transition.wording.verb for transition in transitions[: index + 1]]
     return f"{' and '.join(verbs)}{' again' if index and again else ''}"
 
 
@@ -170,7 +170,9 @@ def _about(study: Study) -> list[str]:
         if second is not None:
             large = show_quantity(search.reference, first.unit)
             nouns = [
-                each.wording.noun for each in structure_of(study.base).transitions if each.name == second.transition
+                transition.wording.noun
+                for transition in structure_of(study.base).transitions
+                if transition.name == second.transition
             ]
             rows.append([f"{first.state} before {nouns[0]} with", large])
             rows.append([f"{_plural(second)} tried", _torques(second)])

@@ -14,12 +14,12 @@ from forficula.analysis import Verdict, verdict_word
 from forficula.design import Design, key_value
 from forficula.files import write_text
 from forficula.goals.deviation import Deviation
-from forficula.show.page.data.samples_data import MET, Number, ShownSamples, samples_data, scale_of
+from forficula.show.page.data.samples_data import MET, PointQuantity, ShownSamples, samples_data, scale_of
 from forficula.show.page.parts.bars import BarRow, bar, bar_table, percent_text
 from forficula.show.page.parts.deviation_text import deviation_text, plain_key
 from forficula.show.page.parts.html import section
 from forficula.show.page.parts.outcome_words import signs_of
-from forficula.show.page.parts.rich_html import LaidOut
+from forficula.show.page.parts.rich_html import PrintedResult
 from forficula.show.page.samples_page import about_rows, samples_page
 from forficula.study.running.kept_runs import KeptRun
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class VerdictCells:
+class VerdictGrid:
     """Verdicts of designs in which only two values deviate: a map under the scatter plot of the samples.
 
     Attributes:
@@ -57,12 +57,12 @@ def write_tolerance_page(
     design: Design,
     deviations: Sequence[Deviation],
     results: Dataset,
-    printed: LaidOut,
+    printed: PrintedResult,
     path: Path,
     kept: Iterable[KeptRun] = (),
     count: int = 0,
     csv: str = "",
-    cells: VerdictCells | None = None,
+    cells: VerdictGrid | None = None,
 ) -> None:
     """Write a tolerance analysis as one HTML file that works offline.
 
@@ -78,11 +78,11 @@ def tolerance_page(
     design: Design,
     deviations: Sequence[Deviation],
     results: Dataset,
-    printed: LaidOut,
+    printed: PrintedResult,
     kept: Iterable[KeptRun] = (),
     count: int = 0,
     csv: str = "",
-    cells: VerdictCells | None = None,
+    cells: VerdictGrid | None = None,
 ) -> str:
     """Return a tolerance analysis as one page.
 
@@ -116,9 +116,9 @@ def tolerance_page(
     )
 
 
-def _views(results: Dataset, data: dict[str, Any], cells: VerdictCells | None) -> dict[str, Any]:
+def _views(results: Dataset, data: dict[str, Any], cells: VerdictGrid | None) -> dict[str, Any]:
     """Return the plots of the points that the script draws: a scatter plot, and parallel coordinates."""
-    names = [each["key"] for each in data["factors"]]
+    names = [item["key"] for item in data["factors"]]
     ranked = [key for key in ranked_keys(results) if key in names]
     ranked += [key for key in names if key not in ranked]
     return {
@@ -131,7 +131,7 @@ def _views(results: Dataset, data: dict[str, Any], cells: VerdictCells | None) -
     }
 
 
-def _plane(results: Dataset, ranked: Sequence[str], cells: VerdictCells | None) -> dict[str, Any]:
+def _plane(results: Dataset, ranked: Sequence[str], cells: VerdictGrid | None) -> dict[str, Any]:
     """Return the two axes of the scatter plot: those of the map, or the deviations that matter most."""
     if cells is None:
         return {"title": "Samples", "x": ranked[0], "y": ranked[1] if len(ranked) > 1 else "margin"}
@@ -139,7 +139,7 @@ def _plane(results: Dataset, ranked: Sequence[str], cells: VerdictCells | None) 
         [float(value) * scale_of(results[key.replace(".", "_")]) for value in values]
         for key, values in ((cells.first, cells.across), (cells.second, cells.upwards))
     )
-    drawn = {"across": across, "upwards": upwards, "works": [[bool(each) for each in row] for row in cells.works]}
+    drawn = {"across": across, "upwards": upwards, "works": [[bool(item) for item in row] for row in cells.works]}
     return {"title": "Samples over the map of verdicts", "x": cells.first, "y": cells.second, "cells": drawn}
 
 
@@ -160,7 +160,7 @@ def _order(results: Dataset) -> list[int]:
 
 
 def _data(design: Design, deviations: Sequence[Deviation], results: Dataset) -> dict[str, Any]:
-    names = {each.key: each.key.replace(".", "_") for each in deviations}
+    names = {deviation.key: deviation.key.replace(".", "_") for deviation in deviations}
     answers, outcomes = results["answer"].values, results["outcome"].values
     words = [_WORKS if str(answer) == _WORKS else str(word) for answer, word in zip(answers, outcomes, strict=True)]
     margins = [str(name) for name in results["result"].values]
@@ -180,9 +180,9 @@ def _data(design: Design, deviations: Sequence[Deviation], results: Dataset) -> 
             table=table,
             factors=tuple(names.values()),
             numbers=(
-                Number(variable="margin", title="margin", bounds=MET),
+                PointQuantity(variable="margin", title="margin", bounds=MET),
                 *(
-                    Number(variable=f"margin_{number}", title=f"margin: {name}", bounds=MET)
+                    PointQuantity(variable=f"margin_{number}", title=f"margin: {name}", bounds=MET)
                     for number, name in enumerate(margins)
                     if number
                 ),
@@ -229,7 +229,7 @@ def _indices_table(results: Dataset) -> str:
             (bar(share, kind, interval=(low, high)),)
             for (share, low, high), kind in zip(shares, ("first", "second"), strict=False)
         )
-        cells = tuple(_share_text(*each) for each in shares)
+        cells = tuple(_share_text(*share) for share in shares)
         rows.append(BarRow(name=plain_key(groups[index]), lanes=lanes, cells=cells))
     if not rows:
         return ""
@@ -256,14 +256,14 @@ def _reach_table(design: Design, deviations: Sequence[Deviation], results: Datas
         return ""
     scale = 1.02 * float(np.nanmax([*fails["down"], *fails["up"], *works["down"], *works["up"], 1.0]))
     keys = [str(key) for key in results["factor"].values]
-    by_key = {each.key: each for each in deviations}
+    by_key = {deviation.key: deviation for deviation in deviations}
     nearest = np.fmin(fails["down"], fails["up"])
     rows = []
     for number in np.argsort(np.where(np.isnan(nearest), np.inf, nearest), kind="stable").tolist():
         ends = [(fails[direction][number], works[direction][number]) for direction in ("down", "up")]
-        lane = tuple(_reach_bar(*each, sign) for each, sign in zip(ends, (-1, 1), strict=True))
+        lane = tuple(_reach_bar(*end, sign) for end, sign in zip(ends, (-1, 1), strict=True))
         note = deviation_text(design, by_key[keys[number]])
-        cells = tuple(_reach_text(*each) for each in ends)
+        cells = tuple(_reach_text(*end) for end in ends)
         rows.append(BarRow(name=plain_key(keys[number]), lanes=(lane,), cells=cells, note=note))
     caption = (
         "Smallest deviation of one value alone at which the design fails, in widths of its tolerance. Red: within the"
@@ -285,6 +285,6 @@ def _reach_text(fails: float, works: float) -> str:
 
 
 def _about(design: Design, deviations: Sequence[Deviation], results: Dataset) -> list[str]:
-    rows = [["design", design.name], *([each.key, deviation_text(design, each)] for each in deviations)]
+    rows = [["design", design.name], *([deviation.key, deviation_text(design, deviation)] for deviation in deviations)]
     rows += [[name, str(results.attrs[name])] for name in ("runs", "seed") if name in results.attrs]
     return about_rows(rows, design.hash, "", f"forficula tolerance {design.name}")

@@ -14,8 +14,8 @@ from forficula.arrays import Array
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit, show_value
+from forficula.show.run.missed_goal import stalled_stage
 from forficula.show.run.outcome_rows import state_angles
-from forficula.show.run.stalled import stalled_stage
 from forficula.show.run.state_names import state_letters
 from forficula.show.run.time_axes import (
     LEAD,
@@ -52,7 +52,7 @@ from forficula.show.style import (
     describe,
     figure_style,
 )
-from forficula.statics.slow_margin import MORE
+from forficula.statics.slow_margin import LARGEST_TORQUE_FACTOR
 from forficula.structure import Drive, Measure, Structure, drive_of, drive_unit, measure_stops
 
 _COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
@@ -183,7 +183,7 @@ def _draw_torques(
         axes.axhline(factor * least, color=VERMILION, ls="--", label="least slow torque")
         highest = max(highest, least)
     elif least is not None:
-        tried = show_value(MORE * abs(drives[0].strength), "N m", 3)
+        tried = show_value(LARGEST_TORQUE_FACTOR * abs(drives[0].strength), "N m", 3)
         axes.plot([], [], ls="none", label=f"no slow torque up to {tried} suffices")
     axes.set_ylim(0, 1.2 * factor * highest or 1.0)
     shade_stages(axes, record, start, scale)

@@ -84,13 +84,13 @@ def _margin(name: str) -> Callable[[CycleRun], float | None]:
 def _draw_energies(axes: Axes, cycling: Cycling) -> None:
     cycles = [run.cycle for run in cycling.runs]
     by_state = {state: _values(cycling.runs, _energy(state)) for state in _states(cycling)}
-    largest = max((each for values in by_state.values() for each in values if math.isfinite(each)), default=0.0)
+    largest = max((value for values in by_state.values() for value in values if math.isfinite(value)), default=0.0)
     unit, factor = reading_unit("J", largest or 1.0)
     for state, (colour, style, marker) in _states(cycling).items():
         # the first and the last state coincide if the structure opens again: the marker of the first is hollow
         first = (colour, style, marker) == _STYLES[0]
         face = "white" if first else colour
-        scaled = [factor * each for each in by_state[state]]
+        scaled = [factor * item for item in by_state[state]]
         size = 5.5 if first else 3.2
         axes.plot(cycles, scaled, style, color=colour, marker=marker, mfc=face, markersize=size, linewidth=1.0)
     axes.set_ylabel(f"energy of the tendons ({unit})")
@@ -99,9 +99,9 @@ def _draw_energies(axes: Axes, cycling: Cycling) -> None:
 
 def _draw_times(axes: Axes, cycling: Cycling) -> None:
     values = _values(cycling.runs, lambda run: run.row.get(f"{cycling.transitions[0].name}_time_s"))
-    finite = [each for each in values if math.isfinite(each)]
+    finite = [value for value in values if math.isfinite(value)]
     unit, factor = reading_unit("s", max(finite, default=1.0))
-    _plot(axes, cycling, [factor * each for each in values])
+    _plot(axes, cycling, [factor * value for value in values])
     axes.set_ylabel(f"{cycling.transitions[0].wording.time} ({unit})")
     if finite:
         axes.set_ylim(0, 1.2 * factor * max(finite))
@@ -154,13 +154,13 @@ def _draw_counts(axes: Axes, cycling: Cycling) -> None:
 def _handles(cycling: Cycling) -> list[Line2D | Patch]:
     handles: list[Line2D | Patch] = []
     for state, (colour, style, marker) in _states(cycling).items():
-        if any(math.isfinite(each) for each in _values(cycling.runs, _energy(state))):
+        if any(math.isfinite(value) for value in _values(cycling.runs, _energy(state))):
             face, size = ("white", 5.5) if (colour, style, marker) == _STYLES[0] else (colour, 3.2)
             line = Line2D([], [], color=colour, ls=style, marker=marker, mfc=face, ms=size, lw=1.0, label=state)
             handles.append(line)
     if cycling.seen is not None and not all(run.measured for run in cycling.runs):
         handles.append(Patch(color=_EXTRAPOLATED, lw=0, label="not covered by tests"))
-    words = " and ".join(each.wording.verb for each in cycling.transitions)
+    words = " and ".join(transition.wording.verb for transition in cycling.transitions)
     if cycling.first_failure is not None:
         label = f"first failure, cycle {cycling.first_failure}"
         handles.append(Line2D([], [], color=VERMILION, ls="-.", lw=1.0, label=label))

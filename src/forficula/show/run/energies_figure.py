@@ -8,9 +8,9 @@ from matplotlib.figure import Figure
 from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
-from forficula.show.run.stalled import stalled_stage
+from forficula.show.run.missed_goal import stalled_stage
 from forficula.show.run.time_axes import mark_waits, row_legend, shade_stages, time_rows, time_spans
-from forficula.show.structure.drive_words import acting
+from forficula.show.structure.drive_labels import acting
 from forficula.show.style import (
     BLACK,
     BLUE,

@@ -19,7 +19,13 @@ from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit, round_below, show_value
 from forficula.show.run.state_names import lettered_states
 from forficula.show.structure.labels import shown_angles
-from forficula.show.structure.painted_shape import PaintedShape, hang, paint_shape, shape_handles, structure_view
+from forficula.show.structure.painted_shape import (
+    PaintedShape,
+    paint_shape,
+    shape_handles,
+    show_painted,
+    structure_view,
+)
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import at_time, face_strains, surface_at
 from forficula.show.style import (
@@ -79,39 +85,41 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *,
     texts = _titles(moments)
     with figure_style():
         columns = 2 if is_narrow(width) else 4
-        surfaces = [surface_at(record, shape, each.time) for each in moments]
+        surfaces = [surface_at(record, shape, moment.time) for moment in moments]
         if len(shape.lines) > _MOST_LINES and not structure.facets:
-            surfaces = [replace(each, lines=each.lines[:0], folds=each.folds[:0]) for each in surfaces]
+            surfaces = [replace(surface, lines=surface.lines[:0], folds=surface.folds[:0]) for surface in surfaces]
         strains = [face_strains(shape, surface) for surface in surfaces] if strain else []
-        norm = Normalize(0, max((float(each.max(initial=0)) for each in strains), default=0.0) or 1e-6)
-        colours = [STRAIN_COLOURS(norm(each))[:, :3] for each in strains] or [None] * len(surfaces)
-        drawn = [paint_shape(surface, view, ORANGE, each) for surface, each in zip(surfaces, colours, strict=True)]
+        norm = Normalize(0, max((float(strain.max(initial=0)) for strain in strains), default=0.0) or 1e-6)
+        colours = [STRAIN_COLOURS(norm(strain))[:, :3] for strain in strains] or [None] * len(surfaces)
+        drawn = [paint_shape(surface, view, ORANGE, colour) for surface, colour in zip(surfaces, colours, strict=True)]
         corners = np.concatenate([painted.corners for painted in drawn])
         window = np.array([corners.min(axis=0), corners.max(axis=0)])
         scale = width / columns / np.ptp(window, axis=0)[0]
         # the scale bar is below a picture that leaves room for it, or room is added
         room = _BAR_HEIGHT / scale
-        barred = next((place for place, each in enumerate(drawn) if each.corners[0, 1] > window[0, 1] + room), None)
+        barred = next((place for place, item in enumerate(drawn) if item.corners[0, 1] > window[0, 1] + room), None)
         if barred is None:
             window[0, 1] -= room
         enlarged = _enlarged(moments, drawn, window)
         rows = -(-(len(moments) + (enlarged is not None)) // columns)
         handles = [
-            each for each in shape_handles(shape, structure, ORANGE, 2.0) if not (strain and isinstance(each, Patch))
+            handle
+            for handle in shape_handles(shape, structure, ORANGE, 2.0)
+            if not (strain and isinstance(handle, Patch))
         ]
         across = 2 if is_narrow(width) else len(handles)
         legend = _LEGEND_ROW * -(-len(handles) // across)
         height = rows * (scale * np.ptp(window, axis=0)[1] + _TITLE) + legend
         figure = Figure(figsize=(width, height), layout="constrained")
         panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
-        for axes, each, painted in zip(panels, moments, drawn, strict=False):
-            hang(axes, painted, window, width / columns)
-            axes.set_title(texts[each], pad=2)
+        for axes, moment, painted in zip(panels, moments, drawn, strict=False):
+            show_painted(axes, painted, window, width / columns)
+            axes.set_title(texts[moment], pad=2)
         _scale_bar(panels[barred or 0], window)
         if enlarged is not None:
             place, times = enlarged
             close = drawn[place].corners.mean(axis=0) + np.ptp(window, axis=0) / times * np.array([[-0.5], [0.5]])
-            hang(panels[len(moments)], drawn[place], close, width / columns)
+            show_painted(panels[len(moments)], drawn[place], close, width / columns)
             panels[len(moments)].set_title(f"{moments[place].name}\nenlarged {times:.2g} times", pad=2)
         for axes in panels:
             axes.set_axis_off()
@@ -122,7 +130,7 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *,
             bar.outline.set_visible(False)
         fit_legend(figure, handles, across, loc="outside lower center")
         seen = f" Largest strain of the membrane: {100 * float(norm.vmax or 0):.3g} %." if strain else ""
-        titles = "; ".join(texts[each].replace("\n", ", ") for each in moments)
+        titles = "; ".join(texts[moment].replace("\n", ", ") for moment in moments)
         count = f"{len(moments)}" if len(moments) == len(all_moments) else f"{len(moments)} of {len(all_moments)}"
         what = f"The {structure.appearance.whole} {record.design.name} in 3-D at {count} moments of a run"
         return describe(figure, f"{what}, each with the time since its stage began. {titles}.{seen}")
@@ -131,10 +139,10 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *,
 def _titles(moments: Sequence[_Moment]) -> dict[_Moment, str]:
     """Return the titles of the pictures: a state's name, and the stage with the time since its start."""
     texts = {}
-    for each in moments:
-        beside = [other.time - other.stage.start for other in moments if other.stage is each.stage]
-        since = f"{each.stage.stage.name} + {time_texts(beside)[each.time - each.stage.start]}"
-        texts[each] = f"{each.name}\n{since}" if each.state else since
+    for moment in moments:
+        beside = [other.time - other.stage.start for other in moments if other.stage is moment.stage]
+        since = f"{moment.stage.stage.name} + {time_texts(beside)[moment.time - moment.stage.start]}"
+        texts[moment] = f"{moment.name}\n{since}" if moment.state else since
     return texts
 
 
@@ -152,8 +160,8 @@ def _enlarged(moments: Sequence[_Moment], drawn: Sequence[PaintedShape], window:
     """Return the smallest state and the magnification that fills a window; None if the magnification is small."""
     times = {
         place: float((np.ptp(window, axis=0) / np.ptp(painted.corners, axis=0)).min()) / _MARGIN
-        for place, (each, painted) in enumerate(zip(moments, drawn, strict=True))
-        if each.state
+        for place, (item, painted) in enumerate(zip(moments, drawn, strict=True))
+        if item.state
     }
     place = max(times, key=times.__getitem__, default=0)
     return (place, np.floor(10 * times[place]) / 10) if times.get(place, 0.0) >= _ENLARGED else None
@@ -179,8 +187,8 @@ def _moments(record: Record, outcome: Outcome) -> list[_Moment]:
         moments += [(end.stage.name, time, False) for time in _halfway(record, end)]
     moments.sort(key=lambda moment: moment[1])
     # of several names for one moment the first is kept
-    apart = [each for place, each in enumerate(moments) if place == 0 or each[1] > moments[place - 1][1]]
-    seen = [each for each in apart if not _is_torn(record, each[1])] or [("start", 0.0, True)]
+    apart = [moment for place, moment in enumerate(moments) if place == 0 or moment[1] > moments[place - 1][1]]
+    seen = [item for item in apart if not _is_torn(record, item[1])] or [("start", 0.0, True)]
     half = float(record.design.protocol.timestep) / 2  # times are multiples of it up to rounding
     return [
         _Moment(

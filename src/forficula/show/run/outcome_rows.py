@@ -15,7 +15,7 @@ from forficula.arrays import Array
 from forficula.dynamics import EnergyBalance
 from forficula.names import listed
 from forficula.quantities import reading_unit, show_uncertain, show_value, uncertain_number
-from forficula.show.structure.drive_words import acting, drive_text
+from forficula.show.structure.drive_labels import acting, drive_text
 from forficula.show.structure.labels import (
     MOST_TOLD,
     aligned,
@@ -110,7 +110,7 @@ def state_rows(
         columns.append(stored)
         sums = [cell for total in totals for cell in (*before, total)]
     names, rows_of = aligned([column.labels for column in columns])
-    heading, places = parts_of(names), [{row: entry for entry, row in enumerate(each)} for each in rows_of]
+    heading, places = parts_of(names), [{row: entry for entry, row in enumerate(item)} for item in rows_of]
     cells = [[column.cells(state) for column in columns] for state in states.values()]
     rows = []
     for row, name in enumerate(heading.names):
@@ -221,7 +221,7 @@ def _stores(structure: Structure) -> list[_Store]:
         for number, tendon in enumerate(structure.tendons)
     ]
     springs = [number for number, hinge in enumerate(structure.hinges) if hinge.stiffness]
-    groups = {kind: [each for each in group if each in springs] for kind, group in hinge_groups(structure).items()}
+    groups = {kind: [item for item in group if item in springs] for kind, group in hinge_groups(structure).items()}
     if len(springs) > MOST_TOLD and "creases" in groups:
         stores += [
             _Store(kind=kind, label=kind, energy=partial(_of_hinges, group)) for kind, group in groups.items() if group

@@ -10,7 +10,7 @@ from forficula.analysis.package import Package, open_package, smallest_package
 from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
-from forficula.show.structure.painted_shape import View, hang, paint_shape
+from forficula.show.structure.painted_shape import Viewpoint, paint_shape, show_painted
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
 from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
@@ -42,14 +42,14 @@ def draw_package(record: Record, width: float = PAGE_WIDTH) -> Figure:
         panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
         shape = shape_of(record.structure)
         painted = [paint_shape(surface_at(record, shape, at), view, ORANGE) for _, at, view in pictures]
-        sizes = [each.corners for each in painted]
+        sizes = [item.corners for item in painted]
         largest = max(float(np.ptp(size, axis=0).max()) for size in sizes[:2])
-        for axes, (title, _, _), each, enlarged in zip(panels, pictures, painted, (False, False, True), strict=True):
-            side = float(np.ptp(each.corners, axis=0).max()) if enlarged else largest
-            window = each.corners.mean(axis=0) + _ROOM * side * np.array([[-0.5], [0.5]])
+        for axes, (title, _, _), item, enlarged in zip(panels, pictures, painted, (False, False, True), strict=True):
+            side = float(np.ptp(item.corners, axis=0).max()) if enlarged else largest
+            window = item.corners.mean(axis=0) + _ROOM * side * np.array([[-0.5], [0.5]])
             if enlarged:
-                window[:, 1] = each.corners[:, 1] + _BESIDE * side * np.array([-3, 2])
-            hang(axes, each, window, width / columns)
+                window[:, 1] = item.corners[:, 1] + _BESIDE * side * np.array([-3, 2])
+            show_painted(axes, item, window, width / columns)
             axes.set_title(title, pad=3)
         _dimension(panels[1], sizes[1], package.width, package.length)
         _dimension(panels[2], sizes[2], package.length, package.height)
@@ -73,13 +73,13 @@ def _size(length: float) -> str:
     return f"{factor * length:.3g} {unit}"
 
 
-def _from_above(package: Package) -> View:
-    return View(right=package.across, up=np.cross(package.upwards, package.across), towards=package.upwards)
+def _from_above(package: Package) -> Viewpoint:
+    return Viewpoint(right=package.across, up=np.cross(package.upwards, package.across), towards=package.upwards)
 
 
-def _from_the_side(package: Package) -> View:
+def _from_the_side(package: Package) -> Viewpoint:
     along = np.cross(package.upwards, package.across)
-    return View(right=along, up=package.upwards, towards=np.cross(along, package.upwards))
+    return Viewpoint(right=along, up=package.upwards, towards=np.cross(along, package.upwards))
 
 
 def _dimension(axes: Axes, corners: Array, across: float, upwards: float) -> None:

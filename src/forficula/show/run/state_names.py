@@ -44,4 +44,4 @@ def state_letters(structure: Structure) -> dict[str, str]:
 
 def _letters(count: int) -> list[str]:
     """Return the letters a to z, then letters with a number."""
-    return [f"{ascii_lowercase[each % 26]}{each // 26 or ''}" for each in range(count)]
+    return [f"{ascii_lowercase[index % 26]}{index // 26 or ''}" for index in range(count)]

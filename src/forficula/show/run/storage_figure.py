@@ -31,14 +31,14 @@ _MOST_LINES = 8
 
 def draw_storage(record: Record, width: float = PAGE_WIDTH) -> Figure:
     """Draw the pull of the tendons over every wait on a scale from seconds to years; the width is in inches."""
-    waits = [each for each in storages(record) if each.pulls is not None]
+    waits = [storage for storage in storages(record) if storage.pulls is not None]
     with figure_style():
         narrow = is_narrow(width)
         shape = (len(waits), 1) if narrow else (1, len(waits))
         figure = Figure(figsize=(width, 2.2 * shape[0] + 0.2), layout="constrained")
         grid = np.ravel(figure.subplots(*shape, sharey=True, squeeze=False))
-        pulls = [each.pulls for each in waits if each.pulls is not None]
-        unit, factor = reading_unit("N", max(float(each.max()) for each in pulls))
+        pulls = [wait.pulls for wait in waits if wait.pulls is not None]
+        unit, factor = reading_unit("N", max(float(pull.max()) for pull in pulls))
         for axes, wait, pull in zip(grid, waits, pulls, strict=True):
             clock = np.maximum(wait.clock, _SHORTEST)
             tendons = record.structure.tendons[:_MOST_LINES]

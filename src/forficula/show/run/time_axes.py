@@ -11,7 +11,7 @@ from forficula.arrays import Array
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit, show_duration
-from forficula.show.run.stalled import still_time
+from forficula.show.run.missed_goal import still_time
 from forficula.show.style import fit_legend, is_narrow
 
 # time shown before and after a driven stage, as a share of it

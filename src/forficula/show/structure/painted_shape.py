@@ -41,7 +41,7 @@ _FLAT = "#B8B8B8"  # colour of unfolded creases
 
 
 @dataclass(frozen=True, kw_only=True)
-class View:
+class Viewpoint:
     """Viewpoint of a structure, in parallel projection.
 
     Attributes:
@@ -95,7 +95,7 @@ class PaintedShape:
         return rasterise(placed, self.colours, size, samples)
 
 
-def structure_view(structure: Structure) -> View:
+def structure_view(structure: Structure) -> Viewpoint:
     """Return a view from above and beside the direction in which the built structure lies from the origin."""
     ends = outer_ends(structure)
     x, y, _ = ends.mean(axis=0) if len(ends) else np.zeros(3)
@@ -105,12 +105,12 @@ def structure_view(structure: Structure) -> View:
     right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
     level = np.array([math.cos(azimuth), math.sin(azimuth), 0.0])
     towards = math.cos(_ELEVATION) * level + np.array([0.0, 0.0, math.sin(_ELEVATION)])
-    return View(right=right, up=np.cross(towards, right), towards=towards)
+    return Viewpoint(right=right, up=np.cross(towards, right), towards=towards)
 
 
 def paint_shape(
     surface: DrawnSurface,
-    view: View,
+    view: Viewpoint,
     tendon_colours: str | Sequence[str] | ArrayLike,
     face_colours: Array | None = None,
 ) -> PaintedShape:
@@ -137,14 +137,14 @@ def paint_shape(
         ribbons(surface.tendons, view, tendon_colours, _TENDON * radius, (_ON_BAR + _ON_FACE) * radius),
         _squares(surface.held, view, _HELD * radius, _ON_BAR * radius),
     ]
-    quads, colours = (np.concatenate(each) for each in zip(*parts, strict=True))
+    quads, colours = (np.concatenate(item) for item in zip(*parts, strict=True))
     placed = np.concatenate([view.project(quads), (quads @ view.towards)[..., np.newaxis]], axis=-1)
     return PaintedShape(
         triangles=placed[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3), colours=np.repeat(colours, 2, axis=0)
     )
 
 
-def hang(axes: Axes, painted: PaintedShape, window: Array, width: float) -> None:
+def show_painted(axes: Axes, painted: PaintedShape, window: Array, width: float) -> None:
     """Show a painted shape in axes without lines, with one scale for both directions.
 
     Args:
@@ -194,7 +194,7 @@ def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, 
     return handles
 
 
-def _faces(surface: DrawnSurface, view: View, own: Array | None) -> tuple[Array, Array]:
+def _faces(surface: DrawnSurface, view: Viewpoint, own: Array | None) -> tuple[Array, Array]:
     """Return corners and colours of the cells of sheets and plates."""
     if not len(surface.faces):
         return np.zeros((0, 4, 3)), np.zeros((0, 3))
@@ -235,14 +235,14 @@ def _unit(vectors: Array) -> Array:
     return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-300))
 
 
-def _squares(places: Array, view: View, half: float, above: float) -> tuple[Array, Array]:
+def _squares(places: Array, view: Viewpoint, half: float, above: float) -> tuple[Array, Array]:
     """Return corners and colours of squares that face the eye, from their centres, m, (square, axis)."""
     corners = [right * view.right + up * view.up for right, up in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     quads = (places + above * view.towards)[:, np.newaxis] + half * np.array(corners)
     return quads, np.tile(to_rgb(BAR), (len(places), 1))
 
 
-def _tubes(bars: Array, radii: Array, view: View) -> tuple[Array, Array]:
+def _tubes(bars: Array, radii: Array, view: Viewpoint) -> tuple[Array, Array]:
     """Return corners and colours of round bars with flat ends, m, (bar, end, axis), of radii, m, (bar,)."""
     along = _unit(bars[:, 1] - bars[:, 0])
     # any direction that is not along the bar
@@ -265,7 +265,7 @@ def _tubes(bars: Array, radii: Array, view: View) -> tuple[Array, Array]:
 
 
 def ribbons(
-    lines: Array, view: View, colours: str | Sequence[str] | ArrayLike, half: float, above: float
+    lines: Array, view: Viewpoint, colours: str | Sequence[str] | ArrayLike, half: float, above: float
 ) -> tuple[Array, Array]:
     """Return corners and colours of lines, as bands that face the eye.
 

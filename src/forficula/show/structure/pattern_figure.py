@@ -35,7 +35,7 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
         else:
             handles = draw_creases(axes, pattern, factor * places[:, :2])
         angle = np.linspace(0, 2 * np.pi, 200)
-        for radius in (factor * each for each in structure.appearance.circles.values()):
+        for radius in (factor * circle for circle in structure.appearance.circles.values()):
             axes.plot(radius * np.cos(angle), radius * np.sin(angle), ":", color="0.5", lw=0.8)
         for tendon in structure.tendons:
             ends = factor * points[list(tendon.points)]
@@ -83,7 +83,10 @@ def _number(axes: Axes, structure: Structure, factor: float, turn: Array) -> Non
         for part, label in zip(measure.parts, measure_labels(structure, measure), strict=True)
     }
     hinges, names = list(labels), parts_of(list(labels.values())).names
-    points, (origins, directions) = (built_points(structure) @ turn, (each @ turn for each in built_hinges(structure)))
+    points, (origins, directions) = (
+        built_points(structure) @ turn,
+        (hinge @ turn for hinge in built_hinges(structure)),
+    )
     shown = range(len(hinges))
     if len(hinges) > _MOST_NUMBERED and structure.facets:
         return

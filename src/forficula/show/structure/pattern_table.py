@@ -11,7 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from forficula.names import listed
-from forficula.pattern import ASSIGNMENTS, Freedoms, PatternFacts, Rigidity, fault_words
+from forficula.pattern import ASSIGNMENTS, Freedoms, PatternFacts, Rigidity, fault_labels
 from forficula.quantities import reading_unit
 
 _MOST_ROWS, _MOST_NAMED = 12, 5
@@ -32,15 +32,15 @@ def pattern_table(facts: PatternFacts, remarks: Sequence[str] = ()) -> Renderabl
     parts: list[RenderableType] = [Text(_heading(facts), style="bold"), Text(), _parts(facts)]
     if facts.freedoms is not None:
         parts += [Text(), _freedoms(facts.freedoms)]
-    faults = [(each, words) for each in facts.inside if (words := fault_words(each))]
+    faults = [(item, words) for item in facts.inside if (words := fault_labels(item))]
     if faults:
         table = _columns("vertex that does not fold flat", "creases", "reason")
-        for each, words in faults[:_MOST_ROWS]:
-            table.add_row(str(each.vertex), str(each.creases), "; ".join(words))
+        for item, words in faults[:_MOST_ROWS]:
+            table.add_row(str(item.vertex), str(item.creases), "; ".join(words))
         parts += [Text(), table]
         if len(faults) > _MOST_ROWS:
             parts.append(Text(f"and {len(faults) - _MOST_ROWS} more"))
-    sentences = [*facts.flat_folding, *_rigid_folding(facts), *(f"{each}." for each in remarks)]
+    sentences = [*facts.flat_folding, *_rigid_folding(facts), *(f"{remark}." for remark in remarks)]
     return Group(*parts, Text(), *map(Text, sentences))
 
 
@@ -73,9 +73,9 @@ def _inside(facts: PatternFacts) -> str:
     """Return the number of interior vertices by number of creases, and the sum of angles around them."""
     if not facts.inside:
         return "none"
-    degrees = Counter(each.creases for each in facts.inside)
+    degrees = Counter(item.creases for item in facts.inside)
     counts = listed(f"{count} of {_counted(degree, 'crease')}" for degree, count in sorted(degrees.items()))
-    totals = [each.total for each in facts.inside]
+    totals = [item.total for item in facts.inside]
     least, most = (f"{math.degrees(total):.4g}" for total in (min(totals), max(totals)))
     return f"{counts}; {least} deg around each" if least == most else f"{counts}; {least} to {most} deg around them"
 
@@ -108,7 +108,7 @@ def _rigid_folding(facts: PatternFacts) -> Iterator[str]:
     folds = any(letter in facts.edges for letter in "MV")
     if not folds:
         return
-    stuck = [each.vertex for each in facts.inside if each.folds is False]
+    stuck = [item.vertex for item in facts.inside if item.folds is False]
     if not freedoms.begins:
         yield "Rigid facets cannot fold with every crease in its sense: even the first-order motion does not exist."
     elif freedoms.folded is not None:

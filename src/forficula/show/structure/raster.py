@@ -89,7 +89,7 @@ def _fill(nearest: Indices, corners: Array, names: Indices) -> None:
 
 def _between(low: Array, high: Array, most: int) -> tuple[Indices, Indices]:
     """Return the first sample whose centre is not before `low`, and the first not before `high`, in the picture."""
-    first, last = (np.ceil(np.clip(each, 0, most) - 0.5).astype(np.int64) for each in (low, high))
+    first, last = (np.ceil(np.clip(item, 0, most) - 0.5).astype(np.int64) for item in (low, high))
     return first, last
 
 

@@ -16,7 +16,7 @@ from forficula.pattern import (
     PatternFacts,
     VertexCreases,
     VertexFacts,
-    fault_words,
+    fault_labels,
     vertex_creases,
 )
 from forficula.quantities import reading_unit, show_value
@@ -42,7 +42,7 @@ def draw_sheet(pattern: CreasePattern, facts: PatternFacts, width: float = PAGE_
         facts: facts about the pattern.
         width: largest width of the figure, inch.
     """
-    faults = sorted((each for each in facts.inside if fault_words(each)), key=_weight, reverse=True)
+    faults = sorted((item for item in facts.inside if fault_labels(item)), key=_weight, reverse=True)
     unit, factor = reading_unit("m", max(facts.size))
     with figure_style():
         figure, axes = sheet_axes(factor * pattern.vertices_coords, factor * max(facts.size), unit, width)
@@ -64,16 +64,16 @@ def _weight(vertex: VertexFacts) -> tuple[float, int]:
 def _mark(axes: Axes, pattern: CreasePattern, faults: list[VertexFacts], factor: float, width: float) -> Line2D:
     """Mark vertices with rings, and label as many as fit into a width, inch; return the legend's entry."""
     points = factor * pattern.vertices_coords[:, :2]
-    rings, many = points[[each.vertex for each in faults]], len(faults) > _MANY
+    rings, many = points[[fault.vertex for fault in faults]], len(faults) > _MANY
     wide = _RING / 2 if many else _RING
     axes.plot(*rings.T, "o", ms=wide, mec=PURPLE, mfc="none", mew=0.6 if many else 1.2, zorder=3)
     low, size = points.min(axis=0), np.ptp(points, axis=0)
     across = 72 * (width - _BESIDE)
-    around = {each.vertex: each for each in vertex_creases(pattern)}
+    around = {crease.vertex: crease for crease in vertex_creases(pattern)}
     taken: list[tuple[float, float, float, float]] = []
-    for each, place in zip(faults, (rings - low) * across / size[0], strict=True):
-        words = "\n".join(fault_words(each))
-        x, y = _towards(pattern, around[each.vertex], inwards=float(np.sign(across / 2 - place[0])))
+    for fault, place in zip(faults, (rings - low) * across / size[0], strict=True):
+        words = "\n".join(fault_labels(fault))
+        x, y = _towards(pattern, around[fault.vertex], inwards=float(np.sign(across / 2 - place[0])))
         long, tall = _LETTER * max(map(len, words.split("\n"))), _LINE * (words.count("\n") + 1)
         left = place[0] + _AWAY * x - (long if x < 0 else 0.0)
         bottom = place[1] + _AWAY * y - (0.0 if y > _ASIDE else tall if y < -_ASIDE else tall / 2)
@@ -81,10 +81,10 @@ def _mark(axes: Axes, pattern: CreasePattern, faults: list[VertexFacts], factor:
         if left < 0 or left + long > across or any(_meet(box, other) for other in taken):
             continue
         taken.append(box)
-        axes.plot(*points[each.vertex], "o", ms=wide, mec=PURPLE, mfc=PURPLE, zorder=3)
+        axes.plot(*points[fault.vertex], "o", ms=wide, mec=PURPLE, mfc=PURPLE, zorder=3)
         axes.annotate(
             words,
-            points[each.vertex],
+            points[fault.vertex],
             (_AWAY * x, _AWAY * y),
             textcoords="offset points",
             ha="right" if x < 0 else "left",
@@ -124,7 +124,7 @@ def _text(facts: PatternFacts, faults: list[VertexFacts]) -> str:
     seen = "" if facts.flat else " The sheet is folded, and seen from above."
     verdict = "Every interior vertex folds flat." if facts.flat else ""
     if faults:
-        worst = max((each.missing for each in faults if math.isfinite(each.missing)), default=0.0)
+        worst = max((fault.missing for fault in faults if math.isfinite(fault.missing)), default=0.0)
         lacks = f", by up to {math.degrees(worst):.2g} deg" if worst > 1e-6 else ""
         verdict = f"{len(faults)} of {len(facts.inside)} interior vertices do not fold flat{lacks}."
     title = facts.title[:1].upper() + facts.title[1:]

@@ -100,8 +100,8 @@ def face_strains(shape: Shape, surface: DrawnSurface) -> Array:
 
 def _largest_strains(built: Array, now: Array) -> Array:
     """Return the largest principal strains of triangles, (triangle, corner, axis); nan for triangles without area."""
-    before, after = (each[:, 1:] - each[:, :1] for each in (built, now))
-    metric, stretched = (each @ each.swapaxes(1, 2) for each in (before, after))
+    before, after = (item[:, 1:] - item[:, :1] for item in (built, now))
+    metric, stretched = (item @ item.swapaxes(1, 2) for item in (before, after))
     flat = np.linalg.det(metric) <= _FLAT * np.trace(metric, axis1=1, axis2=2) ** 2
     metric[flat] = np.eye(2)
     relative = np.linalg.solve(metric, stretched)

@@ -50,10 +50,10 @@ def draw_assumptions(results: Assumptions, width: float = PAGE_WIDTH) -> Figure:
         width: width of the figure, inch.
     """
     panels = [
-        (each.time if kind == "time" else f"work of {each.noun}", each.name, kind)
+        (transition.time if kind == "time" else f"work of {transition.noun}", transition.name, kind)
         for kind in ("time", "work")
-        for each in results.transitions
-        if _value(results.own, each.name, kind)
+        for transition in results.transitions
+        if _value(results.own, transition.name, kind)
     ]
     narrow = is_narrow(width)
     with figure_style():
@@ -98,7 +98,7 @@ def _draw_panel(axes: Axes, results: Assumptions, name: str, kind: str) -> None:
         value, (_, look) = _value(run, name, kind), _LOOKS[run.effect]
         # the work of a stage that missed its goal belongs to another motion
         if value is None or run.times[name] is None:
-            at_edge = {"color": VERMILION, **_MISSED} if run.verdict.tells else _LOOKS[Effect.UNKNOWN][1]
+            at_edge = {"color": VERMILION, **_MISSED} if run.verdict.conclusive else _LOOKS[Effect.UNKNOWN][1]
             axes.plot([0.98], [row], transform=axes.get_yaxis_transform(), ls="", clip_on=False, **at_edge)
             continue
         changes.append(100 * (value - own) / abs(own))
@@ -116,7 +116,7 @@ def _ticks(low: float, high: float) -> list[float]:
     powers = [10.0**power for power in range(1, 9)]
     within = [tick for tick in powers if tick <= max(-low, high)]
     kept = within[:: 1 + len(within) // 3]
-    return [tick for tick in (*(-each for each in reversed(kept)), 0.0, *kept) if low <= tick <= high]
+    return [tick for tick in (*(-item for item in reversed(kept)), 0.0, *kept) if low <= tick <= high]
 
 
 def _none() -> Any:

@@ -28,8 +28,8 @@ def assumption_rows(results: Assumptions) -> list[dict[str, Any]]:
             "outcome": run.word,
             "status": run.status,
             "timestep_s": run.timestep,
-            **{f"{each.name}_time_s": run.times[each.name] for each in results.transitions},
-            **{f"{each.name}_work_J": run.works[each.name] for each in results.transitions},
+            **{f"{transition.name}_time_s": run.times[transition.name] for transition in results.transitions},
+            **{f"{transition.name}_work_J": run.works[transition.name] for transition in results.transitions},
         }
         for run in (results.own, *results.runs)
     ]
@@ -45,10 +45,10 @@ def assumptions_table(results: Assumptions) -> RenderableType:
     table = Table(box=None, padding=(0, 2, 0, 0))
     table.add_column("changed assumption", no_wrap=True)
     works = len(results.transitions) <= _MOST_WORKS
-    for each in results.transitions:
-        table.add_column(each.time, justify="right")
+    for transition in results.transitions:
+        table.add_column(transition.time, justify="right")
         if works:
-            table.add_column(f"work of {each.noun}", justify="right")
+            table.add_column(f"work of {transition.noun}", justify="right")
     table.add_column("effect")
     table.add_column("result", no_wrap=len(results.transitions) <= _MOST_WORKS)
     for run in (results.own, *results.runs):
@@ -61,11 +61,11 @@ def assumptions_table(results: Assumptions) -> RenderableType:
 
 def _cells(results: Assumptions, run: AssumptionRun, *, works: bool) -> list[str]:
     cells = [run.label]
-    for each in results.transitions:
-        for kind, unit, value in (("time", "s", run.times[each.name]), ("work", "J", run.works[each.name])):
+    for transition in results.transitions:
+        for kind, unit, value in (("time", "s", run.times[transition.name]), ("work", "J", run.works[transition.name])):
             if kind == "work" and not works:
                 continue
-            sure = results.uncertainty.get(f"{each.name}.{kind}") if run is results.own else None
+            sure = results.uncertainty.get(f"{transition.name}.{kind}") if run is results.own else None
             cells.append("" if value is None else show_uncertain(value, sure, unit, 3))
     return [*cells, "" if run is results.own else run.effect.value, run.word]
 

@@ -22,7 +22,7 @@ from forficula.show.study.outcome_looks import look_of, map_style
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, fit_legend, is_narrow
 from forficula.study.assumptions.choice_groups import choice_groups, count_all, count_first, count_unknown
 from forficula.study.assumptions.choices import CHOICE
-from forficula.study.tables.outcome_kinds import asked_verbs, table_transitions, whole_of
+from forficula.study.tables.outcome_kinds import studied_verbs, table_transitions, whole_of
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -89,9 +89,9 @@ def _numbers(table: Dataset) -> dict[str, str]:
             return {f"{start}_energy": f"{energy_noun(table)} when {start}"}
         return {"residual": "largest residual of the energy balance (share)"}
     return {
-        **{each.least: each.least.replace("_", " ") for each in transitions if each.least},
-        **{f"{each.name}_time": each.wording.time for each in transitions[:1]},
-        **{f"{each.name}_work": f"work of {each.wording.noun}" for each in transitions},
+        **{transition.least: transition.least.replace("_", " ") for transition in transitions if transition.least},
+        **{f"{transition.name}_time": transition.wording.time for transition in transitions[:1]},
+        **{f"{transition.name}_work": f"work of {transition.wording.noun}" for transition in transitions},
     }
 
 
@@ -146,7 +146,7 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
         ),
     ]
     if every is not None:
-        handles.append(Line2D([], [], label=f"{asked_verbs(table)[-1]} again", **_DID_ALL))
+        handles.append(Line2D([], [], label=f"{studied_verbs(table)[-1]} again", **_DID_ALL))
     paper = named_reproduction(table.attrs.get("reproduces"))
     if paper is not None and (folds := paper.fold_count) is not None:
         line = axes.axvline(folds, color=VERMILION, ls="--", lw=1, zorder=2, label=f"paper: {folds}")
@@ -154,7 +154,7 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
     # space for the numbers beside full bars
     axes.set(
         xlim=(0, (1.12 if unknown else 1.06) * count),
-        xlabel=f"{whole_of(table)}s that {asked_verbs(table)[0]}, of {count}",
+        xlabel=f"{whole_of(table)}s that {studied_verbs(table)[0]}, of {count}",
     )
     axes.set_xticks(np.unique(np.linspace(0, count, 7).round()))
     figure = axes.get_figure(root=True)
@@ -207,7 +207,7 @@ def _text(table: Dataset, rows: Sequence[_Row]) -> str:
     singles = table["status"].dims == (CHOICE,)
     first, count = count_first(table), table["status"].size // table.sizes[CHOICE]
     whole = whole_of(table)
-    what = f"Results of a {whole}" if singles else f"Number of {count} {whole}s that {asked_verbs(table)[0]},"
+    what = f"Results of a {whole}" if singles else f"Number of {count} {whole}s that {studied_verbs(table)[0]},"
     results, name = [], ""
     for row in rows:
         if row.place is None:
@@ -234,10 +234,10 @@ def choice_rows(table: Dataset) -> tuple[list[str], list[list[str]]]:
     for group in choice_groups(table):
         for place in group.places:
             own = "" if place else f", as in {table.attrs['design']}"
-            counts = [str(each[place]) for each in (first, every) if each is not None]
+            counts = [str(item[place]) for item in (first, every) if item is not None]
             if unsure := sum(int(numbers[place]) for numbers in unknown.values()):
                 counts[0] += f" to {first[place] + unsure}"
             rows.append([value_text(table[group.factor], place) + own, *counts])
     count = table["status"].size // table.sizes[CHOICE]
-    verbs = asked_verbs(table)
+    verbs = studied_verbs(table)
     return ["choice", f"{verbs[0]}, of {count}", *([f"{verbs[-1]} again"] if every is not None else [])], rows

@@ -49,9 +49,9 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
     """
     structure = structure_of(convergence.design)
     spans = [
-        (each.wording.noun, convergence.starts[each.name], convergence.transition_times[each.name])
-        for each in structure.transitions
-        if np.isfinite(convergence.transition_times[each.name]).any()
+        (transition.wording.noun, convergence.starts[transition.name], convergence.transition_times[transition.name])
+        for transition in structure.transitions
+        if np.isfinite(convergence.transition_times[transition.name]).any()
     ]
     measure = structure.measures[0]
     which = f"{ordinal(convergence.hinge)} {measure.label}"
@@ -141,8 +141,8 @@ def _range(structure: Structure, measure: Measure, convergence: Convergence) -> 
     """Return the range of the shown hinge, deg: its stops, or its largest and smallest angle without stops."""
     low, high = measure_stops(structure, measure)[convergence.hinge]
     if not np.isfinite([low, high]).all():
-        low = min(np.nanmin(each) for each in convergence.angles)
-        high = max(np.nanmax(each) for each in convergence.angles)
+        low = min(np.nanmin(angle) for angle in convergence.angles)
+        high = max(np.nanmax(angle) for angle in convergence.angles)
     return math.degrees(low), math.degrees(high)
 
 

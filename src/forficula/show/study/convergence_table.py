@@ -63,7 +63,7 @@ def convergence_table(convergence: Convergence) -> RenderableType:
 
 def time_labels(convergence: Convergence) -> dict[str, str]:
     """Return the name of each transition's time."""
-    return {each.name: each.wording.time for each in structure_of(convergence.design).transitions}
+    return {transition.name: transition.wording.time for transition in structure_of(convergence.design).transitions}
 
 
 def _times_of(convergence: Convergence, run: int) -> list[float]:

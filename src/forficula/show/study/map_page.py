@@ -257,15 +257,15 @@ def _write_numbers(figure: Figure, view: MapView, drawn: Sequence[tuple[Axes, Ma
     for digits in (3, 2, 1):
         texts = [_short_texts(values, digits) for _, _, values in cells]
         widths = {
-            text: TextPath((0, 0), text, prop=fonts).get_extents().width for each in texts for text in each.values()
+            text: TextPath((0, 0), text, prop=fonts).get_extents().width for item in texts for text in item.values()
         }
         room = min(72 * axes.get_window_extent().width / figure.dpi / values.shape[1] for axes, _, values in cells)
         if max(widths.values(), default=0.0) <= _CELL_FILLED * room:
             break
     else:
         return
-    for (axes, scale, values), each in zip(cells, texts, strict=True):
-        for (row, column), text in each.items():
+    for (axes, scale, values), item in zip(cells, texts, strict=True):
+        for (row, column), text in item.items():
             red, green, blue, _ = scale.colours(scale.norm(values[row, column]))
             ink = "black" if 0.299 * red + 0.587 * green + 0.114 * blue > 0.5 else "white"
             axes.text(column, row, text, ha="center", va="center", fontsize=_NUMBER, color=ink)

@@ -20,9 +20,9 @@ from forficula.show.style import PAGE_WIDTH, Drawing
 from forficula.study.assumptions.choices import CHOICE
 from forficula.study.tables.outcome_kinds import (
     OutcomeKind,
-    asked_transitions,
     not_tried_word,
     outcome_kinds,
+    studied_transitions,
     table_transitions,
 )
 
@@ -45,11 +45,11 @@ def map_drawings(table: Dataset) -> dict[str, Drawing]:
     """
     transitions = table_transitions(table)
     drawings: dict[str, Drawing] = {"status": lambda width: draw_status_map(table, width=width)}
-    if any(each.least and each.least in table for each in transitions):
+    if any(transition.least and transition.least in table for transition in transitions):
         drawings["torques"] = lambda width: draw_torque_maps(table, width=width)
         if not _is_sampled(table) and len(_axes(table)) > 2:
             drawings["torques_moving"] = lambda width: draw_moving_maps(table, width=width)
-    if _known(table, *(f"{each.name}_work" for each in transitions)):
+    if _known(table, *(f"{transition.name}_work" for transition in transitions)):
         drawings["works"] = lambda width: draw_work_maps(table, width=width)
     if _known(table, *(f"{state}_energy" for state in _states(table))):
         drawings["energy"] = lambda width: draw_energy_maps(table, width=width)
@@ -72,11 +72,11 @@ def draw_torque_maps(
     Raises:
         InputError: the table has no such factor.
     """
-    first, *_ = each_least = [each for each in table_transitions(table) if each.least]
-    names = {each.least: each.least.replace("_", " ") for each in each_least}
+    first, *_ = each_least = [transition for transition in table_transitions(table) if transition.least]
+    names = {item.least: item.least.replace("_", " ") for item in each_least}
     if "torque" in (reference := table["reference_outcome"].attrs if "reference_outcome" in table else {}):
         after = f", {first.state} with {show_value(reference['torque'], 'N m')}"
-        names |= {each.least: f"{names[each.least]}{after}" for each in each_least[1:]}
+        names |= {item.least: f"{names[item.least]}{after}" for item in each_least[1:]}
     quantity = "torque" if all(_unit(table, name) == "N m" for name in names if name in table) else "least value"
     return _draw(table, x, y, names, quantity, width=width)
 
@@ -89,7 +89,9 @@ def draw_moving_maps(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             drawn.
         width: width of the figure, inch.
     """
-    first = next(each for each in table_transitions(table) if each.least and each.least in table)
+    first = next(
+        transition for transition in table_transitions(table) if transition.least and transition.least in table
+    )
     upwards, across, moving, *_ = _axes(table)
     with map_style():
         view = _slice(table, [upwards, across, moving], x=across, y=upwards)
@@ -111,7 +113,7 @@ def draw_work_maps(table: Dataset, x: str | None = None, y: str | None = None, *
 
     Args and errors are those of `draw_torque_maps`.
     """
-    names = {f"{each.name}_work": f"work of {each.wording.noun}" for each in table_transitions(table)}
+    names = {f"{transition.name}_work": f"work of {transition.wording.noun}" for transition in table_transitions(table)}
     return _draw(table, x, y, names, "work", width=width)
 
 
@@ -132,8 +134,8 @@ def draw_energy_maps(
 def energy_noun(table: Dataset) -> str:
     """Return the noun for the energies of states in a table: tendons' energy, or all stored energy without tendons."""
     named = [table.get(f"{state}_energy") for state in _states(table)]
-    long_names = [str(each.attrs.get("long_name", "")) for each in named if each is not None]
-    return "stored energy" if any(each.startswith("stored") for each in long_names) else "tendons' energy"
+    long_names = [str(item.attrs.get("long_name", "")) for item in named if item is not None]
+    return "stored energy" if any(name.startswith("stored") for name in long_names) else "tendons' energy"
 
 
 def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH) -> Figure:
@@ -310,7 +312,7 @@ class TimesByValue:
 
 def times_by_value(table: Dataset) -> TimesByValue | None:
     """Return what a search tried for the first transition; None for a table without a search."""
-    for first in asked_transitions(table)[:1]:
+    for first in studied_transitions(table)[:1]:
         for by in ("torque", "value"):
             times = f"{first.name}_time_by_{by}"
             if times in table:
@@ -326,7 +328,7 @@ def times_by_value(table: Dataset) -> TimesByValue | None:
 def _states(table: Dataset) -> list[str]:
     """Return the names of the states, beginning with the one before any transition."""
     start = str(table.attrs.get("start_state", ""))
-    return [*([start] if start else []), *(each.state for each in table_transitions(table))]
+    return [*([start] if start else []), *(transition.state for transition in table_transitions(table))]
 
 
 def missing_reasons(table: Dataset, name: str) -> DataArray:

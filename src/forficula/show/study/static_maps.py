@@ -32,7 +32,11 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None, width: 
     Raises:
         InputError: the tables have different factors.
     """
-    torques = {each.least: each.wording.does for each in table_transitions(statics) if each.least in statics}
+    torques = {
+        transition.least: transition.wording.does
+        for transition in table_transitions(statics)
+        if transition.least in statics
+    }
     with map_style():
         if simulated is None:
             view = table_view(statics)

@@ -12,10 +12,10 @@ from forficula.quantities import show_quantity
 from forficula.show.study.choices_figure import choice_rows
 from forficula.study import Study
 from forficula.study.tables.outcome_kinds import (
-    asked_transitions,
     confirmation_sentence,
     least_values,
     lost_text,
+    studied_transitions,
     undecided_text,
 )
 
@@ -44,16 +44,16 @@ def print_study(study: Study, table: Dataset) -> None:
         Console(width=110, highlight=False).print(by_choice)
     if study.search is None:
         return
-    for place, (step, each) in enumerate(zip(study.search.steps, asked_transitions(table), strict=True)):
-        what = f"{each.wording.verb} again" if place else each.wording.verb
-        values = least_values(table, each)
+    for place, (step, item) in enumerate(zip(study.search.steps, studied_transitions(table), strict=True)):
+        what = f"{item.wording.verb} again" if place else item.wording.verb
+        values = least_values(table, item)
         if len(values):
             low, high = (show_quantity(float(end), step.unit) for end in (values.min(), values.max()))
             between = low if low == high else f"{low} to {high}"
             less = "; smaller values were not tried" if step.values[0] in values and step.values[0] != 0 else ""
-            first, more = study.search.first, undecided_text(table, each)
+            first, more = study.search.first, undecided_text(table, item)
             after = f", {first.state} with {show_quantity(study.search.reference, first.unit)}" if place else ""
-            result = f"{what}, with {between}{after}{lost_text(table, each)}{less}"
+            result = f"{what}, with {between}{after}{lost_text(table, item)}{less}"
             print(f"{len(values)} of {len(study.points)}{more} {result}")
         else:
-            print(f"none of {len(study.points)} {what}{undecided_text(table, each)}")
+            print(f"none of {len(study.points)} {what}{undecided_text(table, item)}")

@@ -1,4 +1,4 @@
-from forficula.statics.net.collapse import Collapse, collapse, holding_torque, snapped
+from forficula.statics.net.collapse import Collapse, collapse, holding_torque, state_after_collapse
 from forficula.statics.net.energy import Expansion, built_shape, expand, shape_at
 from forficula.statics.net.load import (
     Load,
@@ -58,7 +58,7 @@ __all__ = [
     "rigidity_matrix",
     "same_shape",
     "shape_at",
-    "snapped",
+    "state_after_collapse",
     "stationary",
     "strength",
     "supported",

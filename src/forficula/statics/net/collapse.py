@@ -73,7 +73,7 @@ def collapse(
     return Collapse(kind="none", factor=last.factor, point=last, mode=np.zeros_like(net.nodes), path=path)
 
 
-def snapped(net: Net, lost: Collapse) -> NetRest:
+def state_after_collapse(net: Net, lost: Collapse) -> NetRest:
     """Find where a net rests after a limit or a bifurcation, under a load that is larger by a thousandth.
 
     Of the two directions of the mode, the one that ends at a lower energy is taken. Use `minimum` from the result to

@@ -145,7 +145,7 @@ def _bars(net: Net, sides: Array, shortest: float) -> Piece:
     length, rise = np.maximum(apart, shortest), apart - rest_length
     # the Hessian of a pull F at a length L along n is F' n n^T + F / L (1 - n n^T)
     per_length = np.where(rest_length > 0, stiffness * rise / length, stiffness)
-    blocks = _along(sides / length[:, None], stiffness, per_length)
+    blocks = _stretch_hessian(sides / length[:, None], stiffness, per_length)
     return float(stiffness @ rise**2) / 2, per_length[:, None] * sides, blocks
 
 
@@ -154,10 +154,14 @@ def _pulls(net: Net, sides: Array, shortest: float) -> Piece:
     energy, force, stiffness = net.tendons.law.expansion(length)
     known = np.maximum(length, shortest)
     per_length = force / known
-    return float(np.sum(energy)), per_length[:, None] * sides, _along(sides / known[:, None], stiffness, per_length)
+    return (
+        float(np.sum(energy)),
+        per_length[:, None] * sides,
+        _stretch_hessian(sides / known[:, None], stiffness, per_length),
+    )
 
 
-def _along(unit: Array, stiffness: Array, per_length: Array) -> Array:
+def _stretch_hessian(unit: Array, stiffness: Array, per_length: Array) -> Array:
     outer = unit[:, :, None] * unit[:, None, :]
     return np.asarray((stiffness - per_length)[:, None, None] * outer + per_length[:, None, None] * np.eye(3))
 
@@ -178,12 +182,14 @@ def membrane_stresses(net: Net, shape: NetShape) -> Array:
     if net.membranes is None:
         return np.zeros((0, 2))
     plane, area = _flat(net.membranes.built)
-    stress = _stressed(net.membranes, sides_of(net, shape.positions)[3], plane, area)[3]
+    stress = _membrane_stress(net.membranes, sides_of(net, shape.positions)[3], plane, area)[3]
     volume = (area * net.membranes.thickness)[:, None]
     return np.asarray(np.linalg.eigvalsh(stress)[:, ::-1] / volume)
 
 
-def _stressed(membranes: Triangles, sides: Array, shape: Array, area: Array) -> tuple[Array, Array, Array, Array]:
+def _membrane_stress(
+    membranes: Triangles, sides: Array, shape: Array, area: Array
+) -> tuple[Array, Array, Array, Array]:
     """Return stiffness, N m, deformation gradient, (triangle, 3, 2), strain and stress x volume, (triangle, 2, 2)."""
     modulus, ratio = np.broadcast_arrays(membranes.youngs_modulus, membranes.poisson_ratio, np.empty(len(area)))[:2]
     stiff = (modulus / (1 - ratio**2) * area * membranes.thickness)[:, None, None]
@@ -197,7 +203,7 @@ def _stressed(membranes: Triangles, sides: Array, shape: Array, area: Array) -> 
 def _stretched(membranes: Triangles, sides: Array) -> Piece:
     """Return the piece of triangles of a St Venant-Kirchhoff material (e.g. Bonet and Wood 2008, section 6.5)."""
     shape, area = _flat(membranes.built)
-    stiff, gradient, strain, stress = _stressed(membranes, sides, shape, area)
+    stiff, gradient, strain, stress = _membrane_stress(membranes, sides, shape, area)
     ratio = np.broadcast_to(membranes.poisson_ratio, len(area))[:, None, None]
     energy = float(np.sum(stress * strain)) / 2
     slope = np.einsum("txm,tmn,tsn->tsx", gradient, stress, shape)
@@ -272,9 +278,9 @@ def fold_angle_derivatives(sides: Array) -> tuple[Array, Array]:
     normal = normal / height[:, None]
     across = _cross(normal, twice)
     share = _dot(corner, twice) / length
-    mixed = _outer(normal, across)
+    mixed = _outer_product(normal, across)
     mixed = mixed + np.swapaxes(mixed, 1, 2)
-    lifted = _outer(twice, normal)
+    lifted = _outer_product(twice, normal)
     bent = -mixed / (height**2)[:, None, None]
     tilted = -share[:, None, None] * bent - lifted / (length * height)[:, None, None]
     by_corner, by_along = normal / height[:, None], (share / height)[:, None] * normal
@@ -294,7 +300,7 @@ def _dot(a: Array, b: Array) -> Array:
     return np.asarray(np.einsum("ni,ni->n", a, b))
 
 
-def _outer(a: Array, b: Array) -> Array:
+def _outer_product(a: Array, b: Array) -> Array:
     return a[:, :, None] * b[:, None, :]
 
 

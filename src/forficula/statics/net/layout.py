@@ -68,7 +68,7 @@ def layout_of(net: Net) -> Layout:
     triangles = 0 if net.membranes is None else len(net.membranes.points)
     counts = (len(net.springs.points), len(net.tendons.points), len(net.creases.points), triangles)
     first, second = _pairs(counts)
-    gather, columns, rows = _gather(sides, first, second)
+    gather, columns, rows = _block_weights(sides, first, second)
     free = np.flatnonzero(net.free.ravel())
     size = 3 * len(net.nodes)
     numbered = bsr_array((1 + np.arange(9.0 * len(columns)).reshape(-1, 3, 3), columns, rows), shape=(size, size))
@@ -93,22 +93,22 @@ def layout_of(net: Net) -> Layout:
 def _sides(net: Net) -> csr_array:
     points = csr_array(net.points)
     tail, head, left, far_tail, far_head, right = net.creases.points.T
-    parts = [_ways(points, net.springs.points), _ways(points, net.tendons.points)]
+    parts = [_end_differences(points, net.springs.points), _end_differences(points, net.tendons.points)]
     along = 0.5 * (points[head] - points[tail] + points[far_head] - points[far_tail])
-    parts.append(_in_turn([along, points[left] - points[tail], points[right] - points[far_tail]]))
+    parts.append(_interleaved([along, points[left] - points[tail], points[right] - points[far_tail]]))
     if net.membranes is not None:
         a, b, c = net.membranes.points.T
-        parts.append(_in_turn([points[b] - points[a], points[c] - points[a]]))
+        parts.append(_interleaved([points[b] - points[a], points[c] - points[a]]))
     sides = csr_array(vstack(parts))
     sides.eliminate_zeros()
     return sides
 
 
-def _ways(points: csr_array, ends: Indices) -> csr_array:
+def _end_differences(points: csr_array, ends: Indices) -> csr_array:
     return csr_array(points[ends[:, 1]] - points[ends[:, 0]])
 
 
-def _in_turn(parts: list[csr_array]) -> csr_array:
+def _interleaved(parts: list[csr_array]) -> csr_array:
     """Return the interleaved rows of several matrices."""
     count = parts[0].shape[0]
     order = np.arange(count * len(parts)).reshape(len(parts), count).T.ravel()
@@ -126,7 +126,7 @@ def _pairs(counts: tuple[int, int, int, int]) -> tuple[Indices, Indices]:
     return np.concatenate(firsts), np.concatenate(seconds)
 
 
-def _gather(sides: csr_array, first: Indices, second: Indices) -> tuple[csr_array, Indices, Indices]:
+def _block_weights(sides: csr_array, first: Indices, second: Indices) -> tuple[csr_array, Indices, Indices]:
     """Return weights of pairs of sides in blocks of pairs of nodes, and columns and row starts of these blocks."""
     starts, nodes, weights = sides.indptr.astype(np.int64), sides.indices.astype(np.int64), sides.data
     many, more = np.diff(starts)[first], np.diff(starts)[second]

@@ -87,7 +87,7 @@ class LoadPath:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _Station:
+class _PathPoint:
     """A point with the data for the next increment: factorisation, and unit tangent of the path, (node, 3)."""
 
     point: PathPoint
@@ -147,12 +147,12 @@ def load_path(
     if direction is not None:
         current = replace(current, direction=direction / np.linalg.norm(direction), pace=0.0)
     length = (net.size / 50 if step is None else step) / np.abs(current.direction).max()
-    longest, points, found = length, [current.point], list[PathEvent]()
+    longest, points, result = length, [current.point], list[PathEvent]()
     ended: Literal["target", "count", "stop", "stuck"] = "count"
     while len(points) <= increments:
         following = _increment(net, load, current, length)
         if following is None and length <= _CORNER * longest:
-            current, following = _around_corner(net, load, current, length)
+            current, following = _pass_kink(net, load, current, length)
         if following is None:
             length /= 2
             if length < _SHORTEST * longest:
@@ -164,21 +164,21 @@ def load_path(
             length /= 2
             continue
         new = [] if branching else _events_between(net, load, current, following, length, len(points) - 1)
-        passed = target is not None and _passes(current.point.factor, following.point.factor, target)
+        passed = target is not None and _crosses(current.point.factor, following.point.factor, target)
         if target is not None and passed:
-            following = _at(net, load, current, following, length, target)
+            following = _point_at_factor(net, load, current, following, length, target)
             new = [event for event in new if (event.point.factor - target) * (current.point.factor - target) > 0]
-        found += new
+        result += new
         points.append(following.point)
-        if passed or (stop is not None and stop(following.point)) or (events is not None and len(found) >= events):
+        if passed or (stop is not None and stop(following.point)) or (events is not None and len(result) >= events):
             ended = "target" if passed else "stop"
             break
         current = following
         length = min(2 * length, longest) if following.point.corrections <= _QUICK else length
-    return LoadPath(load=load, points=tuple(points), events=tuple(found), ended=ended, pins=pins)
+    return LoadPath(load=load, points=tuple(points), events=tuple(result), ended=ended, pins=pins)
 
 
-def _bent(current: _Station, following: _Station, length: float) -> bool:
+def _bent(current: _PathPoint, following: _PathPoint, length: float) -> bool:
     """Return whether the load factor varied within an increment more than its rates at both ends explain.
 
     This detects a load that falls and rises again within an increment. On the cubic through both ends with both rates,
@@ -190,7 +190,7 @@ def _bent(current: _Station, following: _Station, length: float) -> bool:
     return abs(mean - (current.pace + following.pace) / 2) > _BENT * max(abs(current.pace), abs(following.pace))
 
 
-def _passes(before: float, after: float, target: float) -> bool:
+def _crosses(before: float, after: float, target: float) -> bool:
     return after == target or (before - target) * (after - target) < 0
 
 
@@ -225,7 +225,7 @@ def _tangent(net: Net, load: Load, current: Expansion, parts: Factorisation) -> 
 
 def _station(
     net: Net, load: Load, current: Expansion, factor: float, before: Array | None, rising: bool, corrections: int
-) -> _Station:
+) -> _PathPoint:
     """Return an equilibrium with its tangent, oriented like the tangent before it."""
     parts = factored(current.free)
     tangent = _tangent(net, load, current, parts)
@@ -242,10 +242,10 @@ def _station(
         rising=forwards,
         corrections=corrections,
     )
-    return _Station(point=point, parts=parts, direction=pace * tangent, pace=pace)
+    return _PathPoint(point=point, parts=parts, direction=pace * tangent, pace=pace)
 
 
-def _increment(net: Net, load: Load, current: _Station, length: float) -> _Station | None:
+def _increment(net: Net, load: Load, current: _PathPoint, length: float) -> _PathPoint | None:
     """Find the next point of the path at about the given length; None if Newton's method does not converge."""
     factor = current.point.factor + length * current.pace
     following = expand(net, _moved(net, current.point.shape, length * current.direction), load, factor)
@@ -271,7 +271,7 @@ def _increment(net: Net, load: Load, current: _Station, length: float) -> _Stati
     return None
 
 
-def _around_corner(net: Net, load: Load, current: _Station, length: float) -> tuple[_Station, _Station | None]:
+def _pass_kink(net: Net, load: Load, current: _PathPoint, length: float) -> tuple[_PathPoint, _PathPoint | None]:
     """Pass a kink of a law, such as a tendon that goes slack, at which the tangent turns abruptly."""
     factor = current.point.factor + length * current.pace
     over = expand(net, _moved(net, current.point.shape, length * current.direction), load, factor)
@@ -286,7 +286,7 @@ def _around_corner(net: Net, load: Load, current: _Station, length: float) -> tu
 
 
 def _events_between(
-    net: Net, load: Load, current: _Station, following: _Station, length: float, after: int
+    net: Net, load: Load, current: _PathPoint, following: _PathPoint, length: float, after: int
 ) -> list[PathEvent]:
     """Return the events within an increment, in order."""
     events = list[tuple[float, PathEvent]]()
@@ -318,7 +318,7 @@ def _events_between(
     return [event for _, event in sorted(events, key=lambda entry: entry[0])]
 
 
-def _halved(net: Net, load: Load, current: _Station, length: float, passed: Callable[[PathPoint], bool]) -> float:
+def _halved(net: Net, load: Load, current: _PathPoint, length: float, passed: Callable[[PathPoint], bool]) -> float:
     """Return the length at which an event has passed, by halving the increment."""
     low, high = 0.0, length
     for _ in range(_HALVINGS):
@@ -330,7 +330,9 @@ def _halved(net: Net, load: Load, current: _Station, length: float, passed: Call
     return high
 
 
-def _at(net: Net, load: Load, current: _Station, following: _Station, length: float, factor: float) -> _Station:
+def _point_at_factor(
+    net: Net, load: Load, current: _PathPoint, following: _PathPoint, length: float, factor: float
+) -> _PathPoint:
     """Find the point between two others at a given factor."""
     low, high, begin = 0.0, length, current
     for _ in range(_HALVINGS):

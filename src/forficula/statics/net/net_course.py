@@ -14,7 +14,7 @@ from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_of import motor_load, own_angles, places
+from forficula.statics.net.net_of import motor_load, own_angles, point_positions
 from forficula.statics.net.slow_path import SlowPath, slow_path
 from forficula.structure import (
     Drive,
@@ -92,7 +92,7 @@ def drive_course(
 
     end = 1.0 if goal is None else _MOST
     # the force of a displacement is drawn along the whole path, which needs short steps
-    step = _FINE * net.size if displaces(structure, drive) else None
+    step = _FINE * net.size if prescribes_displacement(structure, drive) else None
     slow = slow_path(net, start.shape, load, end=end, step=step, increments=_INCREMENTS, stop=at_goal)
     last = slow.points[-1] if len(slow.snaps) < len(slow.paths) else None
     shape = slow.snaps[-1].after.shape if last is None else last.shape
@@ -117,7 +117,7 @@ def drive_course(
 
 
 def _largest_force(structure: Structure, net: Net, drive: Drive, points: Sequence[PathPoint]) -> float | None:
-    if not displaces(structure, drive):
+    if not prescribes_displacement(structure, drive):
         return None
     return max((reaction(structure, net, drive, point.shape) for point in points), key=abs)
 
@@ -139,25 +139,25 @@ def displaced_net(structure: Structure, net: Net, drive: Drive) -> Net:
     return net if np.array_equal(held, net.free) else replace(net, free=held)
 
 
-def watched(structure: Structure, net: Net, shape: NetShape) -> Array:
+def goal_values(structure: Structure, net: Net, shape: NetShape) -> Array:
     """Return the coordinates that goals bound: angles and distances, rad and m, (coordinate,)."""
     pairs = [list(distance.points) for distance in distances_of(structure) if distance.points is not None]
-    distances = [np.linalg.norm(np.diff(places(net, shape)[pair], axis=0)) for pair in pairs]
+    distances = [np.linalg.norm(np.diff(point_positions(net, shape)[pair], axis=0)) for pair in pairs]
     return goal_coordinates(structure, own_angles(structure, shape), np.array(distances))
 
 
 def short_of(structure: Structure, net: Net, goal: StageGoal, shape: NetShape) -> float:
     """Return by how much a shape is outside a goal's bounds, rad or m; <= 0 within them."""
-    read = watched(structure, net, shape)
+    read = goal_values(structure, net, shape)
     return float(max(np.max(goal.least - read, initial=-np.inf), np.max(read - goal.most, initial=-np.inf)))
 
 
-def displaces(structure: Structure, drive: Drive) -> bool:
+def prescribes_displacement(structure: Structure, drive: Drive) -> bool:
     """Return whether a drive prescribes displacements of points instead of forces or torques."""
     return driven_motor(structure, drive).kind == "displacement"
 
 
-def gone(structure: Structure, net: Net, drive: Drive, shape: NetShape) -> float:
+def drive_displacement(structure: Structure, net: Net, drive: Drive, shape: NetShape) -> float:
     """Return the displacement along a drive: weighted mean over its points, m, or its hinges, rad.
 
     The weights are the shares of its motors. Only motors of the same kind as the first one count.
@@ -167,10 +167,10 @@ def gone(structure: Structure, net: Net, drive: Drive, shape: NetShape) -> float
         if not share or motor.kind != kind:
             continue
         if motor.direction is not None:
-            ways = (net.points @ (shape.positions - net.nodes))[list(motor.points)] @ motor.direction
+            travels = (net.points @ (shape.positions - net.nodes))[list(motor.points)] @ motor.direction
         else:
-            ways = np.sign(motor.gains or [1.0]) * own_angles(structure, shape)[list(motor.hinges)]
-        far, weight = far + share * float(ways.sum()), weight + abs(share) * len(ways)
+            travels = np.sign(motor.gains or [1.0]) * own_angles(structure, shape)[list(motor.hinges)]
+        far, weight = far + share * float(travels.sum()), weight + abs(share) * len(travels)
     return float(np.sign(drive.strength or 1.0)) * far / weight
 
 

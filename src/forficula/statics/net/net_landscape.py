@@ -18,8 +18,8 @@ from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_course import Course, drive_course, short_of
 from forficula.statics.net.net_of import net_of, own_angles, panels, start_shape
-from forficula.statics.net.net_state import NetState, known, mobility, net_state, stored_parts
-from forficula.statics.net.passing import panels_pass
+from forficula.statics.net.net_state import NetState, mobility, net_state, rounded_energy, stored_parts
+from forficula.statics.net.panel_crossing import panels_cross
 from forficula.statics.net.saddle import find_saddle
 from forficula.statics.net.stable_states import StableStates, find_stable_states, same_shape
 from forficula.statics.net.supports import supported
@@ -50,7 +50,7 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
     progress("resting shape and effects of the drives")
     built = start_shape(structure, net)
     first, left = _settled(net, built)
-    courses, refused = _courses(structure, net, first)
+    courses, refused = _all_courses(structure, net, first)
     rests = _rests(structure, net, first, courses)
     progress("stable states")
     search = find_stable_states(net, [rest.shape for _, rest, _ in rests], tries=_TRIES)
@@ -99,7 +99,7 @@ def _settled(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
     )
 
 
-def _courses(structure: Structure, net: Net, first: NetRest) -> tuple[tuple[Course, ...], tuple[str, ...]]:
+def _all_courses(structure: Structure, net: Net, first: NetRest) -> tuple[tuple[Course, ...], tuple[str, ...]]:
     """Return the courses of transitions, one after another, then of all other drives, and why some are missing."""
     courses, refused = _transition_courses(structure, net, first)
     driven = {drive_of(structure, transition.drive).name for transition in structure.transitions}
@@ -144,12 +144,12 @@ def _rests(
         for transition in structure.transitions
         if transition.name in by_name
     ]
-    found = []
+    result = []
     for name, rest in places:
         state = state_of(structure, name)
         within = state is None or short_of(structure, net, goal_of(structure, state.goal), rest.shape) <= 0
-        found.append((name if within or state is None else state.missed, rest, within))
-    return tuple(found)
+        result.append((name if within or state is None else state.missed, rest, within))
+    return tuple(result)
 
 
 def _landscape_rests(structure: Structure, net: Net, found: Sequence[tuple[str, NetRest, bool]]) -> tuple[Rest, ...]:
@@ -161,7 +161,7 @@ def _landscape_rests(structure: Structure, net: Net, found: Sequence[tuple[str, 
             Rest(
                 name=name,
                 angles=angles,
-                energy=known(net, rest.energy),
+                energy=rounded_energy(net, rest.energy),
                 stored=stored_parts(structure, net, rest.shape),
                 stable=rest.stable,
                 within=within,
@@ -181,13 +181,13 @@ def _states(
 ) -> list[NetState]:
     """Return the listed states: those of the protocol, and the lowest others in which no panels cross."""
     triangles, states, others = panels(structure), list[NetState](), 0
-    for rest, found in zip(search.states, search.counts, strict=True):
+    for rest, result in zip(search.states, search.counts, strict=True):
         name = _name(net, rest, rests)
         others += not name
-        if name or (others <= _SHOWN and not panels_pass(net, rest.shape, triangles)):
+        if name or (others <= _SHOWN and not panels_cross(net, rest.shape, triangles)):
             label = name or f"state {len(states) + 1}"
             progress(f"loads that it withstands: {name}" if name else label)
-            states.append(net_state(structure, net, rest, label, found, loads=bool(name)))
+            states.append(net_state(structure, net, rest, label, result, loads=bool(name)))
     return states
 
 
@@ -206,34 +206,34 @@ def _passes(net: Net, states: Sequence[NetState]) -> tuple[Pass, ...]:
     """
     if len(states) < 2:
         return ()
-    apart = np.array([[_apart(one.rest.shape, other.rest.shape) for other in states] for one in states])
+    apart = np.array([[_shape_difference(one.rest.shape, other.rest.shape) for other in states] for one in states])
     tree = minimum_spanning_tree(np.triu(apart, 1)).tocoo()
-    found = dict[tuple[int, int], Pass]()
+    result = dict[tuple[int, int], Pass]()
     for start, end in sorted(zip(tree.row.tolist(), tree.col.tolist(), strict=True)):
         saddle = find_saddle(net, states[start].rest, states[end].rest, increments=_INCREMENTS, tries=_PATHS)
         if saddle is None:
             continue
-        one, other = (_number(net, states, rest) for rest in saddle.ends)
+        one, other = (_state_number(net, states, rest) for rest in saddle.ends)
         if one is not None and other is not None and one != other:
             barriers = saddle.barriers if one < other else saddle.barriers[::-1]
             ends = min(one, other), max(one, other)
-            found[ends] = Pass(ends=ends, barriers=barriers, energy=saddle.rest.energy, shape=saddle.rest.shape)
-    return tuple(found[ends] for ends in sorted(found))
+            result[ends] = Pass(ends=ends, barriers=barriers, energy=saddle.rest.energy, shape=saddle.rest.shape)
+    return tuple(result[ends] for ends in sorted(result))
 
 
-def _number(net: Net, states: Sequence[NetState], rest: NetRest) -> int | None:
+def _state_number(net: Net, states: Sequence[NetState], rest: NetRest) -> int | None:
     """Return the number of the state that an equilibrium belongs to; None if it is not listed."""
     same = (number for number, state in enumerate(states) if same_shape(net, state.rest.shape, rest.shape))
     return next(same, None)
 
 
-def _apart(one: NetShape, other: NetShape) -> float:
+def _shape_difference(one: NetShape, other: NetShape) -> float:
     """Return the difference of two shapes by all distances of nodes, which rigid-body motions do not change."""
     first, second = (np.linalg.norm(state.positions[:, None] - state.positions[None], axis=2) for state in (one, other))
     return float(np.linalg.norm(first - second)) + 1e-9 * float(np.linalg.norm(one.angles - other.angles))
 
 
-def _alone(count: int, passes: Sequence[Pass]) -> list[int]:
+def _unconnected_states(count: int, passes: Sequence[Pass]) -> list[int]:
     """Return the states that no chain of passes joins to the first."""
     if not count:
         return []
@@ -273,7 +273,7 @@ def _remarks(
         remarks.append("a part can move without any force: a crease has no spring, or a support is missing")
     remarks += [
         f'no saddles were found that connect "{states[number].name}" to the first state'
-        for number in _alone(len(states), passes)
+        for number in _unconnected_states(len(states), passes)
     ]
     for course in courses:
         if any(snap.kind != "limit" for snap in course.slow.snaps):

@@ -69,7 +69,7 @@ def net_of(structure: Structure) -> Net:
     )
 
 
-def places(net: Net, shape: NetShape) -> Array:
+def point_positions(net: Net, shape: NetShape) -> Array:
     """Return the positions of the structure's points, followed by those of joints, m, (point, 3)."""
     return np.asarray(net.points @ shape.positions)
 
@@ -125,11 +125,11 @@ def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> L
     stiffness = np.asarray(net.creases.law.stiffness)
     for motor, setting in zip(structure.motors, settings, strict=True):
         if motor.direction is not None:
-            ways = np.tile(setting * motor.direction, (len(motor.points), 1))
+            vectors = np.tile(setting * motor.direction, (len(motor.points), 1))
             if motor.kind == "force":
-                load.forces[:] += point_forces(net, np.array(motor.points), ways).forces
+                load.forces[:] += point_forces(net, np.array(motor.points), vectors).forces
             else:
-                np.add.at(load.displacements, list(motor.points), ways)
+                np.add.at(load.displacements, list(motor.points), vectors)
             continue
         hinges = np.array(motor.hinges, dtype=np.int64)
         gains = np.array(motor.gains) if motor.gains else np.ones(len(hinges))
@@ -138,7 +138,7 @@ def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> L
     return load
 
 
-class _Laid(NamedTuple):
+class _Frame(NamedTuple):
     """Frame of a net: nodes, points, creases between points, and bars that are far stiffer than all other parts."""
 
     nodes: Array
@@ -150,7 +150,7 @@ class _Laid(NamedTuple):
     stiff: tuple[list[float], list[float]]
 
 
-def _plates(structure: Structure) -> _Laid:
+def _plates(structure: Structure) -> _Frame:
     """Return the frame of plates: four nodes for every plate, and one for every point of the ground."""
     plates, rows = plate_nodes(structure), list[dict[int, float]]()
     ground = list[Array]()
@@ -185,7 +185,7 @@ def _plates(structure: Structure) -> _Laid:
     at_row, at_column, weights = zip(*entries, strict=True)
     mass = np.zeros((len(nodes), len(nodes)))
     mass[: len(plates.nodes), : len(plates.nodes)] = plates.mass
-    return _Laid(
+    return _Frame(
         nodes=nodes,
         free=free,
         masses=csr_array(mass),
@@ -196,7 +196,7 @@ def _plates(structure: Structure) -> _Laid:
     )
 
 
-def _nodes(structure: Structure) -> _Laid:
+def _nodes(structure: Structure) -> _Frame:
     """Return the frame of sliding points: a node for every point."""
     nodes = built_points(structure)
     free, masses = np.zeros(nodes.shape, dtype=np.bool_), np.zeros(len(nodes))
@@ -211,7 +211,7 @@ def _nodes(structure: Structure) -> _Laid:
         masses[number] = body.mass if point.body not in carried else 0.0
         carried.add(point.body)
     points = csr_array(eye_array(len(nodes)))
-    return _Laid(nodes, free, masses, points, crease_flaps(structure), [], ([], []))
+    return _Frame(nodes, free, masses, points, crease_flaps(structure), [], ([], []))
 
 
 def _pairs(pairs: list[tuple[int, int]]) -> Indices:

@@ -18,8 +18,8 @@ from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.minimum import NetRest
 from forficula.statics.net.modes import natural_modes
 from forficula.statics.net.net import Net, NetShape, Springs
-from forficula.statics.net.net_of import bends, motor_load, own_angles, panels, places
-from forficula.statics.net.passing import panels_pass
+from forficula.statics.net.net_of import bends, motor_load, own_angles, panels, point_positions
+from forficula.statics.net.panel_crossing import panels_cross
 from forficula.statics.net.rigidity import rigidity
 from forficula.structure import Measure, Motor, Structure, read_angles, springs_name
 
@@ -121,7 +121,7 @@ def net_state(structure: Structure, net: Net, rest: NetRest, name: str, found: i
     return NetState(
         name=name,
         rest=rest,
-        energy=known(net, rest.energy),
+        energy=rounded_energy(net, rest.energy),
         stored=stored_parts(structure, net, rest.shape),
         readings={measure.name: readings(structure, net, measure, rest.shape) for measure in structure.measures},
         frequencies=modes.frequencies[deforming],
@@ -130,8 +130,8 @@ def net_state(structure: Structure, net: Net, rest: NetRest, name: str, found: i
         strain=float(np.abs(strained.strains).max(initial=0.0)),
         stress=float(max(np.abs(by_area).max(initial=0.0), np.abs(strained.stresses).max(initial=0.0))),
         extension=float(strained.extensions.max(initial=0.0)),
-        withstands=tuple(_withstands(structure, net, rest)) if loads else (),
-        passing=panels_pass(net, rest.shape, panels(structure)),
+        withstands=tuple(_tried_loads(structure, net, rest)) if loads else (),
+        passing=panels_cross(net, rest.shape, panels(structure)),
         found=found,
     )
 
@@ -139,7 +139,7 @@ def net_state(structure: Structure, net: Net, rest: NetRest, name: str, found: i
 def readings(structure: Structure, net: Net, measure: Measure, shape: NetShape) -> Array:
     """Return the readings of a measure in a shape: rad for each of its hinges, or m, (coordinate,)."""
     if measure.points is not None:
-        one, other = places(net, shape)[list(measure.points)]
+        one, other = point_positions(net, shape)[list(measure.points)]
         return np.array([np.linalg.norm(other - one)])
     return read_angles(measure, own_angles(structure, shape))
 
@@ -156,10 +156,10 @@ def stored_parts(structure: Structure, net: Net, shape: NetShape) -> dict[str, f
         "membranes": (bool(structure.membranes), membranes),
         "weight": (bool(structure.gravity), weight),
     }
-    return {name: known(net, energy) for name, (present, energy) in parts.items() if present}
+    return {name: rounded_energy(net, energy) for name, (present, energy) in parts.items() if present}
 
 
-def known(net: Net, energy: float) -> float:
+def rounded_energy(net: Net, energy: float) -> float:
     """Return an energy, J; 0 if it is rounding relative to the energy of all creases and bars at a strain of 1."""
     springs = np.sum(net.springs.stiffness * net.springs.rest_length**2)
     scale = float(np.sum(net.creases.law.stiffness)) + float(springs)
@@ -170,8 +170,8 @@ def mobility(structure: Structure, net: Net, shape: NetShape) -> Mobility | None
     """Count mechanisms and states of self-stress with flat panels; None for a net that is too large, or of plates."""
     if np.count_nonzero(net.free) > _LARGEST or structure.plates:
         return None
-    found = rigidity(_unstretched(net), shape, bends(structure))
-    return Mobility(degrees_of_freedom=found.degrees_of_freedom, self_stresses=found.self_stresses)
+    result = rigidity(_unstretched(net), shape, bends(structure))
+    return Mobility(degrees_of_freedom=result.degrees_of_freedom, self_stresses=result.self_stresses)
 
 
 def _unstretched(net: Net) -> Net:
@@ -180,23 +180,23 @@ def _unstretched(net: Net) -> Net:
         return net
     corners = net.membranes.points
     ends = np.unique(np.sort(np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])), axis=0)
-    places = net.points @ net.nodes
-    length = np.linalg.norm(places[ends[:, 1]] - places[ends[:, 0]], axis=1)
+    point_positions = net.points @ net.nodes
+    length = np.linalg.norm(point_positions[ends[:, 1]] - point_positions[ends[:, 0]], axis=1)
     springs = Springs(points=ends, stiffness=np.ones(len(ends)), rest_length=length)
     return replace(net, springs=springs, membranes=None)
 
 
-def _withstands(structure: Structure, net: Net, rest: NetRest) -> list[Withstood]:
+def _tried_loads(structure: Structure, net: Net, rest: NetRest) -> list[Withstood]:
     """Return every load that is tried, without those that would move the net as a rigid body."""
-    found = []
+    result = []
     for words, unit, load in _loads(structure, net, rest.shape):
-        lost = _lost(net, rest, load)
+        lost = _loss_under(net, rest, load)
         if lost is not None:
-            found.append(Withstood(load=words, unit=unit, value=float(lost.factor), kind=lost.kind))
-    return found
+            result.append(Withstood(load=words, unit=unit, value=float(lost.factor), kind=lost.kind))
+    return result
 
 
-def _lost(net: Net, rest: NetRest, load: Load) -> Collapse | None:
+def _loss_under(net: Net, rest: NetRest, load: Load) -> Collapse | None:
     """Find the loss of a state under a load; None for a rigid-body motion, and if no path is found."""
 
     def strained(point: PathPoint) -> bool:

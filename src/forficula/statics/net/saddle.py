@@ -75,7 +75,7 @@ def find_saddle(
     random, other = np.random.default_rng(seed), None
     for number in range(tries):
         start, end = (first, second) if number % 2 == 0 else (second, first)
-        towards = _towards(net, start, end) if load is None else load
+        towards = _load_towards(net, start, end) if load is None else load
         if load is not None and number % 2:
             towards = Load(forces=-load.forces, torques=-load.torques, displacements=-load.displacements)
         if number > 1:
@@ -84,14 +84,14 @@ def find_saddle(
         path = load_path(net, start.shape, towards, step=step, increments=increments, target=0.0)
         if path.ended != "target":
             continue
-        found = _saddle_at(net, path, first, second)
-        if found is not None and found.joins:
-            return found
-        other = other or found
+        result = _saddle_at(net, path, first, second)
+        if result is not None and result.joins:
+            return result
+        other = other or result
     return other
 
 
-def _towards(net: Net, start: NetRest, end: NetRest) -> Load:
+def _load_towards(net: Net, start: NetRest, end: NetRest) -> Load:
     turned = np.asarray(net.creases.law.stiffness) * (end.shape.angles - start.shape.angles)
     if np.any(turned):
         return replace(no_load(net), torques=turned)

@@ -110,7 +110,7 @@ def slow_path(
             rising=end > begin,
         )
         stopped = stops(path.points[-1].shape)
-        path = path if stopped or not path.events else _up_to(path)
+        path = path if stopped or not path.events else _up_to_event(path)
         paths.append(path)
         if stopped or not path.events:
             ended = "stop" if stopped else "target" if path.ended == "target" else "lost"
@@ -127,7 +127,7 @@ def slow_path(
     return SlowPath(paths=tuple(paths), snaps=tuple(snaps), ended=ended)
 
 
-def _up_to(path: LoadPath) -> LoadPath:
+def _up_to_event(path: LoadPath) -> LoadPath:
     """Return a path up to its first event."""
     event = path.events[0]
     points = (*path.points[: event.after + 1], event.point)

@@ -61,7 +61,7 @@ def find_stable_states(net: Net, starts: Sequence[NetShape], *, tries: int = 40,
         else:
             origin = states[random.integers(len(states))].shape if states else last
             folds = len(net.creases.points) and (number - len(starts)) % 2
-            begin = _folded(net, origin, random) if folds else _pushed(net, origin, random)
+            begin = _folded(net, origin, random) if folds else _random_push(net, origin, random)
         rest = minimum(net, begin)
         if not rest.stable:
             failed, last = failed + 1, rest.shape
@@ -86,13 +86,13 @@ def same_shape(net: Net, one: NetShape, other: NetShape) -> bool:
     """Return whether two shapes are equal; for a net without supports and weight, up to a rigid-body motion."""
     places = one.positions
     if not net.gravity and loose_motions(net).shape[2] == 6:
-        places = _laid_on(places, other.positions)
+        places = _aligned(places, other.positions)
     apart = np.abs(places - other.positions).max()
     turned = np.abs(one.angles - other.angles).max(initial=0.0)
     return bool(apart <= _SAME * net.size and turned <= _SAME_ANGLE)
 
 
-def _laid_on(places: Array, others: Array) -> Array:
+def _aligned(places: Array, others: Array) -> Array:
     """Return positions after the rigid-body motion with the least sum of squared distances (Kabsch 1976)."""
     centred, target = places - places.mean(axis=0), others - others.mean(axis=0)
     left, _, right = np.linalg.svd(centred.T @ target)
@@ -100,7 +100,7 @@ def _laid_on(places: Array, others: Array) -> Array:
     return np.asarray(centred @ left @ proper @ right + others.mean(axis=0))
 
 
-def _pushed(net: Net, shape: NetShape, random: np.random.Generator) -> NetShape:
+def _random_push(net: Net, shape: NetShape, random: np.random.Generator) -> NetShape:
     held, _ = supported(net)
     curvature = expand(held, shape).free
     stiffness, modes = softest(curvature, _SOFT)

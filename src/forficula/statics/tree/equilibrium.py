@@ -101,7 +101,7 @@ def descend(
             step, held = step[going], held[going]
         tried, free = np.clip(at + step, least, most), ~held
         new_value, new_slope, new_curvature = energy(tried, moving)
-        better = _better(new_value, new_slope * free, value[rows], down * free)
+        better = _improves(new_value, new_slope * free, value[rows], down * free)
         wider = np.minimum(2 * radius[rows], longest_step)
         narrower = np.minimum(radius[rows], _lengths(step)) / 4
         radius[rows] = np.where(better, wider, narrower)
@@ -116,7 +116,7 @@ def descend(
     return Equilibria(position=position, energy=value, slope=slope, stiffness=stiffness, rests=rests)
 
 
-def _better(new_value: Array, new_slope: Array, value: Array, slope: Array) -> Flags:
+def _improves(new_value: Array, new_slope: Array, value: Array, slope: Array) -> Flags:
     """Return whether the energy falls, (case,); if it is equal within rounding, whether the slope falls."""
     flatter = _lengths(new_slope) < _lengths(slope)
     return np.asarray((new_value < value) | ((new_value <= value + _ROUNDING * np.abs(value)) & flatter))
@@ -154,14 +154,14 @@ def _free_step(room: tuple[Array, Array], down: Array, curvature: Array, radius:
     """Compute the step of `_step_within` if every coordinate can move in some case."""
     to_bound = np.where(down < 0, *room)
     held = (down != 0) & (np.abs(to_bound) <= _NEAR * radius[:, None])
-    values, axes = np.linalg.eigh(_without(curvature, held))
+    values, axes = np.linalg.eigh(_free_hessian(curvature, held))
     # in Fortran order, because the last bits depend on the order in memory
     free = _trusted_step(np.asfortranarray(np.where(held, 0.0, down)), values, axes, radius)
     step = np.minimum(np.maximum(np.where(held, to_bound, free), room[0]), room[1])
     return step, held, np.where(held.all(axis=1), np.inf, values[:, 0])
 
 
-def _without(curvature: Array, held: Flags) -> Array:
+def _free_hessian(curvature: Array, held: Flags) -> Array:
     """Return the Hessian of the free coordinates; held ones are decoupled and get the largest stiffness of all."""
     if not held.any():
         return curvature

@@ -150,19 +150,19 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
     many = structures.repeated(len(pleat))
     start = np.zeros((len(pleat), many.size))
     start[:, turns], start[:, folds] = pleat[:, None] / 2, -ring[:, None]
-    found = _least_stretched(many, start, fold)
-    sheet, on_sheet, _ = sheet_energy(many.sheet, found.position)
+    result = _least_stretched(many, start, fold)
+    sheet, on_sheet, _ = sheet_energy(many.sheet, result.position)
     # the slope of the least energy equals that with the undetermined hinges held (envelope theorem)
-    of_tendons = (on_sheet - found.slope)[:, folds].sum(axis=1) * fold_slope
-    slope = of_tendons + found.slope[:, turns].sum(axis=1) / 2 - on_sheet[:, folds].sum(axis=1) * fold_slope
-    curve = scipy.interpolate.CubicHermiteSpline(pleat, found.energy, slope)
+    of_tendons = (on_sheet - result.slope)[:, folds].sum(axis=1) * fold_slope
+    slope = of_tendons + result.slope[:, turns].sum(axis=1) / 2 - on_sheet[:, folds].sum(axis=1) * fold_slope
+    curve = scipy.interpolate.CubicHermiteSpline(pleat, result.energy, slope)
     by_angle = curve.derivative()
     quiet = _quiet_moment(structures.structure, fold, of_tendons, fold_slope)
     return FoldPath(
         pleat_angle=pleat,
         ring_angle=ring,
-        angles=found.position,
-        tendon_energy=found.energy - sheet,
+        angles=result.position,
+        tendon_energy=result.energy - sheet,
         sheet_energy=sheet,
         moment=-slope,
         fold_slope=fold_slope,
@@ -229,26 +229,26 @@ def _least_stretched(structures: Ensemble, start: Array, fold: RigidFold) -> Equ
     lowest energy is kept, so that the path does not jump between equilibria.
     """
     fixed = [*fold.turns, *fold.folds]
-    found = rest(structures, start, fixed=fixed)
+    result = rest(structures, start, fixed=fixed)
     free = np.delete(np.arange(structures.size), fixed)
     for _ in range(_PASSES):
         lowered = False
         for shift in (1, -1):
             shifted = start.copy()
-            shifted[:, free] = np.roll(found.position, shift, axis=0)[:, free]
-            shifted[0 if shift > 0 else -1] = found.position[0 if shift > 0 else -1]
+            shifted[:, free] = np.roll(result.position, shift, axis=0)[:, free]
+            shifted[0 if shift > 0 else -1] = result.position[0 if shift > 0 else -1]
             other = rest(structures, shifted, fixed=fixed)
-            lower = other.energy < found.energy - _ROUNDING * np.abs(found.energy).max()
+            lower = other.energy < result.energy - _ROUNDING * np.abs(result.energy).max()
             lowered |= bool(lower.any())
-            found = replace(
-                found,
-                position=np.where(lower[:, None], other.position, found.position),
-                energy=np.where(lower, other.energy, found.energy),
-                slope=np.where(lower[:, None], other.slope, found.slope),
+            result = replace(
+                result,
+                position=np.where(lower[:, None], other.position, result.position),
+                energy=np.where(lower, other.energy, result.energy),
+                slope=np.where(lower[:, None], other.slope, result.slope),
             )
         if not lowered:
             break
-    return found
+    return result
 
 
 def _quiet_moment(structure: Structure, fold: RigidFold, of_tendons: Array, fold_slope: Array) -> Array:

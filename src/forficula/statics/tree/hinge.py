@@ -70,7 +70,7 @@ class TendonHinge:
                 raise InputError(f"{name}: need >= {math.degrees(least):g} deg and <= 180 deg, got {wrong:g} deg")
 
     @cached_property
-    def _arms(self) -> tuple[Any, Any, Any]:
+    def _arm_terms(self) -> tuple[Any, Any, Any]:
         """Return the product of the arms, m^2, and two lengths for the tendon's length from half the angle, m."""
         product = self.proximal_arm * self.distal_arm
         return product, np.hypot(self.axial_offset, self.proximal_arm - self.distal_arm), 2 * np.sqrt(product)
@@ -161,7 +161,7 @@ class TendonHinge:
     def expansion(self, angle: ArrayLike) -> tuple[Array, Array, Array]:
         """Return energy, moment and stiffness at once, in the shape of `angle` (rad)."""
         half_sine, half_cosine = _half_angle(np.asarray(angle, dtype=np.float64) + self.offset_angle)
-        product, shortest, longest = self._arms
+        product, shortest, longest = self._arm_terms
         length = np.asarray(np.hypot(shortest, longest * half_cosine))
         lever = _divide(2 * product * half_sine * half_cosine, length)
         energy, force, slope = self.law.expansion(length)

@@ -180,10 +180,10 @@ def hinge_landscape(
     """
     angle = special_angles(hinge, points)
     path = _Path(hinge=hinge, spring=spring)
-    found = _places(path)
-    stable = [place for place in found if place.stable]
-    top = _top_of(found)
-    climbed = top is not None and top is not found[0]
+    result = _places(path)
+    stable = [place for place in result if place.stable]
+    top = _first_maximum(result)
+    climbed = top is not None and top is not result[0]
     slack = slack_angle(hinge)
     return HingeLandscape(
         hinge=hinge,
@@ -192,8 +192,8 @@ def hinge_landscape(
         moment=hinge.moment(angle),
         barrier=top.energy - stable[0].energy if top is not None and climbed else None,
         barrier_angle=0.0 - top.coordinate if top is not None and climbed else None,
-        holding_torque=_holding_torque(hinge, found[0]),
-        peak_opening=_peak(path, top, found),
+        holding_torque=_holding_torque(hinge, result[0]),
+        peak_opening=_peak(path, top, result),
         slack_angle=slack,
         states=tuple(_hinge_state(hinge, place) for place in stable),
         time_scale=None if spring is not None else time_scale(hinge),
@@ -247,7 +247,7 @@ def _places(path: _Path) -> tuple[PathState, ...]:
     return states_along(path, folds, force=_ROUNDING * largest, wide=0.0)
 
 
-def _top_of(found: tuple[PathState, ...]) -> PathState | None:
+def _first_maximum(found: tuple[PathState, ...]) -> PathState | None:
     """Return the first maximum that a hinge climbs to; else the one at its start, if its overbend is 0."""
     tops = [place for place in found if not place.stable]
     return next((top for top in tops if top is not found[0]), next(iter(tops), None))
@@ -329,7 +329,7 @@ def crossed_hinges(structure: Structure, points: int = 181) -> tuple[CrossedHing
     def survey(hinge: TendonHinge, spring: HingeSpring | None) -> HingeLandscape:
         return hinge_landscape(hinge, points, overbend=structure.appearance.overbend, spring=spring)
 
-    found = []
+    result = []
     for number, tendon in enumerate(structure.tendons):
         if tendon.crossing is None:
             continue
@@ -338,8 +338,8 @@ def crossed_hinges(structure: Structure, points: int = 181) -> tuple[CrossedHing
         if crossed.stiffness:
             spring = HingeSpring(stiffness=crossed.stiffness, rest_angle=own.sense * crossed.rest_angle)
         ideal = None if tendon.ideal is None else survey(tendon_hinge(structure, tendon, tendon.ideal), spring)
-        found.append(CrossedHinge(tendon=number, hinge=tendon.crossing.hinge, own=survey(own, spring), ideal=ideal))
-    return tuple(found)
+        result.append(CrossedHinge(tendon=number, hinge=tendon.crossing.hinge, own=survey(own, spring), ideal=ideal))
+    return tuple(result)
 
 
 def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: str = "overbend") -> tuple[str, ...]:
@@ -351,7 +351,7 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: 
         overbend: name of the overbend in sentences.
     """
     if not hinge.pulls:
-        return (_why_no_pull(hinge, "nothing moves the hinge, and there is no barrier"),)
+        return (_slack_remark(hinge, "nothing moves the hinge, and there is no barrier"),)
     remarks = []
     # sentences show angles in the hinge's own sense
     sense, offset, limit = hinge.sense, hinge.offset_angle, hinge.fold_limit
@@ -399,7 +399,7 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: 
 
 def _spring_remarks(hinge: TendonHinge, stable: list[PathState], slack: float | None) -> tuple[str, ...]:
     if not hinge.pulls:
-        return (_why_no_pull(hinge, "only the spring of the hinge moves it, and there is no barrier"),)
+        return (_slack_remark(hinge, "only the spring of the hinge moves it, and there is no barrier"),)
     remarks = []
     if len(stable) == 1:
         remarks.append(
@@ -415,7 +415,7 @@ def _spring_remarks(hinge: TendonHinge, stable: list[PathState], slack: float | 
     return tuple(remarks)
 
 
-def _why_no_pull(hinge: TendonHinge, then: str) -> str:
+def _slack_remark(hinge: TendonHinge, then: str) -> str:
     """Return a sentence on why a tendon is slack at every angle, and its consequence."""
     law, longest = hinge.law, float(hinge.length_from_top(hinge.nearest))
     if law.rest_length < longest:

@@ -35,7 +35,7 @@ class Lines:
 
     def only(self, cases: Indices) -> Lines:
         """Select cases by index; repeats are allowed."""
-        return replace(self, law=_numbers_of(self.law, cases))
+        return replace(self, law=_selected_law(self.law, cases))
 
 
 def lines_of(structures: Sequence[Structure], tree: Tree) -> Lines | None:
@@ -99,7 +99,7 @@ def line_energy(lines: Lines, angles: Array) -> Expansion:
         Energy, J, (case,); gradient, N m, (case, hinge), and Hessian, N m/rad, (case, hinge, hinge), by the angles.
     """
     laws = [
-        partial(_pulled, _numbers_of(lines.law, (slice(None), group.pieces)), lines.shortest[group.pieces])
+        partial(_pulled, _selected_law(lines.law, (slice(None), group.pieces)), lines.shortest[group.pieces])
         for group in lines.laid.groups
     ]
     return stretched(lines.laid, angles, laws)
@@ -118,7 +118,7 @@ def _pulled(law: ElasticLaw, shortest: Array, sides: Array) -> Expansion:
     return stored.sum(axis=1), (force[..., None] * along)[:, :, None], stiffness[:, :, None]
 
 
-def _numbers_of(law: ElasticLaw, which: Any) -> ElasticLaw:
+def _selected_law(law: ElasticLaw, which: Any) -> ElasticLaw:
     parts: Any = {name: getattr(law, name)[which] for name in ("rest_length", "linear", "quadratic", "cubic")}
     return ElasticLaw(**parts)
 

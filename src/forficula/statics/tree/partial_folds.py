@@ -23,7 +23,7 @@ from forficula.structure import Structure, hinges_between
 _EVERY_COMBINATION = 5
 # angle past straight at which a hinge starts, so that its tendon pulls it on as far as neighbours and limits allow
 _START = math.radians(30)
-_WAYS = 45  # positions on the path of one hinge, including straight
+_POSITIONS = 45  # positions on the path of one hinge, including straight
 _FINE = 721  # number of angles in the search for the maximum of one hinge
 _ROUNDING = 1e-6  # of the stiffness of the stiffest part
 
@@ -102,18 +102,18 @@ def single_hinge_barriers(structures: Ensemble, flat: Array) -> Array:
     count = len(folding)
     if not count:
         return np.zeros(0)
-    many = structures.repeated(count * _WAYS)
-    start = np.tile(flat, (count * _WAYS, 1))
+    many = structures.repeated(count * _POSITIONS)
+    start = np.tile(flat, (count * _POSITIONS, 1))
     held = np.zeros(start.shape, dtype=bool)
     places = _places(structures, folding, flat[0])
     for number, hinge in enumerate(folding):
-        rows = slice(number * _WAYS, (number + 1) * _WAYS)
-        way = np.linspace(flat[0, hinge], places.folded[number], _WAYS - 1)
-        start[rows, hinge] = np.append(way, places.top[number])
+        rows = slice(number * _POSITIONS, (number + 1) * _POSITIONS)
+        steps = np.linspace(flat[0, hinge], places.folded[number], _POSITIONS - 1)
+        start[rows, hinge] = np.append(steps, places.top[number])
         held[rows, hinge] = True
-    energy = rest(many, start, held=held).energy.reshape(count, _WAYS)
+    energy = rest(many, start, held=held).energy.reshape(count, _POSITIONS)
     level = potential(structures.repeated(1), flat)[0][0]
-    rises = places.shared & (energy[:, :-1].argmax(axis=1) == _WAYS - 2)
+    rises = places.shared & (energy[:, :-1].argmax(axis=1) == _POSITIONS - 2)
     folds = ~rises & (~places.shared | (places.senses * (flat[0, list(folding)] - places.top) >= 0))
     return np.where(folds, np.maximum(0.0, energy.max(axis=1) - level), np.nan)
 
@@ -209,19 +209,19 @@ def partial_folds(structures: Ensemble, flat: Array) -> tuple[PartialFold, ...]:
     for row, folded in enumerate(combinations):
         start[row, folding] = np.where(np.isin(np.arange(len(folding)), folded), places.folded, places.opened)
     aimed = rest(many, start, fixed=folding.tolist()).position
-    found = rest(many, aimed)
-    sheet, _, _ = sheet_energy(many.sheet, found.position)
+    result = rest(many, aimed)
+    sheet, _, _ = sheet_energy(many.sheet, result.position)
     soft, states, independent = soft_stiffness(structures), [], _independent(structures.structure, folding.tolist())
     for row, folded in enumerate(combinations):
-        angles = found.position[row, folding]
+        angles = result.position[row, folding]
         stays = tuple(np.flatnonzero(places.senses * (angles - places.top) < 0).tolist())
         states.append(
             PartialFold(
                 folded=folded,
-                stable=bool(found.rests[row] and found.stiffness[row] > -soft) and stays == folded,
+                stable=bool(result.rests[row] and result.stiffness[row] > -soft) and stays == folded,
                 stays_folded=stays,
                 angles=angles,
-                tendon_energy=float(found.energy[row] - sheet[row]),
+                tendon_energy=float(result.energy[row] - sheet[row]),
                 sheet_energy=float(sheet[row]),
                 independent_energy=None
                 if independent is None

@@ -160,7 +160,7 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
         Energy, J, (case,); gradient, N m, (case, hinge); Hessian, N m/rad, (case, hinge, hinge).
     """
     energy, slope, curvature = sheet_energy(structures.sheet, angles)
-    for part in _further(structures, angles):
+    for part in _optional_parts(structures, angles):
         energy, slope, curvature = energy + part[0], slope + part[1], curvature + part[2]
     tendons, crossing = structures.tendons, angles[:, structures.crossed]
     tendon_energy, moment, stiffness = tendons.expansion(crossing)
@@ -209,7 +209,7 @@ def stored_energy(structures: Ensemble, angles: Array) -> dict[str, Array]:
     return parts
 
 
-def _further(structures: Ensemble, angles: Array) -> list[Expansion]:
+def _optional_parts(structures: Ensemble, angles: Array) -> list[Expansion]:
     """Compute the optional parts of the potential: tendons across several hinges, couplings, and weight."""
     parts = [] if structures.lines is None else [line_energy(structures.lines, angles)]
     if structures.twists is not None:
@@ -270,9 +270,9 @@ def rest(
         if follow is not None:
             follow(cases, ties.angles(coordinates))
 
-    found = descend(tied_energy, ties.start(start), *ties.bounds(lower, upper), follow=follow_tied, **steps)
-    position = ties.angles(found.position)
-    return replace(found, position=position, slope=energy(position, np.arange(count))[1])
+    result = descend(tied_energy, ties.start(start), *ties.bounds(lower, upper), follow=follow_tied, **steps)
+    position = ties.angles(result.position)
+    return replace(result, position=position, slope=energy(position, np.arange(count))[1])
 
 
 def torque_scale(structures: Ensemble) -> float:

@@ -164,7 +164,7 @@ def slow_transition(structures: Ensemble, start: Array, transition: Transition, 
         left = np.flatnonzero(np.isnan(least))
         if not len(left):
             break
-        position[left] = _pushed(structures, left, position[left], drive, np.full(len(left), torque))
+        position[left] = _pushed_rest(structures, left, position[left], drive, np.full(len(left), torque))
         least[left[at_goal(structures, position[left], goal)]] = max(torque, steps[0])
     return SlowTransition(torque=least, position=position)
 
@@ -214,8 +214,8 @@ def least_slow_torque(
         if not len(left):
             return SlowTransition(torque=least, position=position, paths=() if record is None else record.paths())
         tried = np.minimum(torque[left] + step[left], most[left])
-        found = _pushed(structures, left, position[left], drive, tried, within=_NEAR)
-        leaves = np.abs(found - position[left]).max(axis=1) > 0.99 * _NEAR
+        result = _pushed_rest(structures, left, position[left], drive, tried, within=_NEAR)
+        leaves = np.abs(result - position[left]).max(axis=1) > 0.99 * _NEAR
         fine = step[left] <= np.maximum(_ACCURACY * tried, _FIRST_STEP * most[left])
         snaps = leaves & fine
         if snaps.any():
@@ -225,15 +225,15 @@ def least_slow_torque(
                 shift = random.standard_normal(start.shape)[snapping] * kicks[snapping, None]
                 begins = np.clip(begins + shift, structures.lower, structures.upper)
             for case, snap_torque, path in _snapped(structures, snapping, begins, drive, tried[snaps]):
-                found[left == case] = path[-1]
+                result[left == case] = path[-1]
                 if record is not None:
                     record.add_snap(case, snap_torque, path)
-        reached = at_goal(structures, found, goal)
+        reached = at_goal(structures, result, goal)
         kept = snaps | ~(leaves | reached & ~fine)
-        torque[left[kept]], position[left[kept]] = tried[kept], found[kept]
+        torque[left[kept]], position[left[kept]] = tried[kept], result[kept]
         if record is not None:
             for row in np.flatnonzero(kept & ~snaps).tolist():
-                record.add(int(left[row]), tried[row], found[row])
+                record.add(int(left[row]), tried[row], result[row])
         arrived = kept & reached
         least[left[arrived]] = tried[arrived]
         step[left] *= np.where(snaps, 1.0, np.where(kept, 2.0, 0.5))
@@ -287,7 +287,7 @@ def _snapped(
     ]
 
 
-def _pushed(
+def _pushed_rest(
     structures: Ensemble,
     cases: Indices,
     start: Array,

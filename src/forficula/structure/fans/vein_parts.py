@@ -12,10 +12,10 @@ from forficula.arrays import Array
 from forficula.design import FanDesign, JointDesign, TendonSection, tendon_law
 from forficula.errors import InputError
 from forficula.pattern import vein_roles
-from forficula.structure.course import Measure
 from forficula.structure.fans.crossing import bar_crossing, sine_between
 from forficula.structure.fans.vein import Vein, attachments
 from forficula.structure.mass import end_inertia, turned_inertia
+from forficula.structure.motors_and_measures import Measure
 from forficula.structure.parts import GROUND, Bar, Body, Crossing, Hinge, Point, PointMass, Stops, Tendon
 from forficula.structure.structure import Structure
 

@@ -15,11 +15,11 @@ from forficula.design.places import margin_edge, row_bars
 from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, ring_directions, vein_gaps, vein_roles
 from forficula.quantities import show_value
 from forficula.structure.appearance import Appearance
-from forficula.structure.course import RigidFold
 from forficula.structure.fans.fan_masses import fan_masses, fan_panels
 from forficula.structure.fans.vein import Vein, panel_lines
 from forficula.structure.fans.vein_parts import bare_veins
 from forficula.structure.medium import immersed
+from forficula.structure.motors_and_measures import RigidFold
 from forficula.structure.parts import Contact, Hinge, LengthLimit, Membrane, MembraneLaw, Stops, Surface
 from forficula.structure.protocol import with_protocol
 from forficula.structure.sheets.couplings import vein_couplings

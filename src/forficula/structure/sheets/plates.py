@@ -10,8 +10,8 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.design import SheetDesign
 from forficula.design.sheets.crease_values import creases_by_edge
-from forficula.design.sheets.sheet_course import places_of
 from forficula.design.sheets.sheet_creases import crease_sense
+from forficula.design.sheets.sheet_drives import places_of
 from forficula.design.sheets.sheet_places import SheetPlace, place_on
 from forficula.pattern import CreasePattern, FacetLink, facet_tree, triangulated
 from forficula.pattern.crease_pattern import is_unfolded
@@ -21,7 +21,7 @@ from forficula.structure.appearance import Appearance
 from forficula.structure.fans.crossing import tendon_crossing
 from forficula.structure.medium import facet_panels, immersed
 from forficula.structure.parts import GROUND, Body, Closure, Hinge, Panel, Point, Spring, Stops
-from forficula.structure.protocol import pushed_name, with_protocol
+from forficula.structure.protocol import force_point_name, with_protocol
 from forficula.structure.sheets.facet_plates import AddPoint, corner_name, facet_plates, largest_mass, plate_tendons
 from forficula.structure.sheets.sheet_hinge import sheet_hinge
 from forficula.structure.sheets.sheet_measures import sheet_measures
@@ -62,7 +62,7 @@ def plate_structure(design: SheetDesign) -> Structure:
     measures = sheet_measures(design, hinges, lambda name, text, _: add(name, "measured", place_on(pattern, text)))
     for drive in design.drive:
         for place, text in enumerate(places_of(drive)):
-            add(pushed_name(drive.name, place), "pushed", place_on(pattern, text))
+            add(force_point_name(drive.name, place), "pushed", place_on(pattern, text))
     structure = Structure(
         name=design.name,
         stops=Stops(time_constant=design.stops.time_constant, damping_ratio=design.stops.damping_ratio),

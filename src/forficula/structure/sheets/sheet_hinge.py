@@ -7,7 +7,7 @@ import math
 from forficula.design import SheetDesign
 from forficula.design.sheets.crease_values import rest_angle, stops
 from forficula.design.sheets.sheet_creases import crease_role, crease_sense
-from forficula.design.sheets.sheet_parts import Crease
+from forficula.design.sheets.sheet_sections import Crease
 from forficula.pattern import CreasePattern
 from forficula.structure.parts import Hinge
 

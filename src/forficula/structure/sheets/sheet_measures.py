@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from forficula.design import SheetDesign
 from forficula.design.sheets.sheet_creases import creases_of
-from forficula.structure.course import Measure
+from forficula.structure.motors_and_measures import Measure
 from forficula.structure.parts import Hinge
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from forficula.arrays import Flags, Indices
 from forficula.design import SheetDesign
-from forficula.design.sheets.sheet_course import places_of
+from forficula.design.sheets.sheet_drives import places_of
 from forficula.design.sheets.sheet_places import GROUND_PLACE, as_place, facet_of, is_vertex, place_on, vertex_of
 from forficula.pattern import CreasePattern, triangulated
 from forficula.pattern.added_vertices import with_vertices

@@ -143,7 +143,7 @@ class Assumptions(Result):
         unknown = sum(run.effect is Effect.UNKNOWN for run in self.runs)
         tried = counted(len(self.runs), "changed assumption")
         rest = f"; {unknown} of {len(self.runs)} changes have no reliable result" if unknown else ""
-        if not self.own.verdict.tells:
+        if not self.own.verdict.conclusive:
             return f"{self.own.status}, so no assumption can be compared with this result"
         if not self.deciding:
             return f"{self.own.word}; none of {tried} changes the verdict{rest}"
@@ -273,7 +273,7 @@ def effect_of(run: AssumptionRun, own: AssumptionRun, uncertainty: Mapping[str, 
         own: run of the unchanged design.
         uncertainty: see `Assumptions`.
     """
-    if not (run.verdict.tells and own.verdict.tells):
+    if not (run.verdict.conclusive and own.verdict.conclusive):
         return Effect.UNKNOWN
     if (run.verdict, run.goal) != (own.verdict, own.goal):
         return Effect.VERDICT
@@ -338,7 +338,7 @@ def _reliable(records: dict[str, Record], counting: _Counting) -> dict[str, tupl
     """Return outcomes and records by name. Runs without a conclusive verdict are repeated at shorter timesteps."""
     outcomes = {name: (measure(record), record) for name, record in records.items()}
     for _ in range(_REPEATS):
-        inconclusive = {name: record for name, (outcome, record) in outcomes.items() if not outcome.verdict.tells}
+        inconclusive = {name: record for name, (outcome, record) in outcomes.items() if not outcome.verdict.conclusive}
         shorter = {
             name: put(record.design, "protocol.timestep", float(record.design.protocol.timestep) / _SHORTER)
             for name, record in inconclusive.items()
@@ -353,13 +353,13 @@ def _confirmed(
     outcomes: Mapping[str, tuple[Outcome, Record]], own: Outcome, counting: _Counting
 ) -> dict[str, tuple[Outcome, Record]]:
     """Return the same outcomes, with changed verdicts checked by a run at half the timestep."""
-    if not own.verdict.tells:
+    if not own.verdict.conclusive:
         return dict(outcomes)
     ending = (own.verdict, own.ending.goal)
     halves = {
         name: half_step(record.design)
         for name, (outcome, record) in outcomes.items()
-        if name not in _CHECKS and outcome.verdict.tells and (outcome.verdict, outcome.ending.goal) != ending
+        if name not in _CHECKS and outcome.verdict.conclusive and (outcome.verdict, outcome.ending.goal) != ending
     }
     checked = dict(outcomes)
     for name, half in (counting.run(halves) if halves else {}).items():

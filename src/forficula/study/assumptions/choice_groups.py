@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
 from forficula.study.assumptions.choices import CHOICE
-from forficula.study.tables.outcome_kinds import asked_transitions, did_all
+from forficula.study.tables.outcome_kinds import reached_all, studied_transitions
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -43,12 +43,12 @@ def choice_groups(table: Dataset) -> list[ChoiceGroup]:
     return groups
 
 
-def did_first(table: Dataset) -> DataArray:
+def reached_first(table: Dataset) -> DataArray:
     """Return whether the first transition succeeds at each point, with any value if values were searched.
 
     Without a transition: whether the run reached its end.
     """
-    if not (transitions := asked_transitions(table)):
+    if not (transitions := studied_transitions(table)):
         return table["verdict"] == str(Verdict.REACHED)
     first = transitions[0]
     # without a least value because a smaller value gave an unreliable run, the transition may still have succeeded
@@ -60,18 +60,18 @@ def did_first(table: Dataset) -> DataArray:
 
 def count_first(table: Dataset) -> NDArray[np.int_]:
     """Return the number of grid points at which the first transition succeeds, for each choice, shape (choices,)."""
-    return _count(did_first(table))
+    return _count(reached_first(table))
 
 
 def count_all(table: Dataset) -> NDArray[np.int_] | None:
     """Return the number of grid points at which all transitions succeed, shape (choices,); None if not studied."""
-    transitions = asked_transitions(table)
+    transitions = studied_transitions(table)
     if len(transitions) < 2:
         return None
     last = transitions[-1]
     if last.least and last.least not in table:
         return None
-    return _count(table[last.least].notnull() if last.least else did_all(table, transitions))
+    return _count(table[last.least].notnull() if last.least else reached_all(table, transitions))
 
 
 def _count(done: DataArray) -> NDArray[np.int_]:
@@ -88,6 +88,6 @@ def count_unknown(table: Dataset) -> dict[str, NDArray[np.int_]]:
     """Return the number of grid points with an unknown outcome of the first transition, (choice,), by outcome."""
     shape = (table.sizes[CHOICE], -1)
     verdicts, words = (table[name].values.astype(str).reshape(shape) for name in ("verdict", "outcome"))
-    known = [verdict for verdict in Verdict if verdict.tells]
-    unknown = ~did_first(table).values.reshape(shape) & ~np.isin(verdicts, known)
+    known = [verdict for verdict in Verdict if verdict.conclusive]
+    unknown = ~reached_first(table).values.reshape(shape) & ~np.isin(verdicts, known)
     return {str(word): np.sum(unknown & (words == word), axis=1) for word in sorted(set(words[unknown]))}

@@ -92,8 +92,8 @@ class Convergence(Result):
         """Return the runs as a pandas table: value of the setting, SI, verdict, status, time of each transition, s."""
         pandas = pandas_module()
 
-        words = {"verdict": [each.value for each in self.verdicts], "status": list(self.statuses)}
-        times = {f"{name}_time_s": each for name, each in self.transition_times.items()}
+        words = {"verdict": [verdict.value for verdict in self.verdicts], "status": list(self.statuses)}
+        times = {f"{name}_time_s": time for name, time in self.transition_times.items()}
         return pandas.DataFrame(words | times, index=pandas.Index(self.values, name=self.key))
 
     @property

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from forficula.design import Design, load_design, value_from_folder
-from forficula.design.files.rejection import read_part
+from forficula.design.files.rejection import read_section
 from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.files import as_path, read_text
@@ -79,7 +79,7 @@ def load_named(name_or_path: object, kind: FileKind[Model], build: Callable[[Mod
     with error_prefix(f"{name}: "):
         tables = parse_toml(text, _a(kind.word))
         _check_kind(tables, kind.word)
-        return build(read_part(kind.model, {"name": Path(name).stem, **tables}), folder)
+        return build(read_section(kind.model, {"name": Path(name).stem, **tables}), folder)
 
 
 def _check_kind(tables: Mapping[str, Any], word: str) -> None:

@@ -20,7 +20,7 @@ from forficula.design import (
 )
 from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
 from forficula.design.files.provenance import check_paper
-from forficula.design.files.rejection import read_part
+from forficula.design.files.rejection import read_section
 from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.structure import structure_of
@@ -98,7 +98,7 @@ def study_of(tables: Mapping[str, Any]) -> Study:
     Raises:
         InputError: an unknown key, or a value that is not allowed.
     """
-    return _study(read_part(StudyFile, tables), Path())
+    return _study(read_section(StudyFile, tables), Path())
 
 
 def named_studies() -> list[str]:
@@ -126,7 +126,7 @@ def _study(file: StudyFile, folder: Path) -> Study:
         choices = one_at_a_time(base, factors)
     if drawn:
         with error_prefix("sampling."):
-            sampling = file.sampling or read_part(PointSampling, {})
+            sampling = file.sampling or read_section(PointSampling, {})
         points = drawn_values(factors, sampling.method, sampling.count, sampling.seed)
     elif choices:
         points = [{**choice, **point} for choice in choices for point in grid_points(grid, len(choices))]

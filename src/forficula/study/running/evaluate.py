@@ -19,7 +19,7 @@ from forficula.analysis import (
 )
 from forficula.analysis.confirmation import HALF_STEP
 from forficula.analysis.margin import NOT_TRIED, margin_column, transition_margins
-from forficula.analysis.outcome import held_against
+from forficula.analysis.outcome import compared_outcome
 from forficula.analysis.package import smallest_package
 from forficula.design import Design
 from forficula.dynamics import Record
@@ -87,7 +87,7 @@ def _row(record: Record, outcome: Outcome, margins: Mapping[str, float]) -> Row:
 def _confirmed(row: Row, outcome: Outcome, design: Design, half: Record) -> Row:
     """Return a row after the comparison with a run of the same design at half the timestep."""
     other = measure(half)
-    compared = held_against(outcome, [check_of(HALF_STEP, float(half.design.protocol.timestep), other)], design)
+    compared = compared_outcome(outcome, [check_of(HALF_STEP, float(half.design.protocol.timestep), other)], design)
     if compared.confirmation is None or compared.confirmation.agree:
         return row | {"confirmed": None if compared.confirmation is None else True}
     margins = {margin_column(name): margin for name, margin in transition_margins(half, other).items()}
@@ -103,7 +103,7 @@ def outcome_row(outcome: Outcome) -> Row:
     goal.
     """
     # for an undecided run everything is known except what its second run contradicts
-    reliable = outcome.verdict.tells or outcome.verdict is Verdict.UNDECIDED
+    reliable = outcome.verdict.conclusive or outcome.verdict is Verdict.UNDECIDED
     known = {name: reliable and held is not None for name, held in outcome.holds.items()}
     leads = {transition.name: transition.state for transition in outcome.structure.transitions}
     row: Row = {**ending_row(outcome.ending), **outcome.holds}
@@ -119,13 +119,13 @@ def whole_row(record: Record, outcome: Outcome) -> Row:
 
     Values are None if missing or unreliable.
     """
-    smallest = smallest_package(record) if outcome.verdict.tells else None
+    smallest = smallest_package(record) if outcome.verdict.conclusive else None
     row: Row = {
         "package_area": None if smallest is None else smallest[2].area_ratio,
         "package_height_m": None if smallest is None else smallest[2].height,
     }
     for name, transition in outcome.transitions.items():
-        force = None if transition is None or not outcome.verdict.tells else transition.largest_force
+        force = None if transition is None or not outcome.verdict.conclusive else transition.largest_force
         row[f"{name}_force_N"] = None if force is None else abs(force)
     return row
 
@@ -205,7 +205,7 @@ def needs_confirmation(record: Record, outcome: Outcome, margins: Mapping[str, f
         outcome: outcome of the run.
         margins: margins of the run, by transition.
     """
-    if not outcome.verdict.tells or record.checks:
+    if not outcome.verdict.conclusive or record.checks:
         return False
     released = any(
         transition.stage is not None

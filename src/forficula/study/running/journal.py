@@ -14,7 +14,7 @@ from forficula.design import Design
 from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.files import open_to_append
-from forficula.lock import held
+from forficula.lock import hold_lock
 
 Row = dict[str, Any]
 
@@ -162,7 +162,7 @@ def open_journal(folder: Path, base: Design, shard: tuple[int, int]) -> Iterator
     with ExitStack() as stack:
         try:
             folder.mkdir(parents=True, exist_ok=True)
-            locked = stack.enter_context(held(folder / f".{path.name}.lock", wait=False))
+            locked = stack.enter_context(hold_lock(folder / f".{path.name}.lock", wait=False))
         except OSError as error:
             raise InputError(f"{path}: cannot be written: {error.strerror}") from None
         if locked is False:

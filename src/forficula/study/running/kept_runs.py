@@ -20,7 +20,7 @@ from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, replacing_all
-from forficula.lock import held
+from forficula.lock import hold_lock
 from forficula.quantities import as_written, is_whole
 from forficula.structure import Structure, drawn_points, structure_of, transition_of
 from forficula.study.running.evaluate import outcome_row, row_key
@@ -183,7 +183,7 @@ def _alone(out: Path, needed: bool) -> Iterator[None]:
         try:
             if needed:
                 out.mkdir(parents=True, exist_ok=True)
-                stack.enter_context(held(out / f".{_FOLDER}.lock"))
+                stack.enter_context(hold_lock(out / f".{_FOLDER}.lock"))
         except OSError as error:
             raise InputError(f"{out}: cannot be written: {error.strerror}") from None
         yield
@@ -220,7 +220,7 @@ def _parts(
     least = float(table[first.least_name].values.ravel()[point])
     # an inconclusive run shows nothing
     verdict = Verdict(str(table["verdict"].values.ravel()[point]))
-    conclusive = verdict.tells or verdict is Verdict.UNDECIDED
+    conclusive = verdict.conclusive or verdict is Verdict.UNDECIDED
     part = _part_name(structure, first)
     if math.isnan(least):
         if conclusive:

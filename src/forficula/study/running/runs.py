@@ -16,9 +16,9 @@ from forficula.dynamics import (
     Model,
     NumericalCheck,
     Record,
-    but_last_drive,
     compile_model,
     design_in_model_units,
+    key_without_last_drive,
     simulate_each,
     with_timestep,
 )
@@ -125,7 +125,7 @@ def check_of(name: str, timestep: float, outcome: Outcome) -> NumericalCheck:
         goal=outcome.ending.goal,
         status=outcome.status,
         holds=dict(outcome.holds),
-        values=outcome_values(outcome) if outcome.verdict.tells else {},
+        values=outcome_values(outcome) if outcome.verdict.conclusive else {},
     )
 
 
@@ -190,11 +190,11 @@ def run_each(
             yield attempt.number, replace(result, doubt=doubt, checks=_coarser(attempt, outcome))
             structure = result.structure
             if until_last and _last_holds(outcome, structure) and not doubt:
-                chain = but_last_drive(designs[attempt.number], structure)
+                chain = key_without_last_drive(designs[attempt.number], structure)
                 left = {
                     number: waiting
                     for number, waiting in left.items()
-                    if number < attempt.number or but_last_drive(designs[number], structure) != chain
+                    if number < attempt.number or key_without_last_drive(designs[number], structure) != chain
                 }
         attempts = [left[number] for number in sorted(left)]
 
@@ -288,9 +288,9 @@ def _with_step(design: Design, timestep: float) -> Design:
 
 def _doubt(attempt: _Attempt, outcome: Outcome) -> str:
     """Return why a run at the shortest timestep is unreliable, apart from its residual; usually empty."""
-    if not outcome.verdict.tells or not attempt.before:
+    if not outcome.verdict.conclusive or not attempt.before:
         return ""
-    conclusive = [earlier for _, earlier in attempt.before if earlier.verdict.tells]
+    conclusive = [earlier for _, earlier in attempt.before if earlier.verdict.conclusive]
     return "" if all(_same_ending(earlier, outcome) for earlier in conclusive) else UNSETTLED
 
 
@@ -300,7 +300,7 @@ def _coarser(attempt: _Attempt, outcome: Outcome) -> tuple[NumericalCheck, ...]:
     return tuple(
         check_of(f"{show_value(timestep, 's')} instead of {show_value(last, 's')}", timestep, before)
         for timestep, before in attempt.before
-        if outcome.verdict.tells and before.verdict.tells
+        if outcome.verdict.conclusive and before.verdict.conclusive
     )
 
 
@@ -309,7 +309,7 @@ def _agree(before: Outcome, after: Outcome) -> bool:
     pairs = [(before.transitions[name], after.transitions[name]) for name in after.transitions]
     times = [(a.time, b.time) for a, b in pairs if a is not None and b is not None]
     near = all(a is b or (a and b and abs(a - b) <= _TIME_TOLERANCE * b) for a, b in times)
-    return after.verdict.tells and _same_ending(before, after) and near
+    return after.verdict.conclusive and _same_ending(before, after) and near
 
 
 def _same_ending(before: Outcome, after: Outcome) -> bool:

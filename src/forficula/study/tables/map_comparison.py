@@ -90,5 +90,5 @@ def _tried(simulated: xarray.Dataset, name: str, first: TableTransition) -> xarr
 
 def _conclusive(outcomes: xarray.DataArray) -> np.ndarray:
     """Return where outcomes are conclusive."""
-    inconclusive = [ending_word(Ending(verdict=verdict)) for verdict in Verdict if not verdict.tells]
+    inconclusive = [ending_word(Ending(verdict=verdict)) for verdict in Verdict if not verdict.conclusive]
     return np.asarray(~np.isin(outcomes.values.astype(str), inconclusive))

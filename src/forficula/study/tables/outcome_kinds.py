@@ -111,13 +111,13 @@ def check_table(table: Dataset, path: Path, again: str) -> None:
         raise InputError(f"{path}: written by an earlier forficula; run `{again}` again")
 
 
-def asked_transitions(table: Dataset) -> tuple[TableTransition, ...]:
+def studied_transitions(table: Dataset) -> tuple[TableTransition, ...]:
     """Return the transitions whose least values were searched; all transitions if none was searched."""
     transitions = table_transitions(table)
     return tuple(transition for transition in transitions if transition.least) or transitions
 
 
-def did_all(table: Dataset, transitions: Sequence[TableTransition]) -> DataArray:
+def reached_all(table: Dataset, transitions: Sequence[TableTransition]) -> DataArray:
     """Return whether all given transitions succeeded in a plain run, over the points' dimensions."""
     # all are checked: a structure that never leaves its first state is also in this state after the way back
     return reduce(and_, (table[transition.state].astype(bool) for transition in transitions))
@@ -168,9 +168,9 @@ def _lost(table: Dataset, transition: TableTransition) -> DataArray:
     return outcomes == verdict_word(Verdict.NOT_HELD, transition.wording)
 
 
-def asked_verbs(table: Dataset) -> list[str]:
+def studied_verbs(table: Dataset) -> list[str]:
     """Return the verbs of the studied transitions, such as "fold"; "settle" if the protocol drives nothing."""
-    return [transition.wording.verb for transition in asked_transitions(table)] or ["settle"]
+    return [transition.wording.verb for transition in studied_transitions(table)] or ["settle"]
 
 
 def whole_of(table: Dataset) -> str:

@@ -214,7 +214,7 @@ def _exact(value: Any) -> Any:
     """Return a value of a design in SI with all digits, which the repr of a section does not have."""
     if isinstance(value, Section):
         return value.si_tables()
-    return [_exact(each) for each in value] if isinstance(value, tuple) else value
+    return [_exact(item) for item in value] if isinstance(value, tuple) else value
 
 
 def _column(results: Sequence[Mapping[str, float | str]], name: str) -> np.ndarray:

@@ -206,7 +206,7 @@ def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], list[list[Any
     names = _columns(study, table)
     units = {name: unit_suffix(table[name].attrs.get("units", "")) for name in names}
     columns = [table[name].values.ravel().tolist() for name in names]
-    inconclusive = [verdict for verdict in Verdict if not verdict.tells]
+    inconclusive = [verdict for verdict in Verdict if not verdict.conclusive]
     words = table["verdict" if "verdict" in table else "outcome"].values
     conclusive = (~np.isin(words.astype(str).ravel(), inconclusive)).tolist()
     rows: list[list[Any]] = []

@@ -10,7 +10,7 @@ import numpy as np
 
 from forficula.analysis import Verdict
 from forficula.show.page.parts.outcome_tables import outcome_tables
-from forficula.show.page.parts.words import outcome_sentence, readable
+from forficula.show.page.parts.run_sentences import outcome_sentence, readable
 from forficula.show.page.playback import BUDGET, make_clip
 from forficula.show.page.run_page import playback_data
 from forficula.structure import drive_of, drive_unit
@@ -48,11 +48,14 @@ def _run(run: KeptRun, size: int) -> dict[str, Any]:
 def _run_data(run: KeptRun, budget: int) -> dict[str, Any]:
     """Return the title, the numbers and the playback of a run, within a budget of bytes."""
     outcome, structure = run.outcome, run.record.structure
-    units = {each.name: drive_unit(structure, drive_of(structure, each.drive)) for each in structure.transitions}
+    units = {
+        transition.name: drive_unit(structure, drive_of(structure, transition.drive))
+        for transition in structure.transitions
+    }
     driven = [
-        f"{each.wording.doing} with {readable(result.strength, units[each.name])}"
-        for each in structure.transitions
-        if (result := outcome.transitions[each.name]) is not None
+        f"{transition.wording.doing} with {readable(result.strength, units[transition.name])}"
+        for transition in structure.transitions
+        if (result := outcome.transitions[transition.name]) is not None
     ]
     return {
         "point": run.point,

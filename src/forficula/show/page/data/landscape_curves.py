@@ -16,7 +16,7 @@ from forficula.quantities import reading_unit
 from forficula.show.landscape.landscape_marks import hinge_measure
 from forficula.show.landscape.tendon_figure import WIDEST, tendon_curves
 from forficula.show.page.data.packing import packed
-from forficula.show.page.parts.words import readable
+from forficula.show.page.parts.run_sentences import readable
 from forficula.show.run.energies_figure import stored_energies
 from forficula.show.structure.labels import label_of, parts_of, title_of
 from forficula.statics import EnergyLandscape, HingeLandscape
@@ -31,7 +31,7 @@ _MOVING = ("kinetic", "Maxwell branches")  # energies that are zero at rest, so 
 
 
 @dataclass(frozen=True, kw_only=True)
-class DrawnCourse:
+class EnergyLine:
     """Energies over an angle: a line, or the positions of a run by frame.
 
     Attributes:
@@ -46,7 +46,7 @@ class DrawnCourse:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Curve:
+class EnergyPlot:
     """Plot of energy over an angle, in the structure's own sense of the angle.
 
     Attributes:
@@ -62,9 +62,9 @@ class Curve:
 
     title: str
     axis: str
-    lines: tuple[DrawnCourse, ...]
-    marks: tuple[DrawnCourse, ...]
-    balls: tuple[DrawnCourse, ...]
+    lines: tuple[EnergyLine, ...]
+    marks: tuple[EnergyLine, ...]
+    balls: tuple[EnergyLine, ...]
     top: tuple[float, float] | None
     text: str
     hinge: int | None = None
@@ -72,7 +72,7 @@ class Curve:
 
 def landscape_curves(
     landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None, time: Array | None = None
-) -> list[Curve]:
+) -> list[EnergyPlot]:
     """Return the energy curves of a landscape: of a tendon and its hinge, and of the structure along its fold.
 
     Args:
@@ -88,11 +88,11 @@ def landscape_curves(
     return [curve for curve in curves if curve is not None]
 
 
-def curve_data(curve: Curve) -> dict[str, Any]:
+def curve_data(curve: EnergyPlot) -> dict[str, Any]:
     """Return a curve as data for JSON, in degrees and in one unit of energy."""
     unit, factor = reading_unit("J", max(float(line.energy.max()) for line in curve.lines))
 
-    def course(each: DrawnCourse) -> dict[str, Any]:
+    def course(each: EnergyLine) -> dict[str, Any]:
         places, values = packed(np.degrees(each.angle), "f4"), packed(factor * each.energy, "f4")
         return {"name": each.name, "places": places, "values": values}
 
@@ -103,15 +103,15 @@ def curve_data(curve: Curve) -> dict[str, Any]:
         "axis": curve.axis,
         # as in figures, the axis runs from the start to the folded state
         "backwards": bool(first.angle[-1] < first.angle[0]),
-        "lines": [course(each) for each in curve.lines],
-        "marks": [course(each) for each in curve.marks],
-        "balls": [course(each) for each in curve.balls],
+        "lines": [course(line) for line in curve.lines],
+        "marks": [course(mark) for mark in curve.marks],
+        "balls": [course(ball) for ball in curve.balls],
         "top": None if curve.top is None else sorted(np.degrees(curve.top).tolist()),
         "text": curve.text,
     }
 
 
-def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int | None, rows: Rows) -> Curve | None:
+def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int | None, rows: Rows) -> EnergyPlot | None:
     """Return the energy of one tendon and its hinge; with a ball for every tendon that has the same curve."""
     shown, structure = inner_hinge(landscape, tendon), landscape.structure
     if shown is None:
@@ -122,7 +122,7 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
     # the curve of the hinge comes first: with a spring it is the sum of both, which is last in the list
     drawn = [last, *drawn[len(ideal) :]] if own.spring is not None else [*drawn[len(ideal) :], last]
     drawn += ideal
-    names = parts_of([label_of(structure.tendons[each.tendon]) for each in landscape.hinges]).names
+    names = parts_of([label_of(structure.tendons[hinge.tendon]) for hinge in landscape.hinges]).names
     balls = []
     for name, crossed in zip(names, landscape.hinges, strict=True):
         if record is None or not _has_same_curve(crossed.own, own):
@@ -130,7 +130,7 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
         energy = record.series["tendon_energy"][rows, crossed.tendon]
         if own.spring is not None:
             energy = energy + record.series["hinge_energy"][rows, crossed.hinge]
-        balls.append(DrawnCourse(name=name, angle=record.series["hinge_angle"][rows, crossed.hinge], energy=energy))
+        balls.append(EnergyLine(name=name, angle=record.series["hinge_angle"][rows, crossed.hinge], energy=energy))
     barrier, top = "", None
     if own.barrier is not None and own.barrier_angle is not None:
         start, reach = own.hinge.overbend, own.hinge.overbend - own.barrier_angle
@@ -139,13 +139,13 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
             top = own.sense * (start + 0.15 * reach), own.sense * max(start - 2.5 * reach, -own.hinge.fold_limit)
     lines = [_smooth(name, hinge, energy, moment) for hinge, energy, moment, name, _ in drawn]
     sprung = own.spring is not None
-    return Curve(
+    return EnergyPlot(
         title="tendon and spring of one hinge" if sprung else "energy of one tendon",
         axis=title,
         lines=tuple(lines),
         marks=tuple(
-            _mark("", (own.sense * each.angle, own.sense * each.far_angle), each.energy, lines[0])
-            for each in own.states
+            _mark("", (own.sense * state.angle, own.sense * state.far_angle), state.energy, lines[0])
+            for state in own.states
         ),
         balls=tuple(balls),
         top=top,
@@ -155,12 +155,12 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
     )
 
 
-def _smooth(name: str, hinge: HingeLandscape, energy: Array, moment: Array) -> DrawnCourse:
+def _smooth(name: str, hinge: HingeLandscape, energy: Array, moment: Array) -> EnergyLine:
     """Interpolate a line at enough angles for a barrier a few degrees wide to look smooth; the moment is its slope."""
     rising = hinge.angle[::-1]
     angle = np.unique(np.concatenate([rising, np.linspace(rising[0], rising[-1], _PLACES)]))[::-1]
     spline = scipy.interpolate.CubicHermiteSpline(rising, energy[::-1], -moment[::-1])
-    return DrawnCourse(name=name, angle=hinge.sense * angle, energy=spline(angle))
+    return EnergyLine(name=name, angle=hinge.sense * angle, energy=spline(angle))
 
 
 def _has_same_curve(hinge: HingeLandscape, own: HingeLandscape) -> bool:
@@ -171,28 +171,29 @@ def _has_same_curve(hinge: HingeLandscape, own: HingeLandscape) -> bool:
     return hinge.sense == own.sense and bool(np.allclose(*both, rtol=0, atol=1e-6 * float(both[0].max())))
 
 
-def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -> Curve | None:
+def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -> EnergyPlot | None:
     """Return the stored energy along the rigid fold over the mean angle of the folding hinges."""
     path, structure, fold = landscape.fold_path, landscape.structure, landscape.structure.rigid_fold
     if path is None or fold is None:
         return None
     folds = bool(np.any(path.ring_angle))
     axis = f"mean {title_of(hinge_measure(structure, fold.folds[0]))}" if folds else "mean pleat angle"
-    balls: tuple[DrawnCourse, ...] = ()
+    balls: tuple[EnergyLine, ...] = ()
     if record is not None:
         angles = record.series["hinge_angle"][rows]
         angle = angles[:, list(fold.folds)].mean(axis=1) if folds else 2 * angles[:, list(fold.turns)].mean(axis=1)
         stored = [values[rows] for name, (values, _) in stored_energies(record).items() if name not in _MOVING]
-        balls = (DrawnCourse(name="", angle=angle, energy=np.sum(stored, axis=0) + _weight_zero(record)),)
+        balls = (EnergyLine(name="", angle=angle, energy=np.sum(stored, axis=0) + _weight_zero(record)),)
     along = -path.ring_angle if folds else path.pleat_angle
-    line = DrawnCourse(name="rigid panels, quasi-static", angle=path.pleat_angle, energy=path.energy)
+    line = EnergyLine(name="rigid panels, quasi-static", angle=path.pleat_angle, energy=path.energy)
     states = [
-        _mark(each.name, (each.pleat_angle, each.far_pleat_angle), each.energy, line) for each in fold_states(landscape)
+        _mark(state.name, (state.pleat_angle, state.far_pleat_angle), state.energy, line)
+        for state in fold_states(landscape)
     ]
-    line, *states = (replace(each, angle=np.interp(each.angle, path.pleat_angle, along)) for each in (line, *states))
-    stable = ", ".join(f"{each.name} {readable(float(each.energy[0]), 'J')}" for each in states)
+    line, *states = (replace(state, angle=np.interp(state.angle, path.pleat_angle, along)) for state in (line, *states))
+    stable = ", ".join(f"{state.name} {readable(float(state.energy[0]), 'J')}" for state in states)
     whole = structure.appearance.whole
-    return Curve(
+    return EnergyPlot(
         title=f"energy of the {whole} along its fold",
         axis=axis,
         lines=(line,),
@@ -212,10 +213,10 @@ def _weight_zero(record: Record) -> float:
     return float(first[0] - record.series["gravitational_energy"][0])
 
 
-def _mark(name: str, ends: tuple[float, float], energy: float, line: DrawnCourse) -> DrawnCourse:
+def _mark(name: str, ends: tuple[float, float], energy: float, line: EnergyLine) -> EnergyLine:
     """Return the mark of a stable state: a point, or the part of a line along which the structure rests."""
     low, high = sorted(ends)
     between = (line.angle >= low - _SAME) & (line.angle <= high + _SAME)
     if high - low <= _SAME:
-        return DrawnCourse(name=name, angle=np.array([low]), energy=np.array([energy]))
-    return DrawnCourse(name=name, angle=line.angle[between], energy=line.energy[between])
+        return EnergyLine(name=name, angle=np.array([low]), energy=np.array([energy]))
+    return EnergyLine(name=name, angle=line.angle[between], energy=line.energy[between])

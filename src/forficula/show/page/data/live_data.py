@@ -27,7 +27,7 @@ from forficula.names import listed
 from forficula.quantities import READING_UNITS, Unit, show_quantity
 from forficula.show.page.data.packed_arrays import PackedArrays
 from forficula.show.page.parts.design_rows import key_meanings
-from forficula.show.page.parts.words import LIVE_OUTCOME_TEXTS
+from forficula.show.page.parts.run_sentences import LIVE_OUTCOME_TEXTS
 from forficula.show.structure.labels import driven_angles, role_groups, shown_angles, shown_distances
 from forficula.structure import Measure, StageGoal, Structure, Transition, goal_of, measure_of, sums_of
 
@@ -56,8 +56,12 @@ def live_data(
         return {"refused": why}
     arrays, protocol = PackedArrays(), stepped_protocol(model)
     candidates = [*_drive_knobs(model, protocol), *(_knob_data(model.design, knob) for knob in knobs_of(model))]
-    knobs = [_widened(each, *(ranges or {}).get(each["key"], ())) for each in candidates if each is not None]
-    if missing := sorted(set(ranges or {}) - {each["key"] for each in knobs}):
+    knobs = [
+        _widened(candidate, *(ranges or {}).get(candidate["key"], ()))
+        for candidate in candidates
+        if candidate is not None
+    ]
+    if missing := sorted(set(ranges or {}) - {knob["key"] for knob in knobs}):
         return {"refused": f"{listed(missing)} cannot be changed in a compiled model"}
     data = {
         **_model_data(model, arrays),
@@ -162,7 +166,7 @@ def _read_aloud(name: str) -> str:
 def _reading(structure: Structure, measure: Measure) -> dict[str, Any]:
     """Return what a measure reads: sums of angles with their signs, or the index of a distance."""
     if measure.points is not None:
-        apart = [each.name for each in structure.measures if each.points is not None]
+        apart = [measure.name for measure in structure.measures if measure.points is not None]
         return {"distance": apart.index(measure.name)}
     signs = dict(zip(measure.hinges, measure.signs, strict=True))
     parts = [[[hinge, signs[hinge]] for hinge in part] for part in measure.parts]
@@ -183,18 +187,18 @@ def _protocol_data(protocol: SteppedProtocol) -> dict[str, Any]:
         "highest": _bounds(protocol.highest),
         "drives": [
             {
-                "name": each.drive.name,
-                "key": each.drive.key,
-                "strength": each.drive.strength,
-                "torques": each.torques.tolist(),
-                "rise": each.rise,
+                "name": drive.drive.name,
+                "key": drive.drive.key,
+                "strength": drive.drive.strength,
+                "torques": drive.torques.tolist(),
+                "rise": drive.rise,
             }
-            for each in protocol.drives
+            for drive in protocol.drives
         ],
         "stages": [
-            {"name": each.name, "drives": list(each.drives), "hold": each.hold, "limit": each.limit}
-            | _goal_data(each.goal)
-            for each in protocol.stages
+            {"name": stage.name, "drives": list(stage.drives), "hold": stage.hold, "limit": stage.limit}
+            | _goal_data(stage.goal)
+            for stage in protocol.stages
         ],
     }
 
@@ -209,7 +213,7 @@ def _course_data(model: Model) -> dict[str, Any]:
             | {"bounds": _goal_data(_goal_named(model, state.goal))}
             for state in structure.states
         ],
-        "transitions": [_transition_data(model, each) for each in structure.transitions],
+        "transitions": [_transition_data(model, transition) for transition in structure.transitions],
     }
 
 
@@ -321,7 +325,7 @@ def _line_of(design: Design, key: str, other: float) -> dict[str, Any] | None:
     None if there is no such line.
     """
     try:
-        texts = [design_text(each).splitlines() for each in (design, with_values(design, {key: other}))]
+        texts = [design_text(item).splitlines() for item in (design, with_values(design, {key: other}))]
     except ValueError:
         return None
     own, changed = ([line for line in text if not line.startswith("source = ")] for text in texts)

@@ -19,7 +19,7 @@ from forficula.names import listed
 from forficula.show.make.part_facts import mass_text, material_text, part_masses, size_text
 from forficula.show.make.part_looks import STOP_COLOUR, part_looks
 from forficula.show.make.part_mesh import part_mesh
-from forficula.show.make.pose import angle_range, apart
+from forficula.show.make.part_poses import angle_range, apart
 from forficula.show.page.data.packed_arrays import PackedArrays
 from forficula.show.page.data.time_spans import run_spans, span_data
 from forficula.show.page.playback import clip_data, make_clip
@@ -114,7 +114,7 @@ def _turns(parts: PartSet) -> list[dict[str, Any]]:
 
 
 def _strap_data(parts: PartSet, place: StrapPlace) -> dict[str, Any]:
-    joint = next(each for each in parts.joints if each.tendon == place.tendon)
+    joint = next(joint for joint in parts.joints if joint.tendon == place.tendon)
     return {
         "bodies": list(place.bodies),
         "ends": place.ends.tolist(),

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from forficula.quantities import Unit, parse_quantity
 from forficula.show.page.data.study_data import factor_data, rounded
-from forficula.show.page.parts.outcome_words import OTHER_LOOK, Signs, Words
-from forficula.show.page.parts.words import unbuilt_text
+from forficula.show.page.parts.outcome_words import OTHER_LOOK, OutcomeSigns, OutcomeWords
+from forficula.show.page.parts.run_sentences import unbuilt_text
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -20,7 +20,7 @@ MET = ((">=", 0.0),)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Number:
+class PointQuantity:
     """Quantity that every point may have.
 
     Attributes:
@@ -61,9 +61,9 @@ class ShownSamples:
     keeps: str
     table: Dataset
     factors: tuple[str, ...]
-    numbers: tuple[Number, ...]
+    numbers: tuple[PointQuantity, ...]
     words: Sequence[str]
-    signs: Signs
+    signs: OutcomeSigns
     statuses: Sequence[str]
     built: Sequence[bool]
     own: dict[str, float] = field(default_factory=dict)
@@ -76,12 +76,12 @@ def samples_data(samples: ShownSamples) -> dict[str, Any]:
         As `study_data` returns for a study with drawn points. A factor may have `own`, the value of the nominal design;
         a quantity has `aim` and `limits`, each with `kind` and `bound`, in its unit.
     """
-    words = Words(sorted(set(samples.words), key=samples.signs.rank), samples.signs)
+    words = OutcomeWords(sorted(set(samples.words), key=samples.signs.rank), samples.signs)
     verdicts = [words.number(word) for word in samples.words]
     outcome = {"name": "status", "title": "outcome", "group": "outcome", "unit": "", "values": None}
     quantities = [
         outcome | {"energy": False, "reasons": verdicts, "transition": None},
-        *(_number_data(samples.table[each.variable], each, verdicts) for each in samples.numbers),
+        *(_number_data(samples.table[number.variable], number, verdicts) for number in samples.numbers),
     ]
     return {
         "name": samples.name,
@@ -110,7 +110,7 @@ def _factor(samples: ShownSamples, name: str) -> dict[str, Any]:
     return factor_data(coordinate) | {"own": None if own is None else rounded(own * scale_of(coordinate))}
 
 
-def _number_data(variable: DataArray, number: Number, verdicts: Sequence[int]) -> dict[str, Any]:
+def _number_data(variable: DataArray, number: PointQuantity, verdicts: Sequence[int]) -> dict[str, Any]:
     scale = scale_of(variable)
     values = [rounded(float(scale * value)) for value in variable.values.astype(float)]
     return {

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
 from forficula.quantities import reading_unit
-from forficula.show.page.parts.outcome_words import OTHER_LOOK, Words, signs_of
-from forficula.show.page.parts.words import unbuilt_text
+from forficula.show.page.parts.outcome_words import OTHER_LOOK, OutcomeWords, signs_of
+from forficula.show.page.parts.run_sentences import unbuilt_text
 from forficula.show.study.factor_text import display_values, number_text, plain_name, value_with_unit
 from forficula.show.study.maps import energy_noun, missing_reasons, times_by_value
 from forficula.study import Study
@@ -60,7 +60,7 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
             quantity belongs to, or None). The first quantity is the verdict and has no values.
     """
     signs = signs_of(table)
-    words = Words(sorted({str(word) for word in table["outcome"].values.ravel()}, key=signs.rank), signs)
+    words = OutcomeWords(sorted({str(word) for word in table["outcome"].values.ravel()}, key=signs.rank), signs)
     verdicts = words.numbers(table["outcome"])
     quantities = [
         {
@@ -114,12 +114,12 @@ def _drawn(table: Dataset) -> list[_Drawn]:
     transitions, start = table_transitions(table), str(table.attrs.get("start_state", ""))
     numbered, noun = list(enumerate(transitions)), energy_noun(table)
     states: dict[str, int | None] = {start: None} if start else {}
-    for number, each in numbered:
-        states.setdefault(each.state, number)
+    for number, item in numbered:
+        states.setdefault(item.state, number)
     drawn = [
-        *(("torque", each.least, each.least.replace("_", " "), number) for number, each in numbered if each.least),
-        *(("time", f"{each.name}_time", each.wording.time, number) for number, each in numbered),
-        *(("work", f"{each.name}_work", f"work of {each.wording.noun}", number) for number, each in numbered),
+        *(("torque", item.least, item.least.replace("_", " "), number) for number, item in numbered if item.least),
+        *(("time", f"{item.name}_time", item.wording.time, number) for number, item in numbered),
+        *(("work", f"{item.name}_work", f"work of {item.wording.noun}", number) for number, item in numbered),
         *(("energy", f"{state}_energy", f"{noun} when {state}", number) for state, number in states.items()),
         *(
             ("energy", f"{state}_hinge_energy", f"springs' energy when {state}", number)
@@ -154,7 +154,7 @@ def factor_data(factor: DataArray) -> dict[str, Any]:
     }
 
 
-def _quantity(table: Dataset, drawn: _Drawn, words: Words) -> dict[str, Any]:
+def _quantity(table: Dataset, drawn: _Drawn, words: OutcomeWords) -> dict[str, Any]:
     numbers = table[drawn.name].values.ravel()
     unit, scale = _unit(table[drawn.name], numbers)
     values = [rounded(scale * value) for value in numbers.tolist()]
@@ -171,13 +171,13 @@ def _quantity(table: Dataset, drawn: _Drawn, words: Words) -> dict[str, Any]:
     }
 
 
-def _reasons(values: Sequence[float | None], reasons: NDArray[np.object_], words: Words) -> list[int | None]:
+def _reasons(values: Sequence[float | None], reasons: NDArray[np.object_], words: OutcomeWords) -> list[int | None]:
     """Return the reason for each missing value."""
     pairs = zip(values, reasons.tolist(), strict=True)
     return [words.number(str(reason)) if value is None else None for value, reason in pairs]
 
 
-def _times_by_value(table: Dataset, words: Words) -> Iterator[dict[str, Any]]:
+def _times_by_value(table: Dataset, words: OutcomeWords) -> Iterator[dict[str, Any]]:
     """Yield a map for every value of the first transition that was tried, all in one unit."""
     tried_times = times_by_value(table)
     if tried_times is None:

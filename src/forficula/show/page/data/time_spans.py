@@ -54,7 +54,7 @@ def shared_spans(clips: Sequence[Clip]) -> list[Span]:
     Whole runs are aligned at the start of the first transition, or at their own start if a run never reaches it.
     """
     spans = []
-    nouns = {each.drive: each.wording.noun for clip in clips for each in clip.structure.transitions}
+    nouns = {transition.drive: transition.wording.noun for clip in clips for transition in clip.structure.transitions}
     for place, (drive, name) in enumerate(nouns.items()):
         label = f"time since the start of {name}"
         starts = [_start(clip, drive) for clip in clips]

@@ -65,7 +65,7 @@ def limits_table(optimum: Optimum, results: Dataset, point: int) -> str:
         note = f"{does}; margin: remaining share of a time limit, or missing share of the motion"
         yes = "—" if math.isnan(margin) else "yes" if margin > 0 else "no"
         rows.append(_margin_row("works in a run", margin, yes, note, met=margin > 0))
-    for limit in goal.given:
+    for limit in goal.torque_limits:
         note = "every run is driven with this value, so a design that works meets the limit"
         rows.append(BarRow(name=limit_text(limit), lanes=((),), cells=("given", "—"), note=note))
     for limit, name in limit_margins(goal):
@@ -104,10 +104,10 @@ def _value(results: Dataset, quantity: OutcomeQuantity, point: int) -> str:
 def objectives_table(optimum: Optimum, results: Dataset, point: int) -> str:
     """Return a table of the objectives: the value of one candidate and the range over all that meet the limits."""
     rows = []
-    for each in optimum.goal.objectives:
-        ends = [_shown(each, end) for end in _ends(results, each)]
-        title = f"{each.kind} {title_of(each.quantity)}"
-        rows.append([title, _value(results, each.quantity, point), " to ".join(ends) or "no design meets them"])
+    for objective in optimum.goal.objectives:
+        ends = [_shown(objective, end) for end in _ends(results, objective)]
+        title = f"{objective.kind} {title_of(objective.quantity)}"
+        rows.append([title, _value(results, objective.quantity, point), " to ".join(ends) or "no design meets them"])
     headings = ("objective", f"design {point + 1}", "range of all designs that meet the limits")
     return table("Objectives", headings, rows)
 
@@ -126,11 +126,11 @@ def _ends(results: Dataset, objective: Objective) -> list[float]:
 
 def verifications_table(optimum: Optimum) -> str:
     """Return a table of verifications: the best designs at a finer timestep, and fresh neighbours of theirs."""
-    numbers = {each.point: str(number + 1) for number, each in enumerate(optimum.candidates)}
-    checked = [each for each in (*optimum.best, *optimum.discarded) if each.finer is not None or each.fresh is not None]
+    numbers = {candidate.point: str(number + 1) for number, candidate in enumerate(optimum.candidates)}
+    checked = [item for item in (*optimum.best, *optimum.discarded) if item.finer is not None or item.fresh is not None]
     rows = [
-        [numbers.get(each.candidate.point, ""), *_finer(each), _fresh(each.fresh), "yes" if each.holds else "no"]
-        for each in checked
+        [numbers.get(item.candidate.point, ""), *_finer(item), _fresh(item.fresh), "yes" if item.holds else "no"]
+        for item in checked
     ]
     headings = (
         "design",
@@ -160,14 +160,14 @@ def _fresh(neighbours: Neighbours | None) -> str:
 
 def relaxations_table(optimum: Optimum) -> str:
     """Return a table for a goal that no design meets: largest margin of each limit, alone and with the others met."""
-    names = [limit_text(each) for each in own_limits(optimum.goal)] + ["works in a run"]
+    names = [limit_text(limit) for limit in own_limits(optimum.goal)] + ["works in a run"]
     rows = [
         BarRow(
-            name=names[each.limit],
-            lanes=((bar(each.best, "good" if each.best >= 0 else "bad"),),),
-            cells=(_margin_text(each.best), _margin_text(each.alone)),
+            name=names[relaxation.limit],
+            lanes=((bar(relaxation.best, "good" if relaxation.best >= 0 else "bad"),),),
+            cells=(_margin_text(relaxation.best), _margin_text(relaxation.alone)),
         )
-        for each in optimum.relaxations
+        for relaxation in optimum.relaxations
     ]
     headings = ("", "missed | met", "of any design", "of designs that meet all other limits")
     return bar_table("Largest margins", headings, rows, (-1.0, 1.0)) if rows else ""

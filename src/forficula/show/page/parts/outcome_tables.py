@@ -10,7 +10,7 @@ from forficula.analysis.groups import dominance, groups_of, measured_by
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, uncertain_number
 from forficula.show.page.parts.html import Cell, paragraph, table
-from forficula.show.page.parts.words import readable
+from forficula.show.page.parts.run_sentences import readable
 from forficula.show.run.outcome_rows import (
     balance_remark,
     balance_rows,
@@ -50,7 +50,7 @@ def groups_table(record: Record) -> str:
         else ""
     )
     rows: list[tuple[str | Cell, ...]] = [
-        (Cell(text=each.label, note=each.name), f"{each.value:.3g}", each.meaning) for each in groups.every
+        (Cell(text=item.label, note=item.name), f"{item.value:.3g}", item.meaning) for item in groups.every
     ]
     words = paragraph(f"{dominance(groups)} {by}{time}.")
     return words + table("Dimensionless groups", ("", "value", "compares"), rows, numbers=False)
@@ -66,7 +66,7 @@ def _states(outcome: Outcome, structure: Structure) -> str:
     groups = [("", 1), *((_state_heading(name, state), len(rows.columns)) for name, state in reached.items())]
     if not rows.columns:
         return paragraph(f"States: {'; '.join(name for name, _ in groups[1:])}.")
-    headings = [rows.heading, *(f"{each.title} ({each.unit})" for _ in reached for each in rows.columns)]
+    headings = [rows.heading, *(f"{column.title} ({column.unit})" for _ in reached for column in rows.columns)]
     body = _signed(rows.parts)
     before = [""] * (len(rows.columns) - 1)
     if rows.sums:

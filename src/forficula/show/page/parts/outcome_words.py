@@ -65,10 +65,10 @@ def look_data(sign: str) -> dict[str, Any]:
 OTHER_LOOK = look_data(_OTHER)  # of a word that no point of the page has
 
 
-class Words:
+class OutcomeWords:
     """Numbered outcome words of the points of a page."""
 
-    def __init__(self, first: Sequence[str], signs: Signs) -> None:
+    def __init__(self, first: Sequence[str], signs: OutcomeSigns) -> None:
         self._numbers = {word: number for number, word in enumerate(first)}
         self._signs = signs
 
@@ -90,7 +90,7 @@ class Words:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Signs:
+class OutcomeSigns:
     """Signs of words, from the most to the least successful outcome."""
 
     signs: Mapping[str, str]
@@ -104,7 +104,7 @@ class Signs:
         return self.signs.get(word) or (_WITH_TORQUE if " with " in word else _OTHER)
 
 
-def signs_of(table: Dataset, own: Mapping[str, str] | None = None) -> Signs:
+def signs_of(table: Dataset, own: Mapping[str, str] | None = None) -> OutcomeSigns:
     """Return the signs of the words that a table may contain.
 
     Args:
@@ -114,4 +114,4 @@ def signs_of(table: Dataset, own: Mapping[str, str] | None = None) -> Signs:
     kinds = outcome_kinds(table)
     by_kind = {word: sign for kind, sign in _SIGNS.items() for word, its in kinds.items() if its is kind}
     others = {word: sign for word, sign in {**by_kind, NOT_SIMULATED: "·"}.items() if word not in (own or {})}
-    return Signs(signs={**(own or {}), **others})
+    return OutcomeSigns(signs={**(own or {}), **others})

@@ -11,7 +11,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.quantities import reading_unit
 from forficula.show.page.data.packing import packed
-from forficula.show.page.parts.words import reading_text
+from forficula.show.page.parts.run_sentences import reading_text
 from forficula.show.page.playback import Clip, mark_readings
 from forficula.show.structure.labels import parts_of
 

@@ -22,20 +22,22 @@ def points_table(data: dict[str, Any]) -> str:
             f"A table of {data['points']} {data['noun']}s is too long for this page; {data['file']} lists all."
         )
     factors, numbers = data["factors"], _columns(data)
-    units = [(each["name"], each["unit"]) for each in factors] + [(each["title"], each["unit"]) for each in numbers]
+    units = [(factor["name"], factor["unit"]) for factor in factors] + [
+        (number["title"], number["unit"]) for number in numbers
+    ]
     named = [f"{name} ({unit})" if unit else name for name, unit in units]
     headings = [data["noun"], *named[: len(factors)], "outcome", *named[len(factors) :]]
     rows = []
     for point, status in enumerate(data["statuses"]):
         values = [factor["texts"][index] for factor, index in zip(factors, places(data, point), strict=True)]
-        cells = ["—" if (value := each["values"][point]) is None else f"{value:.4g}" for each in numbers]
+        cells = ["—" if (value := number["values"][point]) is None else f"{value:.4g}" for number in numbers]
         rows.append([str(point + 1), *values, status, *cells])
     return table(f"One row for each {data['noun']}, as in {data['file']}; numbers to four digits", headings, rows)
 
 
 def _columns(data: dict[str, Any]) -> list[dict[str, Any]]:
     """Return the quantities with one value for each point."""
-    return [each for each in data["quantities"] if each["values"] is not None and not each.get("tried")]
+    return [item for item in data["quantities"] if item["values"] is not None and not item.get("tried")]
 
 
 def places(data: dict[str, Any], point: int) -> list[int]:

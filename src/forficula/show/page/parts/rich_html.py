@@ -13,7 +13,7 @@ from forficula.show.page.parts.html import table
 
 
 @dataclass(frozen=True, kw_only=True)
-class LaidOut:
+class PrintedResult:
     """Result that was laid out for the terminal, converted to HTML.
 
     Attributes:
@@ -27,7 +27,7 @@ class LaidOut:
     sentences: tuple[str, ...]
 
 
-def laid_out(renderable: RenderableType) -> LaidOut:
+def printed_result(renderable: RenderableType) -> PrintedResult:
     """Split the terminal output of a result; a line in italics is the title of the table after it."""
     heading, title, tables, sentences = "", "", [], []
     for part in renderable.renderables if isinstance(renderable, Group) else [renderable]:
@@ -45,7 +45,7 @@ def laid_out(renderable: RenderableType) -> LaidOut:
                 title = part.plain
             case _:
                 sentences.append(_plain(part))
-    return LaidOut(heading=heading, tables=tuple(tables), sentences=tuple(filter(None, sentences)))
+    return PrintedResult(heading=heading, tables=tuple(tables), sentences=tuple(filter(None, sentences)))
 
 
 def _plain(cell: object) -> str:

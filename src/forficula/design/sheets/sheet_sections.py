@@ -1,0 +1,238 @@
+"""Sections of a sheet's design for facets, creases, imperfection and supports."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field, field_validator
+
+from forficula.design.section import ANGLE, DENSITY, MODULUS, SHORT_TIME, SMALL_LENGTH, Section, quantity
+from forficula.design.sheets.sheet_names import checked_name
+from forficula.quantities import Unit
+
+CREASE_STIFFNESS = Unit(display="N m/rad/m", si="N m/rad/m", example="1e-2 N m/rad/m")
+EXTENSION = Unit(display="N/m^2", si="N/m^2", example="1e5 N/m^2")
+EXTENSION_DAMPING = Unit(display="N s/m^2", si="N s/m^2", example="10 N s/m^2")
+CREASE_DAMPING = Unit(display="N m s/rad/m", si="N m s/rad/m", example="1e-3 N m s/rad/m")
+
+_RESTS = ("as built", "flat")
+_OF = "creases, mountains, valleys, a group by name, crease 2, role:zigzag, assignment:M, or several joined by and"
+
+
+class FacetSection(Section):
+    """The facets; a rule chooses values that are not given, and the written design file gives the reason."""
+
+    about: ClassVar[str] = (
+        "The facets; a rule chooses values that are not given, and the written design file gives the reason"
+    )
+
+    natural: ClassVar[tuple[str, ...]] = ("stretch_damping",)
+
+    kind: Annotated[
+        Literal["bars", "rigid", "membrane"],
+        Field(
+            description="model of a facet: bars: elastic bars along edges and diagonals; rigid: plates; membrane: an"
+            " elastic sheet"
+        ),
+    ] = "bars"
+    thickness: float | None = quantity(SMALL_LENGTH, "thickness", default=None, above=0)
+    density: float | None = quantity(DENSITY, "density", default=None, above=0)
+    youngs_modulus: float | None = quantity(MODULUS, "Young's modulus", default=None, above=0, examples=["2000 MPa"])
+    poisson_ratio: Annotated[float | None, Field(strict=True, ge=0, lt=0.5, description="Poisson's ratio")] = Field(
+        default=None, examples=[0.3]
+    )
+    bend_stiffness: float | None = quantity(
+        CREASE_STIFFNESS,
+        "bending stiffness of a facet per length of its diagonals",
+        default=None,
+        at_least=0,
+    )
+    strength: float | None = quantity(
+        MODULUS,
+        "stress that the material withstands, with which the largest stress is compared",
+        default=None,
+        above=0,
+        examples=["50 MPa"],
+    )
+    stretch_damping: float | None = quantity(
+        SHORT_TIME, "relaxation time of the Kelvin-Voigt damping of stretching", default=None, at_least=0
+    )
+
+
+class Imperfection(Section):
+    """Random deviations of the vertices from a flat sheet, which decide in which sense it leaves the flat state."""
+
+    about: ClassVar[str] = (
+        "Random deviations of the vertices from a flat sheet, which decide in which sense it leaves the flat state"
+    )
+
+    size: float = quantity(
+        SMALL_LENGTH, "standard deviation of the vertices, normal to the sheet", default=0.0, at_least=0
+    )
+    seed: Annotated[
+        int, Field(strict=True, ge=0, description="seed of the random numbers; each seed gives other deviations")
+    ] = 0
+
+
+class CreaseGroup(Section):
+    """Creases that differ from the others; values that are not given are those of [crease]."""
+
+    about: ClassVar[str] = "Creases that differ from the others; values that are not given are those of [crease]"
+
+    name: Annotated[
+        str | None,
+        Field(description="name of the group, for drives, measures and other groups", examples=["gates"]),
+    ] = None
+    of: Annotated[str, Field(description=f"creases of the group: {_OF}", examples=["crease 0"])]
+    stiffness: float | None = quantity(
+        CREASE_STIFFNESS, "stiffness of their springs per length", default=None, at_least=0
+    )
+    rest_angle: float | str | None = quantity(
+        ANGLE, "rest angle of their springs", default=None, words=_RESTS, examples=["0 deg"]
+    )
+    law: Annotated[
+        Literal["linear", "locking"] | None, Field(description="law of their springs", examples=["linear"])
+    ] = None
+    lock_angle: float | None = quantity(
+        ANGLE,
+        "angle beyond which a locking spring stiffens",
+        default=None,
+        above=0,
+        below=math.pi,
+        examples=["135 deg"],
+    )
+    damping: float | None = quantity(CREASE_DAMPING, "viscous damping per length", default=None, at_least=0)
+    extension: float | None = quantity(
+        EXTENSION, "stiffness per length of the springs against opening", default=None, above=0
+    )
+    extension_damping: float | None = quantity(
+        EXTENSION_DAMPING, "viscous damping of opening per length", default=None, at_least=0
+    )
+    fold_limit: float | None = quantity(
+        ANGLE, "stop: largest fold angle", default=None, above=0, at_most=math.pi, examples=["175 deg"]
+    )
+    back_limit: float | None = quantity(
+        ANGLE,
+        "stop: largest angle in the opposite sense",
+        default=None,
+        at_least=0,
+        at_most=math.pi,
+        examples=["3 deg"],
+    )
+    stop_stiffness: float | None = quantity(
+        CREASE_STIFFNESS, "stiffness of their stops per length", default=None, above=0, examples=["1 kN m/rad/m"]
+    )
+    start: float | None = quantity(ANGLE, "initial fold angle", default=None, examples=["-1 deg"])
+
+    @field_validator("name")
+    @classmethod
+    def _checked(cls, name: str | None) -> str | None:
+        return None if name is None else checked_name(name)
+
+
+class Crease(Section):
+    """The creases; angles are 0 when flat and positive when a crease folds as assigned."""
+
+    about: ClassVar[str] = "The creases; angles are 0 when flat and positive when a crease folds as assigned"
+
+    stiffness: float | None = quantity(
+        CREASE_STIFFNESS,
+        "stiffness of a crease's spring per length of the crease; chosen if not given",
+        default=None,
+        at_least=0,
+    )
+    rest_angle: float | str = quantity(
+        ANGLE,
+        'rest angle of the spring: an angle, "flat" or "as built"',
+        default="as built",
+        words=_RESTS,
+        at_least=-math.pi,
+        at_most=math.pi,
+    )
+    law: Annotated[
+        Literal["linear", "locking"],
+        Field(
+            description="law of the spring; locking: the spring stiffens beyond lock_angle, so that facets do not pass"
+            " through each other"
+        ),
+    ] = "linear"
+    lock_angle: float = quantity(
+        ANGLE,
+        "angle beyond which a locking spring stiffens, in both senses (Liu and Paulino 2017)",
+        default=math.radians(135.0),
+        above=0,
+        below=math.pi,
+    )
+    damping: float | None = quantity(
+        CREASE_DAMPING, "viscous damping per length of the crease; chosen if not given", default=None, at_least=0
+    )
+    extension: float | None = quantity(
+        EXTENSION,
+        "stiffness, per length of the crease, of a spring against opening of the crease; only for rigid facets, whose"
+        " creases are hinges if it is not given",
+        default=None,
+        above=0,
+    )
+    extension_damping: float | None = quantity(
+        EXTENSION_DAMPING,
+        "viscous damping of opening per length of the crease; chosen if not given",
+        default=None,
+        at_least=0,
+    )
+    fold_limit: float | None = quantity(
+        ANGLE,
+        "stop: largest fold angle of a crease; if not given, 180 deg for rigid facets, no stop for others",
+        default=None,
+        above=0,
+        at_most=math.pi,
+        examples=["175 deg"],
+    )
+    back_limit: float | None = quantity(
+        ANGLE,
+        "stop: largest angle in the opposite sense; if not given, 0 deg for rigid facets, no stop for others",
+        default=None,
+        at_least=0,
+        at_most=math.pi,
+        examples=["3 deg"],
+    )
+    stop_stiffness: float | None = quantity(
+        CREASE_STIFFNESS,
+        "stiffness of both stops per length of the crease; if not given, stops are rigid in statics and 1000 times as"
+        " stiff as the crease in a run",
+        default=None,
+        above=0,
+        examples=["1 kN m/rad/m"],
+    )
+    start: float = quantity(ANGLE, "initial fold angle of a crease; only for rigid facets", default=0.0)
+    group: Annotated[
+        tuple[CreaseGroup, ...],
+        Field(description="groups of creases that differ; for a crease in several groups the last one counts"),
+    ] = ()
+
+
+def largest_extension(crease: Crease) -> float:
+    """Return the largest stiffness per length against opening, of a section and its groups; 0 if no crease opens."""
+    return max(crease.extension or 0.0, *(group.extension or 0.0 for group in crease.group), 0.0)
+
+
+class Support(Section):
+    """A support: a facet or a vertex that is held."""
+
+    about: ClassVar[str] = "A support: a facet or a vertex that is held"
+
+    of: Annotated[
+        str,
+        Field(
+            description="part of the sheet that is held, such as facet 0 or, if facets bend, vertex 3",
+            examples=["facet 0"],
+        ),
+    ]
+    axes: Annotated[
+        str | None,
+        Field(
+            pattern="^[xyz]{1,3}$",
+            description="axes along which a vertex is held; xyz if not given",
+            examples=["xz"],
+        ),
+    ] = None

@@ -1,0 +1,353 @@
+"""Work of motors, dampers, stops and contacts on many structures, summed step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from forficula.arrays import Array, Indices
+from forficula.dynamics.energies.crease_work import crease_works, displacement_force, engine_work, motor_travel
+from forficula.dynamics.energies.energy import CLAMPING_FIELDS, branch_losses, clamping_work
+from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
+from forficula.dynamics.engine.model import Model, joint_ranges
+from forficula.dynamics.stepping.stepper import energy_of
+from forficula.dynamics.stepping.steps import EngineState, Steps
+from forficula.structure import Motor
+
+# steps during which a stop's force still changes fast: four of its time constants
+_JUMP = 8
+
+
+class WorkBalance:
+    """Work done on each of many structures of one topology since its start."""
+
+    def __init__(self, models: Sequence[Model]) -> None:
+        """Start with zero work."""
+        self._models = models
+        self._timestep = np.array([model.timestep for model in models])
+        self._unit = np.array([model.units.energy for model in models])
+        self._damping = np.array(
+            [np.array(model.engine.dof_damping).reshape(model.engine.nv, -1)[:, 0] for model in models]
+        )
+        self._motors = models[0].structure.motors
+        self._senses = np.array([model.folds.senses for model in models])
+        # last settings of the motors
+        self._set = np.zeros((len(models), len(self._motors)))
+        self._done: dict[str, Array] = {}
+        # motors whose forces depend on the motion, and their powers in the last step
+        self._by_engine = np.array(
+            [
+                [motor.kind == "displacement" or np.isfinite(motor.no_load_speed) for motor in model.structure.motors]
+                for model in models
+            ],
+            dtype=bool,
+        )
+        self._powers = np.zeros((len(models), len(self._motors)))
+        # forces of motors that displace points in the last step, N
+        self._displaces = np.array(
+            [[motor.kind == "displacement" for motor in model.structure.motors] for model in models], dtype=bool
+        )
+        self._forces = np.full((len(models), len(self._motors)), np.nan)
+        self._gaps, self._explicit = models[0].gaps, models[0].explicit
+        # positions of the stops of joints
+        self._stops = [np.array(ends) for ends in zip(*(joint_ranges(model) for model in models), strict=True)]
+        # in which of the last steps a hinge met or left its stop
+        self._met = np.zeros((len(models), _JUMP), dtype=bool)
+        # time that each structure has waited without steps, s, if some stage waits
+        self._waits = any(stage.wait for model in models for stage in model.design.protocol.stages)
+        self._waited = np.zeros(len(models))
+        # the widest gap so far, m
+        self._widest = np.zeros(len(models))
+
+    def add(self, rows: Indices, steps: Steps, torques: Array, taken: Indices) -> dict[str, Array]:
+        """Add the work of some steps of some structures, J.
+
+        In a step, the engine changes the kinetic energy by force times timestep times the mean of the velocities before
+        and after the step, exactly if the inertia is constant. Every work is therefore a force times that travel. (With
+        the later velocity alone, which changes the angles, the balance would have an error of first order in the
+        timestep.) Steps of Runge and Kutta follow another rule: the setting of a motor is constant during a step, and
+        its work is the setting times the travel, to every order of the integration; for other forces see
+        `explicit_works`.
+
+        Args:
+            rows: numbers of the structures.
+            steps: of these structures, in their models' units.
+            torques: settings of every motor during each step, in the models' units, (row, step, motor).
+            taken: number of the steps that count, (row,).
+
+        Returns:
+            By name, the work since the start before each step, J, the powers of the motors in it, W, and their settings
+            before it, in the models' units, (row, step). Names of motors are those of `motor_work_name`,
+            `motor_power_name` and `motor_setting_name`; forces of motors that displace points, N, have the names of
+            `motor_force_name`.
+        """
+        velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
+        with np.errstate(over="ignore", invalid="ignore"):  # diverging structures, whose later steps do not count
+            travel = (velocity[:, :-1] + velocity[:, 1:]) / 2 * self._timestep[rows, None, None]
+            if self._explicit:
+                travel = np.diff(np.concatenate([steps.position_before[:, None], steps.position], axis=1), axis=1)
+            before_step = np.concatenate([self._set[rows, None], torques[:, :-1]], axis=1)
+            work, of_creases = self._driven(rows, steps, travel, torques, before_step)
+            if "qfrc_applied" in steps.derived:
+                work["drag_work"] = np.sum(steps.derived["qfrc_applied"] * travel, axis=2)
+            if self._explicit:
+                work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
+                outside = [motor_work_name(number) for number in range(len(self._motors))]
+                done = sum((work[name] for name in (*outside, "drag_work") if name in work), np.zeros(travel.shape[:2]))
+                self._add_stops(work, done, rows, steps, taken)
+            else:
+                self._add_losses(work, rows, steps, travel, of_creases)
+            for place, row in enumerate(rows.tolist()):
+                self._add_branches(work, place, self._models[row], steps, travel)
+            seconds = [float(self._models[row].design.protocol.timestep) for row in rows]
+            before = {
+                name: self._added_up(name, rows, self._unit[rows, None] * done, taken) for name, done in work.items()
+            }
+            for motor in range(len(self._motors)):
+                done = work[motor_work_name(motor)]
+                power = self._unit[rows, None] * done / np.array(seconds)[:, None]
+                before[motor_power_name(motor)] = power
+                if self._by_engine[:, motor].any():
+                    self._powers[rows, motor] = power[np.arange(len(rows)), np.maximum(taken, 1) - 1]
+                before[motor_setting_name(motor)] = before_step[:, :, motor]
+                if self._displaces[:, motor].any():
+                    before[motor_force_name(motor)] = self._motor_force(rows, motor, steps, taken)
+            if len(self._gaps):
+                before["closure_gap"] = self._widened(rows, steps, taken)
+            if self._waits:
+                before["waited"] = np.repeat(self._waited[rows, None], travel.shape[1], axis=1)
+            self._set[rows] = np.where((taken > 0)[:, None], torques[np.arange(len(rows)), taken - 1], self._set[rows])
+        return before
+
+    def wait(self, row: int, time: float, lost: float, spared: float) -> None:
+        """Add a skipped interval of a structure at rest, s, with energies lost and saved by branches, model units."""
+        self._waited[row] += time
+        for name, work in (("branch_damping_work", -lost), ("letting_go_work", spared)):
+            if name in self._done:
+                self._done[name][row] += self._unit[row] * work
+
+    def total(self, row: int) -> dict[str, float]:
+        """Return the work on a structure since its start, J, and the time it waited, s."""
+        others = {"closure_gap": float(self._widest[row])} if len(self._gaps) else {}
+        others |= {"waited": float(self._waited[row])} if self._waits else {}
+        return {name: float(done[row]) for name, done in self._done.items()} | others
+
+    def power(self, row: int, torques: Array, end: EngineState) -> dict[str, float]:
+        """Return powers of the motors' torques (motor,) on a structure in a state, W; their settings; forces, N."""
+        model, settings = self._models[row], self._set[row]
+        if model.creases is None:
+            along = [
+                self._motor_travel(np.array([row]), end.velocity[None, None], motor)[0, 0] for motor in self._motors
+            ]
+        else:
+            along = list(motor_travel(model, end.position, end.velocity))
+        return {
+            **{
+                motor_power_name(motor): float(
+                    self._powers[row, motor]
+                    if self._by_engine[row, motor]
+                    else model.units.power * torques[motor] * speed
+                )
+                for motor, speed in enumerate(along)
+            },
+            **{motor_setting_name(motor): float(setting) for motor, setting in enumerate(settings)},
+            **{
+                motor_force_name(motor): float(self._forces[row, motor])
+                for motor in np.flatnonzero(self._displaces.any(axis=0)).tolist()
+            },
+        }
+
+    def follow_leader(self, row: int, leader: int) -> None:
+        """Copy the sums of another structure, which has had the same motion so far."""
+        for done in (
+            *self._done.values(),
+            self._set,
+            self._powers,
+            self._forces,
+            self._widest,
+            self._met,
+            self._waited,
+        ):
+            done[row] = done[leader]
+
+    def _driven(
+        self, rows: Indices, steps: Steps, travel: Array, torques: Array, before_step: Array
+    ) -> tuple[dict[str, Array], Array]:
+        """Return the work of motors, and of the damping of creases if there are any, (row, step)."""
+        if steps.angles is None:
+            work = {
+                motor_work_name(number): torques[:, :, number] * self._motor_travel(rows, travel, motor)
+                for number, motor in enumerate(self._motors)
+            }
+            for number in np.flatnonzero(self._by_engine.any(axis=0)).tolist():
+                work[motor_work_name(number)] += np.array(
+                    [
+                        engine_work(self._models[row], number, steps, place, travel[place])
+                        for place, row in enumerate(rows.tolist())
+                    ]
+                )
+            of_creases = np.zeros(travel.shape[:2])
+        else:
+            each = [
+                crease_works(self._models[row], steps, place, travel[place], torques[place], before_step[place])
+                for place, row in enumerate(rows.tolist())
+            ]
+            work = {
+                motor_work_name(number): np.array([motors[number] for motors, _ in each])
+                for number in range(len(self._motors))
+            }
+            of_creases = np.array([damped for _, damped in each])
+        return work, of_creases
+
+    def _add_losses(
+        self, work: dict[str, Array], rows: Indices, steps: Steps, travel: Array, of_creases: Array
+    ) -> None:
+        """Add the work of dampers, stops and contacts in steps that the engine takes implicitly."""
+        velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
+        damping = self._damping[rows, None]
+        # the engine takes hinge damping implicitly, at the velocity after the step
+        work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2) + of_creases
+        work["elastic_damping_work"] = np.sum(
+            (steps.derived["qfrc_damper"] + damping * velocity[:, :-1]) * travel, axis=2
+        )
+        constraints = steps.derived["qfrc_constraint"]
+        if "qacc" in steps.derived:
+            friction = np.array(
+                [
+                    friction_torques(self._models[row], velocity[place, :-1], item, constraints[place])
+                    for place, (row, item) in enumerate(zip(rows.tolist(), steps.derived["qacc"], strict=True))
+                ]
+            )
+            work["friction_work"] = np.sum(friction * travel, axis=2)
+            constraints = constraints - friction
+        work["stop_work"] = np.sum(constraints * travel, axis=2)
+        if self._models[0].structure.contact is not None:
+            self._add_contacts(work, rows, steps, travel)
+
+    def _motor_travel(self, rows: Indices, travel: Array, motor: Motor) -> Array:
+        """Return the summed travel of the hinges of a motor in their own senses, (row, step)."""
+        hinges = list(motor.hinges)
+        return np.asarray(np.sum(self._senses[rows][:, None, hinges] * travel[:, :, hinges], axis=2))
+
+    def _motor_force(self, rows: Indices, motor: int, steps: Steps, taken: Indices) -> Array:
+        """Return the force of a motor on the points that it displaces, N, (row, step); nan if it displaces none."""
+        forces = np.full(steps.position.shape[:2], np.nan)
+        for place, row in enumerate(rows.tolist()):
+            if self._displaces[row, motor]:
+                unit = self._models[row].units
+                forces[place] = unit.energy / unit.length * displacement_force(self._models[row], motor, steps, place)
+        self._forces[rows, motor] = forces[np.arange(len(rows)), np.maximum(taken, 1) - 1]
+        return forces
+
+    def _add_branches(self, work: dict[str, Array], place: int, model: Model, steps: Steps, travel: Array) -> None:
+        """Add the losses of tendons' Maxwell branches, and the work of clamping tendons that must not push."""
+        activations = steps.activation(place, travel.shape[1])
+        if model.branches.size:
+            lost = work.setdefault("branch_damping_work", np.zeros(travel.shape[:2]))
+            lost[place] = -branch_losses(model, activations).sum(axis=(1, 2))
+        if model.lets_go.any():
+            forces, late = (
+                {name: fields[name][place] for name in CLAMPING_FIELDS} if fields else {}
+                for fields in (steps.derived, steps.late)
+            )
+            damper, spared = clamping_work(model, travel[place], forces, late, activations)
+            work["elastic_damping_work"][place] += damper
+            if model.branches.size:
+                work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared
+
+    def _add_contacts(self, work: dict[str, Array], rows: Indices, steps: Steps, travel: Array) -> None:
+        """Divide the work of constraints into that of stops and that of contacts."""
+        position = np.concatenate([steps.position_before[:, None], steps.position[:, :-1]], axis=1)
+        stops = np.zeros(travel.shape[:2])
+        for place, row in enumerate(rows.tolist()):
+            before = {name: values[place] for name, values in steps.derived.items()}
+            stops[place] = np.sum(stop_forces(self._models[row], position[place], before) * travel[place], axis=1)
+        work["contact_work"], work["stop_work"] = work["stop_work"] - stops, stops
+
+    def _add_stops(self, work: dict[str, Array], driven: Array, rows: Indices, steps: Steps, taken: Indices) -> None:
+        """Divide the work of constraints into that of stops and that of closures.
+
+        The force of a stop jumps within the step in which a hinge meets or leaves it, so no rule for smooth forces
+        applies. In that step and a few more, the change of energy that no other work explains is the work of stops.
+        """
+        low, high = (self._stops[end][rows, None] for end in (0, 1))
+        position = np.concatenate([steps.position_before[:, None], steps.position], axis=1)
+        at_stop = (position <= low) | (position >= high)
+        met = np.concatenate([self._met[rows], (at_stop[:, 1:] != at_stop[:, :-1]).any(axis=2)], axis=1)
+        jumps = np.lib.stride_tricks.sliding_window_view(met, _JUMP + 1, axis=1).any(axis=2)
+        self._met[rows] = [flags[end : end + _JUMP] for flags, end in zip(met, taken.tolist(), strict=True)]
+        stopped = jumps | at_stop[:, :-1].any(axis=2) | at_stop[:, 1:].any(axis=2)
+        closing = np.where(stopped, 0.0, work["stop_work"])
+        work["stop_work"] = np.where(stopped, work["stop_work"], 0.0)
+        if len(self._gaps):
+            work["closure_work"] = closing
+        others = driven + work["hinge_damping_work"] + work["elastic_damping_work"]
+        for place, step in zip(*np.nonzero(jumps & (np.arange(jumps.shape[1]) < taken[:, None])), strict=True):
+            ends = (steps.before[place] if step == 0 else steps.after[place, step - 1], steps.after[place, step])
+            before, after = (energy_of(self._models[rows[place]], state) for state in ends)
+            work["stop_work"][place, step] = after - before - others[place, step]
+
+    def _widened(self, rows: Indices, steps: Steps, taken: Indices) -> Array:
+        """Return the widest gap of a closure up to the state before each step, m, (row, step)."""
+        unit = np.array([self._models[row].units.length for row in rows.tolist()])
+        assert steps.late is not None
+        ends = [fields["ten_length"][:, :, self._gaps].max(axis=2) for fields in (steps.derived, steps.late)]
+        gaps = unit[:, None] * np.concatenate([ends[0][:, :1], ends[1]], axis=1)
+        widest = np.maximum.accumulate(np.maximum(gaps, self._widest[rows, None]), axis=1)
+        self._widest[rows] = widest[np.arange(len(rows)), taken]
+        return np.asarray(widest[:, :-1])
+
+    def _added_up(self, name: str, rows: Indices, works: Array, taken: Indices) -> Array:
+        """Add the work of steps to a sum, and return the sum before each step, (row, step)."""
+        done = self._done.setdefault(name, np.zeros(len(self._models)))
+        # a single sum from the start, which does not depend on the ends of chunks
+        total = np.cumsum(np.concatenate([done[rows, None], works], axis=1), axis=1)
+        done[rows] = total[np.arange(len(rows)), taken]
+        return np.asarray(total[:, :-1])
+
+
+def motor_work_name(motor: int) -> str:
+    """Return the name of the work of a motor in an account."""
+    return f"motor{motor}_work"
+
+
+def motor_setting_name(motor: int) -> str:
+    """Return the name of the setting of a motor in an account."""
+    return f"motor{motor}_setting"
+
+
+def motor_power_name(motor: int) -> str:
+    """Return the name of the power of a motor in an account."""
+    return f"motor{motor}_power"
+
+
+def motor_force_name(motor: int) -> str:
+    """Return the name of the force of a motor that displaces points in an account."""
+    return f"motor{motor}_motor_force"
+
+
+def explicit_works(steps: Steps, travel: Array, damping: Array, timestep: Array) -> dict[str, Array]:
+    """Compute the work of dampers, and of stops and closures, in each step, (row, step), in the models' units.
+
+    The work of hinge dampers is the integral of the squared speed, by Simpson's rule of fourth order. The speed at the
+    middle is that of the cubic through both positions with both speeds. Powers of other forces are known at both ends
+    of a step, so the trapezoidal rule of second order is used.
+
+    Args:
+        steps: of structures for which `Model.explicit` is true.
+        travel: of the joints in each step, (row, step, dof).
+        damping: of the joints, (row, dof).
+        timestep: (row,).
+    """
+    before = np.concatenate([steps.velocity_before[:, None], steps.velocity[:, :-1]], axis=1)
+    after, step, damping = steps.velocity, timestep[:, None, None], damping[:, None]
+    middle = 1.5 * travel / step - (before + after) / 4
+    assert steps.late is not None
+    at_start, at_end = steps.derived, steps.late
+    works = {"hinge_damping_work": -step / 6 * damping * (before**2 + 4 * middle**2 + after**2)}
+    for name, field in (("elastic_damping_work", "qfrc_damper"), ("stop_work", "qfrc_constraint")):
+        implicit = damping if field == "qfrc_damper" else 0.0
+        powers = (at_start[field] + implicit * before) * before + (at_end[field] + implicit * after) * after
+        works[name] = step / 2 * powers
+    return {name: np.sum(work, axis=2) for name, work in works.items()}
