@@ -1,6 +1,6 @@
 """Code that depends on the operating system, each branch simulated on whichever system runs the tests.
 
-docs/contributing.md lists these branches.
+docs/operating-systems.md lists these branches.
 """
 
 import asyncio

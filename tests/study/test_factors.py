@@ -2,7 +2,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import distribution, settings
 from hypothesis import strategies as st
 from scipy import stats
 
@@ -39,7 +39,7 @@ def test_a_range_has_both_its_ends(text, values):
 
 
 @settings(max_examples=200, deadline=None)
-@given(st.integers(-500, 500), st.integers(1, 99), st.integers(0, 200), st.integers(0, 4))
+@distribution(st.integers(-500, 500), st.integers(1, 99), st.integers(0, 200), st.integers(0, 4))
 def test_the_decimals_of_a_range_are_those_that_a_person_would_write(first, step, count, digits):
     def decimal(number):
         return f"{number / 10**digits:.{digits}f}"
@@ -199,7 +199,7 @@ def test_drawn_values_follow_their_distribution(name, method):
     assert stats.kstest(values, DISTRIBUTIONS[name][1].cdf).statistic < limit
 
 
-@given(st.floats(1e-6, 1 - 1e-6), st.floats(1e-3, 10), st.floats(1e-3, 10))
+@distribution(st.floats(1e-6, 1 - 1e-6), st.floats(1e-3, 10), st.floats(1e-3, 10))
 def test_quantiles_are_those_of_the_closed_forms(share, low, width):
     shares, high = np.array([share]), low + width
     quantile = {
@@ -232,7 +232,7 @@ def test_every_column_of_sobol_points_has_one_in_each_of_as_many_equal_parts():
 
 
 @pytest.mark.parametrize(
-    ("given", "message"),
+    ("distribution", "message"),
     [
         (
             {"distribution": "cauchy", "low": "1 cm", "high": "2 cm"},
@@ -251,9 +251,9 @@ def test_every_column_of_sobol_points_has_one_in_each_of_as_many_equal_parts():
         ({"distribution": "normal", "mean": "1 cm", "deviation": "0 cm"}, ".deviation: need > 0"),
     ],
 )
-def test_an_invalid_distribution_is_rejected_with_its_parameter(given, message):
+def test_an_invalid_distribution_is_rejected_with_its_parameter(distribution, message):
     with pytest.raises(InputError) as caught:
-        read_factor("tendon.rest_length", given, FanDesign)
+        read_factor("tendon.rest_length", distribution, FanDesign)
     assert str(caught.value).startswith(f"tendon.rest_length{message}")
 
 

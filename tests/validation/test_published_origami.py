@@ -63,8 +63,8 @@ def uniform_fields(pattern):
         fields.append(np.cross(turn, corners - at) + rise[:, None] * (0, 0, 1))
     fields += [np.stack(item, axis=1) for item in ((x, none, none), (none, y, none), (y, x, none))]
     kinds = (2 * (line % 2) + place % 2)[:, None] == np.arange(4)
-    own = kinds[:, None, :, None] * np.eye(3)[None, :, None, :]
-    return np.concatenate((np.stack(fields, axis=-1), own.reshape(49, 3, 12)), axis=-1)
+    opposite = kinds[:, None, :, None] * np.eye(3)[None, :, None, :]
+    return np.concatenate((np.stack(fields, axis=-1), opposite.reshape(49, 3, 12)), axis=-1)
 
 
 @pytest.mark.parametrize(("acute", "fold"), [(60, 30), (70, 90), (45, 60), (80, 150)])

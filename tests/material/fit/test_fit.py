@@ -87,11 +87,11 @@ def test_specimens_that_differ_widen_the_intervals():
     hits, widths = [], []
     for seed in range(30):
         scale = 1 + 0.05 * np.random.default_rng(100 + seed).standard_normal(4)
-        own = [
+        specimens = [
             measured(replace(VISCOUS, moduli=(5e6 * item, 0, 0)), history, 4 * seed + index)
             for index, item in enumerate(scale)
         ]
-        fit = fit_law(own, forms=[LawForm(damper=1)])
+        fit = fit_law(specimens, forms=[LawForm(damper=1)])
         hits.append(covered(VISCOUS, fit)["modulus.linear"])
         widths.append(fit.law.intervals[0].high - fit.law.intervals[0].low)
     # mean of four: Student's t of 3 times 5 % by sqrt(4), to either side

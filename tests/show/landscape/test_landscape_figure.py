@@ -142,9 +142,9 @@ def test_a_barrier_beside_straight_is_drawn_at_its_own_angle(surveyed):
     figure = draw_tendon(landscape)
     near = figure.axes[0].child_axes[0]
     (arrow,) = [text for text in near.texts if text.get_text() == ""]
-    own = landscape.tendons[1]
-    assert arrow.xy == (pytest.approx(math.degrees(own.barrier_angle)), pytest.approx(1e3 * own.barrier))
-    assert math.degrees(own.barrier_angle) < -4
+    hinge = landscape.tendons[1]
+    assert arrow.xy == (pytest.approx(math.degrees(hinge.barrier_angle)), pytest.approx(1e3 * hinge.barrier))
+    assert math.degrees(hinge.barrier_angle) < -4
     for line in [line for line in near.lines if len(line.get_xdata()) > 60]:
         # both tops are within what is shown, and the stop is its zero
         assert max(line.get_ydata()) > 0

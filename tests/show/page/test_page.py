@@ -59,8 +59,8 @@ def test_the_licences_of_packed_code_are_included():
     licences = built("LICENSES.txt")
     for words in ("three", "Copyright © 2010", "uplot", "Copyright (c) 2022 Leon Sorokin"):
         assert words in licences
-    own = licences.partition("mujoco ")[0]
-    assert own.count("Permission is hereby granted") == 2
+    licence = licences.partition("mujoco ")[0]
+    assert licence.count("Permission is hereby granted") == 2
 
 
 def test_a_reader_without_javascript_is_told_so_above_the_numbers():

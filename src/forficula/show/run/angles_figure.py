@@ -156,8 +156,8 @@ def _draw_many(axes: Axes, time: Array, record: Record, measure: Measure) -> Non
     for number, (role, indices) in enumerate(groups.items()):
         look, role_values = _look(number, len(groups)), values[:, indices]
         # one line with gaps draws faster than many lines
-        each = np.vstack([role_values, np.full(len(indices), np.nan)]).T.ravel()
-        axes.plot(np.tile([*time, np.nan], len(indices)), each, color=look["color"], lw=0.5, alpha=0.35)
+        lines = np.vstack([role_values, np.full(len(indices), np.nan)]).T.ravel()
+        axes.plot(np.tile([*time, np.nan], len(indices)), lines, color=look["color"], lw=0.5, alpha=0.35)
         axes.plot(time, median(role_values), **look, lw=1.6, label=f"{role} ({len(indices)}), median")
 
 

@@ -96,7 +96,7 @@ class Assumptions(Result):
     Attributes:
         design: the design whose assumptions are changed.
         transitions: transitions of its structure, in the order of the protocol.
-        own: run of the unchanged design.
+        as_designed: run of the unchanged design.
         runs: runs with one changed assumption each, in the order of `ASSUMPTIONS`.
         left_out: why an assumption does not apply, by its name.
         uncertainty: numerical uncertainty of times (s) and works (J) of the unchanged design, by name as in
@@ -106,7 +106,7 @@ class Assumptions(Result):
 
     design: Annotated[Design, Written.NEVER]
     transitions: tuple[TransitionName, ...]
-    own: AssumptionRun
+    as_designed: AssumptionRun
     runs: tuple[AssumptionRun, ...]
     left_out: Mapping[str, str]
     uncertainty: Annotated[Mapping[str, float], Written.NEVER]
@@ -143,13 +143,13 @@ class Assumptions(Result):
         unknown = sum(run.effect is Effect.UNKNOWN for run in self.runs)
         tried = counted(len(self.runs), "changed assumption")
         rest = f"; {unknown} of {len(self.runs)} changes have no reliable result" if unknown else ""
-        if not self.own.verdict.conclusive:
-            return f"{self.own.status}, so no assumption can be compared with this result"
+        if not self.as_designed.verdict.conclusive:
+            return f"{self.as_designed.status}, so no assumption can be compared with this result"
         if not self.deciding:
-            return f"{self.own.word}; none of {tried} changes the verdict{rest}"
+            return f"{self.as_designed.word}; none of {tried} changes the verdict{rest}"
         changes = ", ".join(f"{run.label} ({run.word})" for run in self.deciding)
         verb = "changes" if len(self.deciding) == 1 else "change"
-        return f"{self.own.word}; {len(self.deciding)} of {tried} {verb} the verdict: {changes}{rest}"
+        return f"{self.as_designed.word}; {len(self.deciding)} of {tried} {verb} the verdict: {changes}{rest}"
 
     def to_dataframe(self) -> DataFrame:
         """Return the runs as a pandas table: label, effect, verdict, status, and times, s, and works, J."""
@@ -169,7 +169,7 @@ class Assumptions(Result):
         """
         import xarray
 
-        runs, names = (self.own, *self.runs), [transition.name for transition in self.transitions]
+        runs, names = (self.as_designed, *self.runs), [transition.name for transition in self.transitions]
         words = {
             name: ("run", [str(getattr(run, name)) for run in runs])
             for name in ("label", "effect", "verdict", "status")
@@ -255,7 +255,7 @@ def run_assumptions(
     return Assumptions(
         design=design,
         transitions=_names(record.structure),
-        own=first,
+        as_designed=first,
         runs=tuple(runs),
         left_out={
             assumption.name: left_out[assumption.name] for assumption in assumptions if assumption.name in left_out
@@ -265,19 +265,19 @@ def run_assumptions(
     )
 
 
-def effect_of(run: AssumptionRun, own: AssumptionRun, uncertainty: Mapping[str, float]) -> Effect:
+def effect_of(run: AssumptionRun, as_designed: AssumptionRun, uncertainty: Mapping[str, float]) -> Effect:
     """Return the effect of a changed assumption, given the numerical uncertainty of the unchanged design's run.
 
     Args:
         run: run with the change.
-        own: run of the unchanged design.
+        as_designed: run of the unchanged design.
         uncertainty: see `Assumptions`.
     """
-    if not (run.verdict.conclusive and own.verdict.conclusive):
+    if not (run.verdict.conclusive and as_designed.verdict.conclusive):
         return Effect.UNKNOWN
-    if (run.verdict, run.goal) != (own.verdict, own.goal):
+    if (run.verdict, run.goal) != (as_designed.verdict, as_designed.goal):
         return Effect.VERDICT
-    for kind, values, others in (("time", run.times, own.times), ("work", run.works, own.works)):
+    for kind, values, others in (("time", run.times, as_designed.times), ("work", run.works, as_designed.works)):
         for name, value in values.items():
             other = others[name]
             if value is None or other is None:
@@ -350,12 +350,12 @@ def _reliable(records: dict[str, Record], counting: _Counting) -> dict[str, tupl
 
 
 def _confirmed(
-    outcomes: Mapping[str, tuple[Outcome, Record]], own: Outcome, counting: _Counting
+    outcomes: Mapping[str, tuple[Outcome, Record]], as_designed: Outcome, counting: _Counting
 ) -> dict[str, tuple[Outcome, Record]]:
     """Return the same outcomes, with changed verdicts checked by a run at half the timestep."""
-    if not own.verdict.conclusive:
+    if not as_designed.verdict.conclusive:
         return dict(outcomes)
-    ending = (own.verdict, own.ending.goal)
+    ending = (as_designed.verdict, as_designed.ending.goal)
     halves = {
         name: half_step(record.design)
         for name, (outcome, record) in outcomes.items()

@@ -41,12 +41,12 @@ def parts_data(parts: PartSet, record: Record | None) -> dict[str, Any]:
         InputError: the record has another structure.
     """
     arrays = PackedArrays()
-    looks, own = part_looks(parts)
+    looks, look_numbers = part_looks(parts)
     shifts = apart(parts)
     same: dict[str, int] = {}
     data = []
     masses = part_masses(parts)
-    for part, look, shift in zip(parts.parts, own, shifts, strict=True):
+    for part, look, shift in zip(parts.parts, look_numbers, shifts, strict=True):
         place = same.get(part.kind, 0)
         same[part.kind] = place + 1
         data.append(_part_data(parts, part, masses[part.name], arrays, place) | {"look": look, "apart": shift.tolist()})
