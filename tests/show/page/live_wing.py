@@ -72,11 +72,11 @@ class LiveWing:
 
     def pace(self, value):
         """Set a multiple of real time, which the page's menu limits to 1: fewer frames are drawn."""
-        self.evaluate(f"window.forficula.trial.panel.engine.tell({{ act: 'pace', value: {value} }})")
+        self.evaluate(f"window.forficula.trial.panel.engine.send({{ act: 'pace', value: {value} }})")
 
     def rest(self):
         """Pause until the next command, so that nothing is drawn meanwhile."""
-        self.evaluate("window.forficula.trial.panel.engine.tell({ act: 'pause' })")
+        self.evaluate("window.forficula.trial.panel.engine.send({ act: 'pause' })")
 
     def slide(self, shares=None):
         """Set sliders to shares of their ranges, by key, and reset the others to the run's values."""

@@ -59,7 +59,7 @@ _COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
 _LEAST_SEEN = 0.05  # deg, least half range of an axis: smaller changes are rounding errors
 # range of an axis of angles to one side, deg, if hinges exceed a right angle; its least; its ratio to the stops
 _HALF_TURN, _LEAST_ROOM, _ROOM = 200.0, 25.0, 1.2
-_SHORTEST = 7  # letters of a label, four of which fit into a row of a column
+_SHORTEST = 7  # letters of a label; four labels of this length fit into a row of a column
 _STEPS, _MOST_STEPS = (5, 10, 15, 30, 45, 90), 6
 
 

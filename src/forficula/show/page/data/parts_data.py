@@ -25,7 +25,7 @@ from forficula.show.page.data.time_spans import run_spans, span_data
 from forficula.show.page.playback import clip_data, make_clip
 from forficula.structure import built_hinges
 
-_BUDGET = 2_000_000  # bytes of the frames of a motion, of which the page keeps only the angles
+_BUDGET = 2_000_000  # bytes of the frames of a motion; the page keeps only their angles
 # shapes of a slack strap, from straight to ends that coincide, and points along each shape
 _BOWS, _POINTS = 33, 33
 
