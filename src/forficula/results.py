@@ -92,7 +92,7 @@ class Result(Displayed):
         """Draw a figure of this result.
 
         Args:
-            name: name of the figure, as in its file in the folder that `save` writes; may be left out where there is only
+            name: name of the figure, as in its file in the folder that `save` writes; optional if there is only
                 one.
             width: of a journal's column or page, or a number in inches.
 

@@ -265,7 +265,7 @@ function makeChooser(model, data, state, player) {
   function describe(index) {
     const part = model.parts[index];
     const [material, mass, size] = part.facts;
-    const many = part.count > 1 ? `${part.count} alike, each ` : "";
+    const many = part.count > 1 ? `${part.count} identical ones, each ` : "";
     return `${part.name}: ${model.looks[part.look].name} of ${material}, ${many}${mass}, ${size}`;
   }
 

@@ -83,7 +83,7 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
   panel.element = make(
     "div",
     { className: "trial" },
-    make("div", { className: "seen" }, make("div", { className: "choices" }, ...buttons), make("div", { className: "facts" }, moment, account), said, advice, picture, readout),
+    make("div", { className: "seen" }, make("div", { className: "choices" }, ...buttons), make("div", { className: "live-facts" }, moment, account), said, advice, picture, readout),
     make("div", { className: "hands" }, sliders.element, ...(set ? [] : [design.element])),
   );
 
