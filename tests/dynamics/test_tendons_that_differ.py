@@ -60,7 +60,7 @@ def assert_each_has_its_own_energy(record):
         assert energies[:, number] == pytest.approx(stored, abs=1e-12)
 
 
-def test_tendons_that_are_alike_have_the_bits_of_the_design():
+def test_identical_tendons_have_the_bits_of_the_design():
     ours, theirs = run(mixed(LINEAR, LINEAR, LINEAR)), run(compile_model(LINEAR))
     for name, values in theirs.series.items():
         assert values.tobytes() == ours.series[name].tobytes(), name

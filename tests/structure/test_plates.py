@@ -236,7 +236,7 @@ def test_another_protocol_on_the_same_plates():
 
 
 @pytest.mark.parametrize(("first", "second", "size"), [(0.02, -0.03, 0.02), (0.0, -0.03, -0.03)])
-def test_drives_of_one_stage_grow_together_whichever_of_them_has_strength(first, second, size):
+def test_drives_of_one_stage_grow_together_for_all_combinations_of_strengths(first, second, size):
     both = {"protocol.stages.1.drive": ["close", "open"], "drive.close.value": first, "drive.open.value": second}
     structure = structure_of(with_values(LETTER, both))
     drive = structure.drives[-1]

@@ -1,4 +1,4 @@
-"""What a workbench tells of a design."""
+"""Responses of a workbench about a design."""
 
 import shlex
 

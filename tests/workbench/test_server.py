@@ -234,7 +234,7 @@ def test_a_task_ends_when_its_page_is_closed(served):
 def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line_and_leaves_nothing(
     tmp_path, tmp_path_factory, monkeypatch, by, at_work
 ):
-    """So does whoever ends it otherwise, or closes its terminal, which is heard alike."""
+    """SIGTERM, and SIGHUP from a closed terminal, have the same effect as Ctrl-C."""
     number = getattr(signal, by, None)
     if number is None or signal.getsignal(number) == signal.SIG_IGN:
         pytest.skip("a job in the background ignores it, and not every system has it")

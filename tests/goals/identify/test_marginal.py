@@ -9,7 +9,7 @@ REPETITIONS, UNKNOWNS, SAMPLES = 200, 15, 256
 
 
 def result(shares, agrees):
-    """Samples at coordinates, (samples, unknowns), some of which agree."""
+    """Return samples at coordinates, (samples, unknowns); some of them agree."""
     count = len(shares)
     return xarray.Dataset(
         {

@@ -152,7 +152,7 @@ def test_a_first_cycle_that_is_not_compared_is_remembered():
     assert fit.misfit == pytest.approx(1e4, rel=0.1)
 
 
-def test_two_rates_tell_a_nonlinear_damper_and_one_does_not():
+def test_two_rates_determine_a_nonlinear_damper_and_one_does_not():
     form = LawForm(damper=2)
     fit = fit_law([measured(NONLINEAR, two_rates(800), 1, noise=1e4)], forms=[form])
     assert all(covered(NONLINEAR, fit).values())
@@ -202,7 +202,7 @@ def test_a_known_zero_of_the_force_is_not_fitted():
         assert residual.fitted[0] == pytest.approx(specimen.stress[0], abs=1.0)
 
 
-def test_one_rate_cannot_tell_a_damper_from_a_fast_branch():
+def test_one_rate_cannot_distinguish_a_damper_from_a_fast_branch():
     law = replace(VISCOUS, viscosity=None, branches=(MaxwellBranch(modulus=4e6, time=6.0),))
     forms = [LawForm(damper=1), LawForm(branches=1)]
     one = measured(law, cycles(400, 3, 0.01), 2, noise=4e5)

@@ -157,7 +157,7 @@ def test_a_vein_without_a_tendon_has_no_curve_and_the_others_have_one_each(surve
     figure = draw_tendon(landscape)
     names = [str(line.get_label()) for line in figure.axes[0].lines if "hinge of the wing" in str(line.get_label())]
     assert names == [f"hinge of the wing, its ring crease (vein {vein})" for vein in (0, 2)]
-    # every state has its own level of independent hinges, whichever are folded
+    # every state has its own level of independent hinges, for any set of folded hinges
     top, bottom = draw_levels(landscape).axes
     dashed = [line.get_ydata()[0] for line in top.lines if line.get_linestyle() == "--"]
     assert sorted(dashed) == pytest.approx(sorted(fold.independent_energy for fold in landscape.partial_folds))

@@ -32,7 +32,7 @@ def summary(short_outcome):
     return tell
 
 
-def test_a_wing_that_folded_and_opened_is_told_in_one_sentence_with_its_numbers(summary, short_outcome):
+def test_a_run_that_folds_and_opens_is_summarised_in_one_sentence_with_its_numbers(summary, short_outcome):
     fold, unfold = short_outcome.transitions.values()
     sentence = summary()
     assert sentence.startswith(f"wing folded in {1e3 * fold.time:.4g} ms with 50 N cm on every proximal joint (")
