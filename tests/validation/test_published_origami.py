@@ -104,8 +104,8 @@ def test_the_bending_poissons_ratio_of_a_miura_sheet_is_minus_the_in_plane_ratio
 def test_a_waterbomb_base_has_two_states_at_the_minima_of_its_symmetric_energy(agree):
     """One stable state with the centre up and one with it down (Hanna, Lund, Lang, Magleby and Howell 2014).
 
-    With rigid facets and equally folded diagonals, the angle of the diagonals determines that of the midlines, on either
-    side of flat (doi 10.1088/0964-1726/23/9/094009). The minimum of the energy of eight linear springs is then
+    With rigid facets and equally folded diagonals, the angle of the diagonals determines that of the midlines, on
+    either side of flat (doi 10.1088/0964-1726/23/9/094009). The minimum of the energy of eight linear springs is then
     computed along a line.
     """
     side, fold, stiffness = 0.1, np.deg2rad(60), 0.02
