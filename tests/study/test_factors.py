@@ -2,7 +2,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import distribution, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import stats
 
@@ -39,7 +39,7 @@ def test_a_range_has_both_its_ends(text, values):
 
 
 @settings(max_examples=200, deadline=None)
-@distribution(st.integers(-500, 500), st.integers(1, 99), st.integers(0, 200), st.integers(0, 4))
+@given(st.integers(-500, 500), st.integers(1, 99), st.integers(0, 200), st.integers(0, 4))
 def test_the_decimals_of_a_range_are_those_that_a_person_would_write(first, step, count, digits):
     def decimal(number):
         return f"{number / 10**digits:.{digits}f}"
@@ -199,7 +199,7 @@ def test_drawn_values_follow_their_distribution(name, method):
     assert stats.kstest(values, DISTRIBUTIONS[name][1].cdf).statistic < limit
 
 
-@distribution(st.floats(1e-6, 1 - 1e-6), st.floats(1e-3, 10), st.floats(1e-3, 10))
+@given(st.floats(1e-6, 1 - 1e-6), st.floats(1e-3, 10), st.floats(1e-3, 10))
 def test_quantiles_are_those_of_the_closed_forms(share, low, width):
     shares, high = np.array([share]), low + width
     quantile = {

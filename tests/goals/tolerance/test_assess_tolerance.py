@@ -24,9 +24,9 @@ from tests.goals.tolerance.closed_form import (
     SMALL,
     WEIGHTS,
     ClosedForm,
-    asked,
     assessed,
     line,
+    question_about,
 )
 
 
@@ -229,7 +229,7 @@ def test_the_table_has_values_in_si_that_lie_within_the_tolerances(tolerance):
 
 def test_first_runs_determine_the_plan_and_it_is_kept(design, tmp_path):
     """Runs of a closed form are so short that the largest plan is chosen."""
-    question = asked(design)
+    question = question_about(design)
     assert kept_plan(tmp_path, question, 0.3, 1) is None
     cluster = ClosedForm(design, FACTORS, line, killed_after=40)
     with pytest.raises(KeyboardInterrupt):
@@ -243,9 +243,9 @@ def test_first_runs_determine_the_plan_and_it_is_kept(design, tmp_path):
 def test_existing_rows_are_not_used_to_time_runs(design, tmp_path):
     """Half a second does not suffice for 256 points, although the folder has rows of earlier runs."""
     with pytest.raises(KeyboardInterrupt):
-        assess_tolerance(asked(design), tmp_path, cluster=ClosedForm(design, FACTORS, line, killed_after=300))
+        assess_tolerance(question_about(design), tmp_path, cluster=ClosedForm(design, FACTORS, line, killed_after=300))
     slow = ClosedForm(design, FACTORS, line, pause=0.02)
-    assert assess_tolerance(asked(design), tmp_path, minutes=0.5 / 60, cluster=slow).plan in PLANS[4:]
+    assert assess_tolerance(question_about(design), tmp_path, minutes=0.5 / 60, cluster=slow).plan in PLANS[4:]
 
 
 def test_two_processes_that_share_runs_get_the_same_result(design, folder, tmp_path, tolerance):
@@ -262,11 +262,11 @@ def test_two_processes_that_share_runs_get_the_same_result(design, folder, tmp_p
 )
 def test_numbers_that_are_not_allowed_are_refused(design, tmp_path, wrong, message):
     with pytest.raises(InputError, match=message):
-        assess_tolerance(asked(design), tmp_path, **wrong)
+        assess_tolerance(question_about(design), tmp_path, **wrong)
 
 
 def test_an_estimate_runs_a_few_and_writes_nothing(design, tmp_path):
-    plan, most, seconds = estimate_tolerance(asked(design), tmp_path / "not-there", minutes=0.01)
+    plan, most, seconds = estimate_tolerance(question_about(design), tmp_path / "not-there", minutes=0.01)
     assert plan is PLANS[-1]
     assert most == plan.most_runs(5)
     assert seconds > 0
@@ -297,4 +297,4 @@ def test_values_beyond_bounds_are_built_at_the_bound_and_reported(design, tmp_pa
 @pytest.mark.parametrize(("minutes", "seed", "says"), [(0, 0, "minutes: need"), (5.0, -1, "seed: need")])
 def test_estimate_rejects_the_same_arguments_as_the_analysis(design, tmp_path, minutes, seed, says):
     with pytest.raises(InputError, match=says):
-        estimate_tolerance(asked(design), tmp_path, minutes, seed)
+        estimate_tolerance(question_about(design), tmp_path, minutes, seed)
