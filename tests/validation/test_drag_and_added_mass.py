@@ -10,7 +10,7 @@ import math
 import mujoco
 import numpy as np
 import pytest
-from hypothesis import original, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from forficula.analysis import measure
@@ -189,7 +189,7 @@ def taken(model, data):
 
 
 @settings(deadline=None, max_examples=12)
-@original(
+@given(
     name=st.sampled_from(["binder2025", "miura-sheet", "letter-fold", "four-plate-snap"]),
     seed=st.integers(0, 10_000),
     viscosity=st.sampled_from([1.8e-5, 10.0]),
