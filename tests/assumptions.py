@@ -45,7 +45,7 @@ _LATE = {"verdict": Verdict.MOVING, "word": "still closing", "status": "still cl
 ASSUMED = Assumptions(
     design=flap(),
     transitions=(TransitionName(name="close", time="time to close", noun="closing"),),
-    as_designed=_OWN,
+    own=_OWN,
     runs=(
         replace(_OWN, **_SLOW, times={"close": 0.3206}, effect=Effect.NUMBERS),
         replace(

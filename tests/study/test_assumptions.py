@@ -102,7 +102,7 @@ def flapping():
 def test_an_overdamped_hinge_takes_as_long_as_its_damping_and_a_rise_delays_it_by_half_of_itself(flapping):
     # c dq/dt = tau min(t / T, 1): t = c q / tau + T / 2
     creases, torque = 0.21 * FLAP["crease.damping"], 0.3
-    as_designed = flapping.as_designed.times["close"]
+    as_designed = flapping.own.times["close"]
     assert as_designed == pytest.approx(creases * np.pi / 3 / torque, rel=5e-3)
     times = {run.name: run.times["close"] for run in flapping.runs}
     assert times["twice hinge damping"] == pytest.approx(2 * as_designed, rel=5e-3)
@@ -129,7 +129,7 @@ def test_a_very_slow_torque_agrees_with_statics():
     result = run_assumptions(design, assumptions=[*named("slow rise"), far])
     ((least,), *_) = least_slow_torques([design])
     slow, slowest = (0.1 * run.times["fold"] / rise for run, rise in zip(result.runs, (0.3, 1.0), strict=True))
-    assert result.as_designed.times["fold"] < 0.02
+    assert result.own.times["fold"] < 0.02
     assert least < slow < 1.12 * least
     assert least < slowest < 1.05 * least
 
@@ -196,7 +196,7 @@ def test_table_is_read_back_and_matches_its_schema(flapping, tmp_path):
 def test_the_table_is_a_dataset(flapping):
     table = flapping.to_xarray()
     assert table.sizes == {"run": 1 + len(flapping.runs), "transition": 1}
-    assert float(table["time"].sel(run="as designed", transition="close")) == flapping.as_designed.times["close"]
+    assert float(table["time"].sel(run="as designed", transition="close")) == flapping.own.times["close"]
     assert table.attrs["says"] == flapping.verdict
 
 
@@ -227,7 +227,7 @@ def test_the_measured_assumptions_of_named_designs_are_those_of_their_present_va
 
 def test_the_measured_times_of_the_reference_wing_are_computed_again(reference_outcome):
     (measured,) = (assumption for assumption in measured_assumptions() if assumption.design.name == "binder2025")
-    for name, time in measured.as_designed.times.items():
+    for name, time in measured.own.times.items():
         assert reference_outcome.transitions[name].time == pytest.approx(time, rel=0.02)
     decides = next(run for run in measured.deciding if "damping" in run.name)
     (more,) = named(decides.name)

@@ -278,4 +278,4 @@ def assumptions(
     print_assumptions(result)
     write_assumptions(result, folder)
     finish_folder(folder, "table of assumptions")
-    return exit_status([result.as_designed.verdict], tolerate=tolerate, ok_if=ok_if)
+    return exit_status([result.own.verdict], tolerate=tolerate, ok_if=ok_if)

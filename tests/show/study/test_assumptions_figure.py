@@ -60,8 +60,8 @@ def test_the_band_is_the_numerical_uncertainty_of_the_designs_own_run():
 
 def test_a_design_that_drives_nothing_and_one_that_fails_are_drawn():
     FigureCanvasAgg(draw_assumptions(replace(ASSUMED, transitions=()))).draw()
-    missed = replace(ASSUMED.as_designed, verdict=Verdict.STUCK, times={"close": None})
-    (work,) = draw_assumptions(replace(ASSUMED, as_designed=missed)).axes
+    missed = replace(ASSUMED.own, verdict=Verdict.STUCK, times={"close": None})
+    (work,) = draw_assumptions(replace(ASSUMED, own=missed)).axes
     assert work.get_xlabel().startswith("work of closing")
 
 

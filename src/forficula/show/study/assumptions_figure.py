@@ -53,7 +53,7 @@ def draw_assumptions(results: Assumptions, width: float = PAGE_WIDTH) -> Figure:
         (transition.time if kind == "time" else f"work of {transition.noun}", transition.name, kind)
         for kind in ("time", "work")
         for transition in results.transitions
-        if _value(results.as_designed, transition.name, kind)
+        if _value(results.own, transition.name, kind)
     ]
     narrow = is_narrow(width)
     with figure_style():
@@ -86,7 +86,7 @@ def _value(run: AssumptionRun, name: str, kind: str) -> float | None:
 
 def _draw_panel(axes: Axes, results: Assumptions, name: str, kind: str) -> None:
     """Draw a dot for every run that has the value, and a triangle if the transition fails."""
-    as_designed = _value(results.as_designed, name, kind)
+    as_designed = _value(results.own, name, kind)
     assert as_designed
     axes.set_xscale("symlog", linthresh=_EVEN)
     half = 100 * results.uncertainty.get(f"{name}.{kind}", 0.0) / abs(as_designed)

@@ -23,7 +23,7 @@ def assumption_rows(results: Assumptions) -> list[dict[str, Any]]:
         {
             "assumption": run.name,
             "change": run.label,
-            "effect": "" if run is results.as_designed else run.effect.value,
+            "effect": "" if run is results.own else run.effect.value,
             "verdict": run.verdict.value,
             "outcome": run.word,
             "status": run.status,
@@ -31,7 +31,7 @@ def assumption_rows(results: Assumptions) -> list[dict[str, Any]]:
             **{f"{transition.name}_time_s": run.times[transition.name] for transition in results.transitions},
             **{f"{transition.name}_work_J": run.works[transition.name] for transition in results.transitions},
         }
-        for run in (results.as_designed, *results.runs)
+        for run in (results.own, *results.runs)
     ]
 
 
@@ -51,10 +51,8 @@ def assumptions_table(results: Assumptions) -> RenderableType:
             table.add_column(f"work of {transition.noun}", justify="right")
     table.add_column("effect")
     table.add_column("result", no_wrap=len(results.transitions) <= _MOST_WORKS)
-    for run in (results.as_designed, *results.runs):
-        table.add_row(
-            *_cells(results, run, works=works), style=_STYLES[run.effect] if run is not results.as_designed else ""
-        )
+    for run in (results.own, *results.runs):
+        table.add_row(*_cells(results, run, works=works), style=_STYLES[run.effect] if run is not results.own else "")
     remark = Text(f"± is the numerical uncertainty of the unchanged design's run.{_own_step(results)}")
     left_out = [Text(f"Does not apply: {name}, because {why}.") for name, why in results.left_out.items()]
     verdict = Text(f"{results.design.name}: {results.verdict}", style="bold")
@@ -67,17 +65,15 @@ def _cells(results: Assumptions, run: AssumptionRun, *, works: bool) -> list[str
         for kind, unit, value in (("time", "s", run.times[transition.name]), ("work", "J", run.works[transition.name])):
             if kind == "work" and not works:
                 continue
-            sure = results.uncertainty.get(f"{transition.name}.{kind}") if run is results.as_designed else None
+            sure = results.uncertainty.get(f"{transition.name}.{kind}") if run is results.own else None
             cells.append("" if value is None else show_uncertain(value, sure, unit, 3))
-    return [*cells, "" if run is results.as_designed else run.effect.value, run.word]
+    return [*cells, "" if run is results.own else run.effect.value, run.word]
 
 
 def _own_step(results: Assumptions) -> str:
     """Return a sentence on runs with a shorter timestep than the design's."""
-    shorter = [
-        run for run in results.runs if run.timestep < 0.999 * results.as_designed.timestep and run.name != "timestep"
-    ]
+    shorter = [run for run in results.runs if run.timestep < 0.999 * results.own.timestep and run.name != "timestep"]
     if not shorter:
         return ""
     steps = ", ".join(f"{run.label} {show_value(run.timestep, 's')}" for run in shorter)
-    return f" Timestep {show_value(results.as_designed.timestep, 's')}; shorter where the change requires it: {steps}."
+    return f" Timestep {show_value(results.own.timestep, 's')}; shorter where the change requires it: {steps}."

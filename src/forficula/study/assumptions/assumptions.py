@@ -96,7 +96,7 @@ class Assumptions(Result):
     Attributes:
         design: the design whose assumptions are changed.
         transitions: transitions of its structure, in the order of the protocol.
-        as_designed: run of the unchanged design.
+        own: run of the unchanged design.
         runs: runs with one changed assumption each, in the order of `ASSUMPTIONS`.
         left_out: why an assumption does not apply, by its name.
         uncertainty: numerical uncertainty of times (s) and works (J) of the unchanged design, by name as in
@@ -106,7 +106,7 @@ class Assumptions(Result):
 
     design: Annotated[Design, Written.NEVER]
     transitions: tuple[TransitionName, ...]
-    as_designed: AssumptionRun
+    own: AssumptionRun
     runs: tuple[AssumptionRun, ...]
     left_out: Mapping[str, str]
     uncertainty: Annotated[Mapping[str, float], Written.NEVER]
@@ -143,13 +143,13 @@ class Assumptions(Result):
         unknown = sum(run.effect is Effect.UNKNOWN for run in self.runs)
         tried = counted(len(self.runs), "changed assumption")
         rest = f"; {unknown} of {len(self.runs)} changes have no reliable result" if unknown else ""
-        if not self.as_designed.verdict.conclusive:
-            return f"{self.as_designed.status}, so no assumption can be compared with this result"
+        if not self.own.verdict.conclusive:
+            return f"{self.own.status}, so no assumption can be compared with this result"
         if not self.deciding:
-            return f"{self.as_designed.word}; none of {tried} changes the verdict{rest}"
+            return f"{self.own.word}; none of {tried} changes the verdict{rest}"
         changes = ", ".join(f"{run.label} ({run.word})" for run in self.deciding)
         verb = "changes" if len(self.deciding) == 1 else "change"
-        return f"{self.as_designed.word}; {len(self.deciding)} of {tried} {verb} the verdict: {changes}{rest}"
+        return f"{self.own.word}; {len(self.deciding)} of {tried} {verb} the verdict: {changes}{rest}"
 
     def to_dataframe(self) -> DataFrame:
         """Return the runs as a pandas table: label, effect, verdict, status, and times, s, and works, J."""
@@ -169,7 +169,7 @@ class Assumptions(Result):
         """
         import xarray
 
-        runs, names = (self.as_designed, *self.runs), [transition.name for transition in self.transitions]
+        runs, names = (self.own, *self.runs), [transition.name for transition in self.transitions]
         words = {
             name: ("run", [str(getattr(run, name)) for run in runs])
             for name in ("label", "effect", "verdict", "status")
@@ -255,7 +255,7 @@ def run_assumptions(
     return Assumptions(
         design=design,
         transitions=_names(record.structure),
-        as_designed=first,
+        own=first,
         runs=tuple(runs),
         left_out={
             assumption.name: left_out[assumption.name] for assumption in assumptions if assumption.name in left_out

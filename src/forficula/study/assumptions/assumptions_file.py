@@ -89,7 +89,7 @@ def _assumptions(text: str) -> Assumptions:
     return Assumptions(
         design=design_from_text(content["design_file"]),
         transitions=tuple(TransitionName(**entry) for entry in content["transitions"]),
-        as_designed=_run(content["own"]),
+        own=_run(content["own"]),
         runs=tuple(_run(entry) for entry in content["runs"]),
         left_out=dict(content["left_out"]),
         uncertainty={name.rpartition("_")[0]: float(half) for name, half in content["uncertainty"].items()},
