@@ -28,7 +28,7 @@ def test_offsets_make_the_barrier_higher(compared):
 
 
 def test_offsets_are_reported_as_the_cause_of_a_lost_state(compared):
-    assert compared.own.holds("folded")
+    assert compared.as_designed.holds("folded")
     assert compared.as_made.holds("folded") is False
     (blame, *_) = compared.blame
     assert (blame.state, blame.alone, blame.mends) == ("folded", ("offsets",), ("offsets",))

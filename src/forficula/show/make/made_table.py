@@ -30,8 +30,8 @@ def made_lines(compared: MadeComparison) -> Iterator[str]:
         yield f"{name}: as designed {_landscape(pair.designed)}; as made {_landscape(pair.made)}"
     for change in compared.changes:
         yield f"{change.key}: {change.designed or 'nothing'} as designed, {change.made or 'nothing'} as made"
-    if compared.own is not None and compared.as_made is not None:
-        yield f"run as designed: {compared.own.status}; as made: {compared.as_made.status}"
+    if compared.as_designed is not None and compared.as_made is not None:
+        yield f"run as designed: {compared.as_designed.status}; as made: {compared.as_made.status}"
     for trial in compared.trials[2:]:
         yield f"with {' and '.join(trial.groups)} as made, all else as designed: {trial.status}"
     for blame in compared.blame:
