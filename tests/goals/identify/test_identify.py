@@ -199,7 +199,7 @@ def test_a_number_with_an_inconclusive_run_is_decided_only_if_this_run_cannot_ma
     fact = time_fact("time", statistic=statistic, **LENGTHS, **settings)
     result = observed([fact], samples=4, rows=silent_at("9 cm"))
     assert (result.met == met).all()
-    assert (result.conclusive == tells).all()
+    assert (result.tells == tells).all()
     assert (result.untold == 1).all()
     assert np.isfinite(result.distance).all()
     assert int(result.told[0]) == (4 if tells else 0)
