@@ -336,7 +336,7 @@ def _trials(goal: Goal, assess: Assessor, points: Sequence[Point]) -> list[Trial
             designs.append(str(error))
     assessed = screened(goal, assess, designs)
     return [
-        trial_of(goal, Candidate(point=point, values=value, found=result))
+        trial_of(goal, Candidate(point=point, values=value, screened=result))
         for point, value, result in zip(points, values, assessed, strict=True)
     ]
 

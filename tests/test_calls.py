@@ -72,7 +72,7 @@ def test_values_are_replaced_by_text_with_a_unit_or_in_si(design):
         ff.check_design,
         ff.structure_of,
         ff.pattern_facts,
-        lambda given: ff.new_study(given, {}),
+        lambda design: ff.new_study(design, {}),
     ],
 )
 def test_what_is_no_design_gets_a_sentence(call):

@@ -1169,7 +1169,7 @@ def test_the_estimate_of_a_run_is_an_upper_limit(capsys, monkeypatch, searches, 
     clock = iter([0.0, 0.0, 0.5, 2.0])
     monkeypatch.setattr("forficula.commands.cost.monotonic", lambda: next(clock))
     seen = []
-    estimate = RunEstimate(lambda *told: seen.append(told), searches=searches)
+    estimate = RunEstimate(lambda *report: seen.append(report), searches=searches)
     for time in (0.0, 0.1, 0.5):
         estimate("fold", time, 6.5)
     said = f"estimate: at most 24 s, less if stages reach their goals early{ending}\n"

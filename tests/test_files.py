@@ -362,16 +362,16 @@ def test_a_planted_link_is_replaced_and_not_followed(tmp_path, write):
     assert not (tmp_path / "out" / "a.txt").is_symlink()
 
 
-@pytest.mark.parametrize("there", [True, False])
-def test_lines_are_not_added_to_a_file_behind_a_link(tmp_path, there):
-    if there:
+@pytest.mark.parametrize("exists", [True, False])
+def test_lines_are_not_added_to_a_file_behind_a_link(tmp_path, exists):
+    if exists:
         (tmp_path / "elsewhere").write_text("theirs")
     (tmp_path / "a.jsonl").symlink_to(tmp_path / "elsewhere")
     with pytest.raises(InputError) as caught:
         open_to_append(tmp_path / "a.jsonl")
     sentence = f"{tmp_path}/a.jsonl: need a file or nothing there, got a link to {tmp_path}/elsewhere; remove it"
     assert str(caught.value) == sentence
-    assert (tmp_path / "elsewhere").exists() == there
+    assert (tmp_path / "elsewhere").exists() == exists
 
 
 def test_a_new_folder_that_could_not_be_filled_is_not_left_behind(tmp_path):

@@ -1,6 +1,6 @@
-"""Code that depends on the operating system, each branch simulated on whichever system runs the tests.
+"""Code that depends on the operating system, with every branch simulated on the system that runs the tests.
 
-docs/contributing.md lists these branches.
+docs/operating-systems.md lists these branches.
 """
 
 import asyncio
@@ -94,7 +94,7 @@ def test_memory_is_not_limited_where_the_system_has_no_limits(monkeypatch):
     assert os.environ.get("OPENBLAS_NUM_THREADS") == before
 
 
-def test_line_ends_of_every_system_are_read_alike_and_one_kind_is_written(tmp_path):
+def test_line_ends_of_every_system_are_read_and_one_kind_is_written(tmp_path):
     for ends in (b"\n", b"\r\n", b"\r"):
         (tmp_path / "read").write_bytes(b"\xef\xbb\xbfone" + ends + b"two" + ends)
         assert read_text(tmp_path / "read") == "one\ntwo\n"

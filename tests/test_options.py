@@ -116,11 +116,11 @@ def test_a_folder_with_another_kind_of_results_is_refused(tmp_path, kind):
     if kind == "optimisation":  # which has a study's table, too
         (tmp_path / MARKERS["study"]).write_text("{}")
     check_own_kind(tmp_path, kind)
-    for own in MARKERS.keys() - {kind}:
+    for name in MARKERS.keys() - {kind}:
         with pytest.raises(
             InputError, match=rf"need a folder of its own, got .*, which holds an? {kind} \({MARKERS[kind]}"
         ):
-            check_own_kind(tmp_path, own)
+            check_own_kind(tmp_path, name)
 
 
 def test_a_folder_that_cannot_be_made_is_refused_before_anything_runs(refusal, tmp_path):

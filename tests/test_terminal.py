@@ -50,7 +50,7 @@ def test_a_full_device_is_reported_in_one_line(arguments):
             [sys.executable, "-m", "forficula", *arguments], stdout=full, stderr=subprocess.PIPE, check=False, text=True
         )
     assert done.returncode == 1
-    # a slow machine tells its time before
+    # on a slow machine the run time is printed before
     assert done.stderr.splitlines()[-1] == "forficula: the output cannot be written: No space left on device"
 
 

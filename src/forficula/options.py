@@ -74,7 +74,8 @@ OkIf = Annotated[
     ),
 ]
 OpenReport = Annotated[
-    bool, Parameter(name="--open", help="Open report.html in the browser when it is written.", negative=())
+    bool,
+    Parameter(name="--open", help="Open the HTML page of the results in the browser when it is written.", negative=()),
 ]
 DesignName = Annotated[
     str, Parameter(help="A named design, or the path of a design file (.toml), a FOLD file or a drawing (.svg, .dxf).")

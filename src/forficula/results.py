@@ -92,7 +92,7 @@ class Result(Displayed):
         """Draw a figure of this result.
 
         Args:
-            name: of the figure, as of its file in the folder that `save` writes; may be left out where there is only
+            name: name of the figure, as in its file in the folder that `save` writes; optional if there is only
                 one.
             width: of a journal's column or page, or a number in inches.
 
@@ -319,18 +319,18 @@ def kinds_in(folder: Path) -> list[ResultKind]:
     return _uncovered([kind for kind in KINDS if (folder / kind.data).is_file()])
 
 
-def check_own_kind(folder: Path, own: str) -> None:
+def check_own_kind(folder: Path, kind_name: str) -> None:
     """Refuse a folder with results of another kind, because their pages, figures and tables would be replaced.
 
     Args:
         folder: where results will be written.
-        own: name of their kind.
+        kind_name: name of their kind.
 
     Raises:
         InputError: the folder contains results of another kind.
     """
     present = _uncovered([kind for kind in KINDS if kind.marker and (folder / kind.marker).is_file()])
-    if any(kind.name == own for kind in present):
+    if any(kind.name == kind_name for kind in present):
         return
     if present:
         first = present[0]
@@ -339,16 +339,16 @@ def check_own_kind(folder: Path, own: str) -> None:
             f"need a folder of its own, got {folder}, which holds {article} {first.name} ({first.marker}), whose"
             " page and figures would be replaced; name another one"
         )
-    if not _named(own).has_rows and any(folder.glob(_ROWS)):
+    if not _named(kind_name).has_rows and any(folder.glob(_ROWS)):
         raise InputError(
             f"need a folder of its own, got {folder}, which holds rows of a study ({next(folder.glob(_ROWS)).name});"
             " name another one"
         )
 
 
-def replaced_text(folder: Path, own: str) -> str:
+def replaced_text(folder: Path, kind_name: str) -> str:
     """Describe the earlier results of a kind in a folder, such as "the run of my-wing (folded)"; empty without any."""
-    kind = _named(own)
+    kind = _named(kind_name)
     try:
         text = (folder / kind.marker).read_text("utf-8")
     except (OSError, ValueError):

@@ -17,7 +17,7 @@ DESIGNS = 14
 
 
 def joints():
-    """Return random joints, most of which fail, drawn with a fixed seed."""
+    """Return random joints, drawn with a fixed seed; most of them fail."""
     rng = np.random.default_rng(4)
 
     def log(least, most):
@@ -75,7 +75,7 @@ def test_the_advice_names_the_keys_that_a_design_takes_and_their_values(advised)
                 assert load_design("binder2025-joint", {key: "3 s"}).protocol != design.protocol
 
 
-def test_a_wing_that_moves_away_from_its_goal_is_not_told_to_take_more_time():
+def test_a_wing_that_moves_away_from_its_goal_is_not_advised_to_take_more_time():
     away = moving(planted((0.2, 0.3, 0.4), (0, -141, -133), ends=ENDS[:2], goals=(None, None)))
     towards = moving(planted((0.2, 0.3, 0.4), (0, -133, -141), ends=ENDS[:2], goals=(None, None)))
     assert measure(away).advised.values == {}

@@ -119,8 +119,8 @@ def test_uncertainties_of_a_length_and_an_energy_are_differences_between_separat
     """Uncertainty: the larger of twice the difference at half the timestep and that from the other initial state."""
     states = summary(confirmed, measure(confirmed), {})["states"]
     for name in ("folded", "opened"):
-        own, half, other = (np.array(getattr(item.states[name], attribute)) for item in by_hand)
-        expected = np.maximum(2 * np.abs(own - half), np.abs(own - other))
+        first, half, other = (np.array(getattr(item.states[name], attribute)) for item in by_hand)
+        expected = np.maximum(2 * np.abs(first - half), np.abs(first - other))
         assert states[name][f"{key}_uncertainty_{unit}"] == pytest.approx(expected, rel=1e-9, abs=0)
     assert any(np.any(state["tendon_length_uncertainty_m"]) for state in states.values())
 
@@ -136,10 +136,10 @@ def test_a_summary_with_uncertainties_follows_its_schema_and_one_without_second_
     assert {key: value for key, value in with_runs.items() if "_uncertainty_" not in key} == alone
 
 
-def planted(own, half, h=1e-3):
+def planted(first, half, h=1e-3):
     """Return the confirmation of a folded state by a run at half the timestep."""
     ending = Ending(verdict=Verdict.REACHED, transition=None)
-    values, others = ({f"folded.{name}": item for name, item in run.items()} for run in (own, half))
+    values, others = ({f"folded.{name}": item for name, item in run.items()} for run in (first, half))
     return confirm(ending, values, h, [check(h / 2, **others)])
 
 

@@ -55,7 +55,7 @@ def test_plates_that_touch_or_lie_on_one_another_do_not_cross(letters, angle):
 
 
 @pytest.mark.parametrize(("place", "crosses"), [(1.5, False), (0.5, True), (3.5, False)])
-def test_a_plate_may_stand_in_the_gap_of_one_that_is_not_convex(place, crosses):
+def test_a_plate_may_pass_through_the_gap_of_one_that_is_not_convex(place, crosses):
     around = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
     level = np.column_stack([np.array(around, dtype=float), np.zeros(8)])
     upright = np.array([(place - 0.2, 2, -1), (place + 0.2, 2, -1), (place + 0.2, 2, 1), (place - 0.2, 2, 1)])

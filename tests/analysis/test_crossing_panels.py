@@ -32,8 +32,8 @@ def moved(nodes, by):
     return nodes + np.array(by)
 
 
-def depth(one, here, other, there, turn=None):
-    places = [nodes if turn is None else nodes @ turn.T for nodes in (here, there)]
+def depth(one, corners, other, other_corners, turn=None):
+    places = [nodes if turn is None else nodes @ turn.T for nodes in (corners, other_corners)]
     result = [crossing_depths(one, places[0][None], other, places[1][None])[0]]
     result.append(crossing_depths(other, places[1][None], one, places[0][None])[0])
     assert result[0] == pytest.approx(result[1], abs=1e-12)

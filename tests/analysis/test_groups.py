@@ -116,8 +116,8 @@ def test_masses_on_the_distal_bar_slow_the_tendon_and_an_armature_does_not():
 
 
 def test_the_strongest_of_tendons_that_differ_is_the_scale():
-    own = [{"vein": 0}, {"vein": 2, "stiffness": "30 N/cm", "distal_attachment": "4 cm"}]
-    scale = scale_of(structure_of(load_design("binder2025", {"tendon": own})))
+    tendons = [{"vein": 0}, {"vein": 2, "stiffness": "30 N/cm", "distal_attachment": "4 cm"}]
+    scale = scale_of(structure_of(load_design("binder2025", {"tendon": tendons})))
     assert scale.name == "tendon2"
     assert scale.moment == pytest.approx(3000.0 * 0.055 * 0.04, rel=ROUNDING)
 

@@ -97,18 +97,18 @@ def test_a_row_of_a_study_is_valid(tmp_path):
 @pytest.mark.parametrize(
     "wrong",
     [
-        lambda told: told.pop("verdict"),
-        lambda told: told.update(verdict="fine"),
-        lambda told: told["energy_balance"].update(work_kJ=1.0),
-        lambda told: told.update(folded="yes"),
-        lambda told: told["states"]["flat"].update(time_s="soon"),
+        lambda summary: summary.pop("verdict"),
+        lambda summary: summary.update(verdict="fine"),
+        lambda summary: summary["energy_balance"].update(work_kJ=1.0),
+        lambda summary: summary.update(folded="yes"),
+        lambda summary: summary["states"]["flat"].update(time_s="soon"),
     ],
 )
 def test_invalid_data_is_rejected(letter, wrong):
-    told = json.loads(json.dumps(letter))
-    wrong(told)
+    summary = json.loads(json.dumps(letter))
+    wrong(summary)
     with pytest.raises(jsonschema.ValidationError):
-        valid("summary", told)
+        valid("summary", summary)
 
 
 def test_a_schema_is_printed(capsys):

@@ -21,8 +21,8 @@ LENGTH = 0.06
 
 def design(**law):
     values = {"linear_modulus": 4.8e6, "name": "tpu", "highest_strain_rate": 0.1} | law
-    own = {"tendon.law": values, "tendon.area": 12.5e-6, "tendon.rest_length": LENGTH}
-    return with_values(load_design("binder2025"), own)
+    settings = {"tendon.law": values, "tendon.area": 12.5e-6, "tendon.rest_length": LENGTH}
+    return with_values(load_design("binder2025"), settings)
 
 
 def moving(speed, *, start=1.5, of=None, rows=11):

@@ -33,10 +33,10 @@ def folding(record, angle):
 
 def test_a_known_fold_is_timed_to_what_straight_lines_between_rows_allow(reference_run):
     rate, start = 30.0, math.radians(1)
-    # exponential growth, as of a hinge that leaves straight, up to its limit
+    # exponential growth, like that of a hinge that leaves straight, up to its limit
     record = folding(reference_run, lambda time: np.minimum(start / 2 * np.exp(rate * time), math.pi))
     snap = snap_of(record)
-    # rows every 0.1 ms: linear interpolation of an exponential is off by (rate * interval)^2 / 8 of it, or 4e-8 s
+    # rows every 0.1 ms: linear interpolation of an exponential deviates by (rate * interval)^2 / 8 of it, or 4e-8 s
     assert snap.folded_time == pytest.approx(math.log(150) / rate, abs=1e-7)
     assert snap.fold_time == pytest.approx(math.log(180) / rate, abs=1e-4)
     assert snap.peak_speed == pytest.approx(rate * math.pi, rel=5e-3)

@@ -27,9 +27,9 @@ def test_a_round_tendon_has_the_area(reference):
 
 
 def test_a_given_length_comes_first_and_says_when_the_flat_wing_stretches_it_too_far(reference):
-    short, own = size_tendons(reference, load_law("tpu-82a"), [1000.0], length=0.03)
+    short, long = size_tendons(reference, load_law("tpu-82a"), [1000.0], length=0.03)
     assert short.beyond
-    assert not own.beyond
+    assert not long.beyond
     # the bars turn by 2 asin(r / R) at the ring fold, so the open tendon is about 11 cm
     # (docs/model/theory.md, section Values from the paper)
     assert short.flat_strain == pytest.approx(0.11 / 0.03 - 1, rel=0.02)

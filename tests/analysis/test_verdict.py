@@ -195,7 +195,9 @@ def test_a_wing_that_rests_at_its_stop_is_stuck():
 
 
 @pytest.mark.parametrize("modulus", ["20 MPa", "30 MPa"])
-def test_a_membrane_too_stiff_for_the_timestep_is_told_to_take_a_shorter_one_and_not_more_torque(modulus):
+def test_a_membrane_too_stiff_for_the_timestep_gets_the_advice_to_shorten_the_timestep_and_not_to_raise_the_torque(
+    modulus,
+):
     outcome = measure(ff.run(short(membrane__youngs_modulus=modulus), confirm=False))
     assert outcome.verdict in (Verdict.UNTRUSTED, Verdict.DIVERGED)
     assert outcome.advice.startswith(("Take a shorter timestep", "Take a timestep of about "))

@@ -318,7 +318,7 @@ def test_the_hash_names_the_values_whatever_the_design_is_called():
 @pytest.mark.parametrize(
     ("key", "value"), [(key, value) for key, _, value in quantities(REFERENCE) if value is not None]
 )
-def test_the_hash_tells_values_apart_that_differ_in_the_last_bit(key, value):
+def test_values_that_differ_in_the_last_bit_have_different_hashes(key, value):
     # a tendon's density needs its area, and that a density
     value, needed = (1000.0, {"tendon.area": 1e-5}) if key == "tendon.density" else (value, {})
     near = math.nextafter(value, 0.0 if value else 1.0)

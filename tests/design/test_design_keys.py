@@ -25,8 +25,8 @@ def test_every_key_of_a_kind_of_design_has_a_meaning_and_allowed_values(name):
 
 def test_a_drive_has_the_keys_of_its_kind_and_may_be_of_any_other():
     held = {key.fact.key: key for key in design_keys(load_design("bistable-clasp"))}
-    own = [key.removeprefix("drive.0.") for key in held if key.startswith("drive.0.")]
-    assert own == ["name", "kind", "of", "value", "no_load_speed", "rise"]
+    drive_keys = [key.removeprefix("drive.0.") for key in held if key.startswith("drive.0.")]
+    assert drive_keys == ["name", "kind", "of", "value", "no_load_speed", "rise"]
     assert held["drive.0.kind"].words == ("torque", "force", "displacement", "rest-angle")
 
 

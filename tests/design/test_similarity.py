@@ -46,7 +46,7 @@ def value(design, key):
 
 @settings(deadline=None)
 @given(st.floats(1e-3, 1e3))
-def test_every_value_of_a_scaled_wing_goes_with_the_power_that_dimensional_analysis_gives(factor):
+def test_every_value_of_a_scaled_wing_scales_with_the_power_from_dimensional_analysis(factor):
     original = with_values(REFERENCE, {"protocol.gravity": 9.81})
     scaled = scale_design(original, factor)
     for key, exponent in EXPONENTS.items():

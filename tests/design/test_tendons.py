@@ -125,7 +125,7 @@ def test_veins_without_a_tendon_stay_without_when_written_and_read(wing):
     assert of(design_from_text(design_text(wing(f"{BASED}tendon = []")))) == [None] * 3
 
 
-def test_the_hash_tells_tendons_apart_and_not_how_they_are_written(wing):
+def test_the_hash_depends_on_the_tendons_and_not_on_how_they_are_written(wing):
     design = wing(BASED + TWO)
     assert design.hash != REFERENCE.hash
     assert (

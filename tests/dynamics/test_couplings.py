@@ -33,13 +33,13 @@ def pendulums(one_hinge, starts, *, tie, ratio=1.0, springs=(STIFFNESS, STIFFNES
     """Return two bars side by side, each on a sprung hinge, with a spring between them and slack tendons."""
     hinge = one_hinge(0.11, start=0.0, **values)
 
-    def build(own, units):
+    def build(design, units):
         veins = []
         for place, sense in enumerate(senses):
-            vein = straight_vein(own)
-            beside = place * np.array([0.0, own.pattern.proximal_length, 0.0])
+            vein = straight_vein(design)
+            beside = place * np.array([0.0, design.pattern.proximal_length, 0.0])
             veins.append(replace(vein, sense=sense, places=tuple(place + beside for place in vein.places)))
-        built = structure_of_veins(own, veins)
+        built = structure_of_veins(design, veins)
         hinges = tuple(
             replace(hinge, stiffness=spring / units.energy, start=start, lower=-math.inf, upper=math.inf)
             for hinge, spring, start in zip(built.hinges, springs, starts, strict=True)

@@ -79,11 +79,11 @@ def test_friction_computed_from_the_motion_is_that_of_the_engine_where_stops_and
         data.qpos = rng.normal(0, 1, model.engine.nq)
         data.qvel = rng.normal(0, 3, model.engine.nv) * rng.choice([1e-4, 1], model.engine.nv)
         mujoco.mj_forward(model.engine, data)
-        own = np.zeros(model.engine.nv)
+        expected = np.zeros(model.engine.nv)
         rows = np.flatnonzero(data.efc_type == friction)
-        own[data.efc_id[rows]] = data.efc_force[rows]
+        expected[data.efc_id[rows]] = data.efc_force[rows]
         computed = friction_torques(model, data.qvel[None], data.qacc[None], data.qfrc_constraint[None])[0]
-        assert computed == pytest.approx(own, abs=1e-6 * model.engine.dof_frictionloss.max())
+        assert computed == pytest.approx(expected, abs=1e-6 * model.engine.dof_frictionloss.max())
 
 
 def test_a_wing_with_dry_friction_folds_later_and_its_balance_has_a_row_for_it():

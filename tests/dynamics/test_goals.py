@@ -119,8 +119,8 @@ def with_gap(*, until="time", **protocol):
         update={"stages": (settle, fold), "sample_interval": SHORT.protocol.timestep, "least_hold": 0.0, **protocol}
     )
 
-    def build(own, _):
-        structure = structure_of(own)
+    def build(design, _):
+        structure = structure_of(design)
         tips = [number for number, point in enumerate(structure.points) if point.role == "tip"]
         gap = Measure(name="gap", kind="distance", points=(tips[0], tips[-1]), label="gap")
         watching = replace(structure, measures=(*structure.measures, gap), goals=(), states=(), transitions=())

@@ -23,9 +23,9 @@ def pendulum(one_hinge, *, stiffness=STIFFNESS, rest=REST, sense=1, **values):
     # the tendon's largest length
     hinge = one_hinge(0.11, **values)
 
-    def build(own, units):
-        vein = replace(straight_vein(own), sense=sense)
-        structure = structure_of_veins(own, (vein,))
+    def build(design, units):
+        vein = replace(straight_vein(design), sense=sense)
+        structure = structure_of_veins(design, (vein,))
         (ring,) = structure.hinges
         sprung = replace(ring, stiffness=stiffness / units.energy, rest_angle=-rest)
         return replace(structure, hinges=(sprung,))

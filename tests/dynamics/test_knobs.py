@@ -15,13 +15,13 @@ def model(request):
 
 def test_numbers_that_a_knob_changes_are_those_of_the_model_that_is_built_with_its_value(model):
     knobs = knobs_of(model)
-    own = model_numbers(model)
+    numbers = model_numbers(model)
     assert {"hinge.damping", "crease.damping"} & {knob.key for knob in knobs}
     for knob, share in zip(knobs, np.linspace(0.1, 0.9, len(knobs)), strict=True):
         value = knob.lowest + share * (knob.highest - knob.lowest)
         built = compile_model(with_values(model.design, {knob.key: value}))
         expected = model_numbers(built) | {"opt.gravity": np.array(built.engine.opt.gravity)}
-        result = {name: values.copy() for name, values in own.items()} | {"opt.gravity": np.zeros(3)}
+        result = {name: values.copy() for name, values in numbers.items()} | {"opt.gravity": np.zeros(3)}
         for change in knob.changes:
             result[change.field][change.places] = change.low + change.slopes * (value - knob.lowest)
         for name, values in expected.items():

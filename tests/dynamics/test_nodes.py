@@ -131,7 +131,7 @@ def test_the_energy_balance_closes_for_every_kind_of_drive(drive):
     "held", [{"crease.law": "locking", "crease.lock_angle": math.radians(60)}, {"crease.fold_limit": math.radians(60)}]
 )
 def test_the_energy_balance_closes_for_rest_angles_beyond_locking_or_stops(held):
-    """Only the spring's rest angle moves: a stop takes no work."""
+    """Only the spring's rest angle moves: the work on a stop is 0."""
     drive = {"name": "fold", "kind": "rest-angle", "of": "creases", "angle": math.radians(150), "rise": 0.1}
     values = {"drive": [drive], "crease.damping": 1e-4, "protocol.stages": [stage("fold", limit=0.15)]}
     (record,) = run(strip(**values, **held))

@@ -117,8 +117,8 @@ def test_a_tendon_across_three_creases_rests_where_the_least_energy_is():
         directions = np.cumsum([0.0, *angles])
         steps = np.array([0.8, 1, 1, 0.7]) * LENGTH
         end = steps @ np.column_stack([np.cos(directions), np.sin(directions)])
-        own = angles * [1, -1, 1]
-        return 4.0 * max(np.linalg.norm(end) - 0.12, 0) ** 2 + spring / 2 * np.sum((own - rests) ** 2)
+        fold_angles = angles * [1, -1, 1]
+        return 4.0 * max(np.linalg.norm(end) - 0.12, 0) ** 2 + spring / 2 * np.sum((fold_angles - rests) ** 2)
 
     least = minimize(
         energy, rests * [1, -1, 1], method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-16, "maxiter": 5000}
@@ -207,8 +207,8 @@ def test_the_engine_puts_plates_where_the_pattern_folds_to(held):
     signed[:4] = sizes * [1 if letter == "V" else -1 for letter in pattern.edges_assignment[:4]]
     folded = folded_coordinates(pattern, signed, fixed_face=held)
     data = mujoco.MjData(model.engine)
-    own = [sizes[int(hinge.name.removeprefix("crease"))] for hinge in model.structure.hinges]
-    data.qpos[:] = model.folds.senses * own
+    fold_angles = [sizes[int(hinge.name.removeprefix("crease"))] for hinge in model.structure.hinges]
+    data.qpos[:] = model.folds.senses * fold_angles
     mujoco.mj_forward(model.engine, data)
     for number, point in enumerate(model.structure.points):
         place = data.xpos[model.carriers[number]] if model.sites[number] < 0 else data.site_xpos[model.sites[number]]
@@ -254,11 +254,11 @@ def test_hinges_of_a_tree_that_branches_are_in_the_order_of_the_engine(tmp_path)
     assert model.engine.body_mass[1:].sum() * model.units.mass == pytest.approx(9 * 1270 * 0.5e-3 * 0.05**2)
     data = mujoco.MjData(model.engine)
     rng = np.random.default_rng(5)
-    own = rng.uniform(0, math.pi, 8)
-    data.qpos[:] = model.folds.senses * own
+    fold_angles = rng.uniform(0, math.pi, 8)
+    data.qpos[:] = model.folds.senses * fold_angles
     mujoco.mj_forward(model.engine, data)
     signed = np.full(len(pattern.edges_assignment), np.nan)
-    for hinge, angle in zip(model.structure.hinges, own, strict=True):
+    for hinge, angle in zip(model.structure.hinges, fold_angles, strict=True):
         signed[int(hinge.name.removeprefix("crease"))] = hinge.sense * angle
     folded = folded_coordinates(pattern, signed, fixed_face=3)
     for number, point in enumerate(model.structure.points):

@@ -109,7 +109,7 @@ def test_the_model_file_of_pull_only_tendons_gives_the_forces_of_the_compiled_mo
             data.qvel[RING] = wing.folds.senses[RING]
             mujoco.mj_forward(engine, data)
             torques.append(data.qfrc_actuator[RING])
-        # MuJoCo writes six digits, of which sums of stiffening and softening springs lose some
+        # MuJoCo writes six digits; sums of stiffening and softening springs lose some of them
         np.testing.assert_allclose(torques[0], torques[1], rtol=1e-3, atol=1e-6)
 
 

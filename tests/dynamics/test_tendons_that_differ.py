@@ -31,8 +31,8 @@ def of_law(**law):
 def mixed(*designs):
     """Return the first design's wing with the tendon of another design on each vein; None for no tendon."""
 
-    def build(own, units):
-        structure = structure_of(own)
+    def build(design, units):
+        structure = structure_of(design)
         tendons = [
             replace(structure.tendons[vein], law=structure_of(design_in_model_units(design, units)).tendons[vein].law)
             for vein, design in enumerate(designs)
@@ -55,12 +55,12 @@ def assert_each_has_its_own_energy(record):
     if "tendon_rest_length" in record.series:
         crept = record.series["tendon_rest_length"] - [tendon.law.rest_length for tendon in record.structure.tendons]
     for number, tendon in enumerate(record.structure.tendons):
-        own = tendon.law.elastic.energy(lengths[:, number] - crept[:, number])
+        stored = tendon.law.elastic.energy(lengths[:, number] - crept[:, number])
         # rounding
-        assert energies[:, number] == pytest.approx(own, abs=1e-12)
+        assert energies[:, number] == pytest.approx(stored, abs=1e-12)
 
 
-def test_tendons_that_are_alike_have_the_bits_of_the_design():
+def test_identical_tendons_have_the_bits_of_the_design():
     ours, theirs = run(mixed(LINEAR, LINEAR, LINEAR)), run(compile_model(LINEAR))
     for name, values in theirs.series.items():
         assert values.tobytes() == ours.series[name].tobytes(), name
@@ -79,8 +79,8 @@ def test_a_vein_may_be_without_a_tendon():
 
 
 def test_a_wing_without_tendons_holds_no_energy_in_them():
-    def bare(own, _):
-        return replace(structure_of(own), tendons=())
+    def bare(design, _):
+        return replace(structure_of(design), tendons=())
 
     record = run(compiled(LINEAR, bare))
     outcome = ff.measure(record)
@@ -99,8 +99,8 @@ def test_each_tendon_has_the_energy_of_its_own_law():
     assert_each_has_its_own_energy(record)
     assert ff.measure(record).energy_balance.residual < 5e-3
     # a single law does not fit all of them
-    own = record.series["tendon_energy"][0]
-    assert len(set(own.round(6))) == 3
+    stored = record.series["tendon_energy"][0]
+    assert len(set(stored.round(6))) == 3
 
 
 def test_a_tendon_that_yields_beside_others_that_do_not():

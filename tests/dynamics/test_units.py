@@ -19,9 +19,9 @@ sizes = st.floats(-6, 6).map(lambda power: 10.0**power)
 def test_a_wing_of_any_size_has_a_span_and_a_vein_mass_between_1_and_10_in_its_units(size):
     design = scale_design(REFERENCE, size)
     units = model_units(structure_of(design))
-    own = design_in_model_units(design, units)
-    span = own.pattern.proximal_length + own.pattern.distal_length
-    mass = own.vein.density * span * math.pi / 4 * own.vein.diameter**2
+    scaled = design_in_model_units(design, units)
+    span = scaled.pattern.proximal_length + scaled.pattern.distal_length
+    mass = scaled.vein.density * span * math.pi / 4 * scaled.vein.diameter**2
     rounding = 1e-12  # of a few products
     assert 1 - rounding <= span < 10 + rounding
     assert 1 - rounding <= mass < 10 + rounding

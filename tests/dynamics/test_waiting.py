@@ -226,7 +226,7 @@ def test_a_month_folded_and_a_month_open_are_reported(stored_run, tmp_path):
     assert (folded.state, opened.state) == ("folded", "opened")
     assert folded.slack
     assert folded.weakened is None
-    # pulled fast it has the force of all branches, of which the slowest relaxes in a month
+    # a tendon that is pulled fast has the force of all branches; the slowest branch relaxes in a month
     law = stored_run.design.tendon.law
     fresh, left = (sum(b.modulus * part(b.time) for b in law.branches) for part in (lambda _: 1, fading))
     most = 1 - (law.linear_modulus + left) / (law.linear_modulus + fresh)

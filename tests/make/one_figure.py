@@ -7,5 +7,5 @@ from forficula.show.folder import parts_folder
 
 def write_with_one_figure(parts, folder):
     drawings = parts_folder.parts_drawings
-    with patch.object(parts_folder, "parts_drawings", lambda *given: {"sheet": drawings(*given)["sheet"]}):
+    with patch.object(parts_folder, "parts_drawings", lambda *arguments: {"sheet": drawings(*arguments)["sheet"]}):
         parts_folder.write_parts(parts, (), folder)

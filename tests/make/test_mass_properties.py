@@ -22,10 +22,10 @@ def test_a_box_has_the_inertia_of_its_closed_form_wherever_it_is():
     origin = np.array([0.3, -0.1, 0.05])
     result = properties(box((0, 0, 0), tuple(sides), origin, frame))
     mass = DENSITY * sides.prod()
-    own = mass / 12 * np.diag((sides**2).sum() - sides**2)
+    principal = mass / 12 * np.diag((sides**2).sum() - sides**2)
     assert result.mass == pytest.approx(mass, rel=1e-6)
     assert result.centre == pytest.approx(origin + frame @ sides / 2, abs=1e-9)
-    assert result.inertia == pytest.approx(frame @ own @ frame.T, rel=1e-5, abs=1e-12)
+    assert result.inertia == pytest.approx(frame @ principal @ frame.T, rel=1e-5, abs=1e-12)
 
 
 def test_a_rod_has_the_inertia_of_a_cylinder_about_its_end():

@@ -135,8 +135,8 @@ def test_resultant_of_pull_and_stop_force_loads_the_pin(joint_of):
 
 
 def test_straps_of_each_tendon_have_the_strength_of_their_material():
-    own = {"tendon.0.law": "tpu-82a", "tendon.0.area": "8 mm^2"}
-    parts = make_parts(load_design("binder2025").with_values(MADE | own), "section")
+    settings = {"tendon.0.law": "tpu-82a", "tendon.0.area": "8 mm^2"}
+    parts = make_parts(load_design("binder2025").with_values(MADE | settings), "section")
     output = {check.part: check for check in strength_checks(parts) if check.name == "straps tear"}
     # no source gives the strength of tpu-82a
     assert {name: (check.ok, check.text.split()[5]) for name, check in output.items()} == {

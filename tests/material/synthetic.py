@@ -122,8 +122,8 @@ def viscoelastic_stress(knots, time, moduli, *, viscosity=0.0, branches=()):
     reached, stresses = 0.0, [0.0 for _ in branches]
     ends = zip(knots[0][:-1], knots[0][1:], knots[1][:-1], knots[1][1:], strict=True)
     for begin, end, rate, following in ends:
-        own = (time >= begin) & (time <= end)
-        since = np.append(time[own], end) - begin
+        within = (time >= begin) & (time <= end)
+        since = np.append(time[within], end) - begin
         slope = (following - rate) / (end - begin)
         rates = rate + slope * since
         strains = reached + rate * since + slope * since**2 / 2
@@ -133,5 +133,5 @@ def viscoelastic_stress(knots, time, moduli, *, viscosity=0.0, branches=()):
             first = modulus * relaxation * (rate - slope * relaxation)
             course = steady + (stresses[index] - first) * np.exp(-since / relaxation)
             total, stresses[index] = total + course, course[-1]
-        strain[own], stress[own], reached = strains[:-1], total[:-1], strains[-1]
+        strain[within], stress[within], reached = strains[:-1], total[:-1], strains[-1]
     return strain, stress

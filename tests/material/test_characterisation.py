@@ -163,8 +163,8 @@ def test_the_summary_is_json_with_units_and_all_results(three_elastic):
 def test_scatter_between_specimens_is_reported_in_the_law_and_its_file(tmp_path):
     modulus = {"a": 4.6e6, "b": 4.8e6, "c": 5.0e6}
     tests = [
-        cyclic_test(lambda strain, _, own=own: own * strain, cycles=4, samples=100, noise=1e4, name=name)
-        for name, own in modulus.items()
+        cyclic_test(lambda strain, _, value=value: value * strain, cycles=4, samples=100, noise=1e4, name=name)
+        for name, value in modulus.items()
     ]
     result = characterise(tests, forms=family_forms("linear"))
     save_law(result.law, tmp_path / "law.toml")

@@ -26,8 +26,8 @@ def test_a_frame_inherits_edges_fold_angles_and_unit_along_its_parents(tmp_path)
 
 
 def test_a_frame_can_have_other_vertices_edges_and_unit_than_the_file(tmp_path):
-    own = {"frame_classes": ["foldedForm"], "vertices_coords": [[0, 0], [1, 0]], "edges_vertices": [[0, 1]]}
-    ((_, coords, _), (_, in_metres, _)) = states(tmp_path, own, own | {"frame_unit": "m"})
+    frame = {"frame_classes": ["foldedForm"], "vertices_coords": [[0, 0], [1, 0]], "edges_vertices": [[0, 1]]}
+    ((_, coords, _), (_, in_metres, _)) = states(tmp_path, frame, frame | {"frame_unit": "m"})
     assert coords == [[0, 0, 0], [1e-3, 0, 0]]
     assert in_metres == [[0, 0, 0], [1, 0, 0]]
 

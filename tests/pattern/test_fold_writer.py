@@ -132,8 +132,8 @@ def test_in_and_out_and_in_again_is_the_same(tmp_path_factory, angle, corners, l
 
 def test_own_values_are_written_in_the_namespace_forficula(tmp_path):
     pattern = earwig_pattern(FAN)
-    own = {"edges_stiffness": [0.5] * len(pattern.edges_vertices), "faces_thickness": [None, 1e-4] * 4}
-    write_fold(pattern, tmp_path / "fan.fold", own=own)
+    extra = {"edges_stiffness": [0.5] * len(pattern.edges_vertices), "faces_thickness": [None, 1e-4] * 4}
+    write_fold(pattern, tmp_path / "fan.fold", extra=extra)
     document = json.loads((tmp_path / "fan.fold").read_text(encoding="utf-8"))
     assert document["forficula:edges_stiffness"][3] == 0.5
     assert document["forficula:faces_thickness"][:2] == [None, 1e-4]
@@ -141,7 +141,7 @@ def test_own_values_are_written_in_the_namespace_forficula(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("own", "message"),
+    ("extra", "message"),
     [
         ({"faces_thickness": [1.0]}, r"own\.faces_thickness: need one value for each of the 8 faces, got 1"),
         ({"thickness": []}, 'own: need keys that begin with vertices_, edges_ or faces_, got "thickness"'),
@@ -152,7 +152,7 @@ def test_own_values_are_written_in_the_namespace_forficula(tmp_path):
         ),
     ],
 )
-def test_own_values_of_another_number_are_refused(tmp_path, own, message):
+def test_own_values_of_another_number_are_refused(tmp_path, extra, message):
     with pytest.raises(InputError, match=message):
-        write_fold(earwig_pattern(FAN), tmp_path / "fan.fold", own=own)
+        write_fold(earwig_pattern(FAN), tmp_path / "fan.fold", extra=extra)
     assert not list(tmp_path.iterdir())

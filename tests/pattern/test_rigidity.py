@@ -17,8 +17,8 @@ def sheet(columns, rows, fold=0.0):
     return miura_pattern(columns, rows, 0.03, 0.02, math.radians(60), fold)
 
 
-def counts(found):
-    return found.mechanisms, found.self_stress
+def counts(mobility):
+    return mobility.mechanisms, mobility.self_stress
 
 
 def with_letter(pattern, edge, letter):

@@ -49,7 +49,7 @@ def test_flat_foldable_vertices_match_the_half_angle_tangents(alpha, beta, fold,
         assert apart(solution, degree4_fold_angles(alpha, beta, sign * fold, mode)) < 1e-6
 
 
-def test_four_equal_plates_with_a_deficit_fold_alike_at_the_published_angle():
+def test_four_equal_plates_with_a_deficit_all_fold_by_the_published_angle():
     """Mid-wing plates of the earwig at 350 deg, Faber et al. 2018: cos(sum / 4) = cot^2((180 deg - rho) / 2)."""
     sector = math.radians(350) / 4
     fold = math.pi - 2 * math.atan(1 / math.sqrt(math.cos(sector)))

@@ -61,10 +61,10 @@ def _check_sides(sides):
 
 
 def _drawn(figure):
-    """Words of a figure, as `words` tells them, and how far what is drawn sticks out at each edge, inch.
+    """Return the words of a figure, as `words` returns them, and how far the drawing extends beyond each edge, inch.
 
-    It is drawn once for both, in a window that shows what lies beyond its edges. A legend of the whole figure would
-    stand at the edges of that window, so it is drawn by itself.
+    The figure is drawn once for both, in a window that shows what lies beyond its edges. A legend of the whole figure
+    would be drawn at the edges of this window, so the legend is drawn separately.
     """
     # finer than points: at one pixel per point letters are rounded, and lines of text are longer
     figure.set_dpi(_DOTS)

@@ -115,5 +115,5 @@ def test_a_wide_legend_gets_fewer_columns_and_then_wrapped_words(width):
     ("kind", "width"),
     [*((kind, COLUMN_WIDTH) for kind in KINDS), *((kind, PAGE_WIDTH) for kind in KINDS if kind not in DRAWN_BEFORE)],
 )
-def test_all_words_of_a_figure_can_be_read_and_a_text_tells_its_numbers(drawings, kind, width):
+def test_all_words_of_a_figure_can_be_read_and_a_text_reports_its_numbers(drawings, kind, width):
     check_words(drawings[kind](width), width)

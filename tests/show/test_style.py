@@ -37,8 +37,8 @@ TEXT = "Energy & moment <of> a hinge. At most 2 J."
 def test_a_matplotlibrc_in_the_working_folder_changes_no_figure(tmp_path):
     strange = {"font.size": 30, "axes.facecolor": "red", "savefig.facecolor": "blue", "path.simplify": False}
     strange |= {"axes.grid": True, "figure.dpi": 37, "lines.linestyle": ":", "xtick.direction": "in"}
-    for name, own in (("plain", {}), ("strange", strange)):
-        with rc_context(own):
+    for name, settings in (("plain", {}), ("strange", strange)):
+        with rc_context(settings):
             for ending in (".png", ".svg"):
                 save_figure(drawn(), tmp_path / f"{name}{ending}")
     for ending in (".png", ".svg"):

@@ -71,7 +71,7 @@ def test_a_spring_between_joints_turns_the_second_by_its_share():
 def test_a_stop_of_one_joint_stops_all_that_are_tied_to_it():
     built = levers(math.inf, (2.0, 1.0), upper=0.3)
     assert pushed(built, 1.0).position[0] == pytest.approx([0.15, 0.3, 0.3])
-    # a stop bears what the springs do not, whichever joint it is assigned to
+    # a stop bears what the springs do not, for any joint that has the stop
     slope = pushed(built, 1.0).slope[0]
     assert slope @ [1.0, 2.0, 2.0] == pytest.approx(SPRINGS @ np.array([0.15, 0.6, 0.6]) - 1.0)
 
@@ -127,7 +127,7 @@ def test_stiffer_couplings_converge_to_the_rigid_one_and_soft_ones_leave_the_win
     assert math.isnan(least(tied(0.01)).torque[0])
 
 
-def test_a_tied_wing_rests_folded_with_its_veins_turned_alike():
+def test_a_tied_wing_rests_folded_with_all_veins_turned_by_the_same_angle():
     wings = ensemble_of([TIED])
     beyond = state_beyond(wings, wings.structure.transitions[0])
     turns = list(hinges_of(wings.structure, "turn"))

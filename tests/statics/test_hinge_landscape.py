@@ -114,7 +114,7 @@ def test_states_are_pressed_on_a_stop_or_at_a_minimum_or_free(surveyed, expected
     assert kinds(surveyed) == expected
 
 
-def test_the_tendons_of_a_wing_are_alike():
+def test_the_tendons_of_a_wing_are_identical():
     first, second, third = (hinge_landscape(one) for one in tendon_hinges(structure_of(REFERENCE)))
     # rounding of the turned coordinates
     for other in (second, third):

@@ -20,13 +20,13 @@ HALF = np.sqrt(SIDE**2 - RISE**2)
 
 
 @pytest.fixture(scope="module")
-def told():
+def reports():
     return []
 
 
 @pytest.fixture(scope="module")
-def landscape(told):
-    return energy_landscape(pyramid(), progress=told.append)
+def landscape(reports):
+    return energy_landscape(pyramid(), progress=reports.append)
 
 
 @pytest.fixture(scope="module")
@@ -158,10 +158,10 @@ def test_a_sheet_without_springs_in_its_creases_and_without_supports_rests_nowhe
     assert any("a part can move without any force" in remark for remark in result.remarks)
 
 
-def test_progress_is_reported(landscape, told):
+def test_progress_is_reported(landscape, reports):
     assert landscape.states
-    assert told[0] == "resting shape and effects of the drives"
-    assert "loads that it withstands: down" in told
+    assert reports[0] == "resting shape and effects of the drives"
+    assert "loads that it withstands: down" in reports
 
 
 def pressed(direction):
@@ -174,14 +174,14 @@ def pressed(direction):
 def test_a_displaced_apex_takes_the_force_of_the_closed_form_through_the_snap(slanting):
     landscape = pressed([0, 0, -1])
     course = landscape.courses[0]
-    (told,) = [item for item in landscape_summary(landscape)["net"]["courses"] if item["name"] == "push"]
-    path = told["slow"]
+    (summary,) = [item for item in landscape_summary(landscape)["net"]["courses"] if item["name"] == "push"]
+    path = summary["slow"]
     expected = force(slanting, RISE - np.array(path["gone_m"]))
     largest = np.abs(expected).max()
     assert path["force_N"] == pytest.approx(expected, abs=1e-2 * largest)
     assert min(path["force_N"]) < -0.5 * largest
     assert not course.slow.snaps
-    assert told["largest_force_N"] == pytest.approx(max(expected), rel=1e-2)
+    assert summary["largest_force_N"] == pytest.approx(max(expected), rel=1e-2)
 
 
 def test_a_displacement_along_no_axis_gives_a_remark_and_the_states_are_computed():

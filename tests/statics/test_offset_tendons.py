@@ -177,6 +177,6 @@ def test_a_wing_whose_tendons_stand_off_climbs_their_barriers(landscape_of):
     landscape = landscape_of(standing_off(0.002))
     one = landscape.tendons[0].barrier
     assert landscape.tendons[0].barrier_angle == pytest.approx(-4.2 * DEGREE, abs=0.2 * DEGREE)
-    assert one > 5 * crossed_hinges(structure_of(REFERENCE), 11)[0].own.barrier
+    assert one > 5 * crossed_hinges(structure_of(REFERENCE), 11)[0].actual.barrier
     assert landscape.hinge_barriers == pytest.approx(np.full(3, one), rel=0.02)
     assert [state.stable for state in landscape.partial_folds[:1]] == [True]

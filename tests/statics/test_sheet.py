@@ -148,7 +148,7 @@ def test_a_guard_pulls_beyond_its_length_only():
 
 @settings(deadline=None)
 @given(st.floats(0.3, 3))
-def test_energy_goes_with_the_modulus_and_the_thickness(factor):
+def test_energy_is_proportional_to_the_modulus_and_the_thickness(factor):
     angles = np.zeros((1, 12))
     angles[:, TURNS], angles[:, FOLDS] = 0.7, -1.2
     energy = sheet_energy(SHEETS[0], angles)[0]

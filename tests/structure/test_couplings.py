@@ -53,7 +53,7 @@ def test_the_stiffness_is_read_written_and_scaled_as_one_of_a_joint():
     assert scale_design(TIED, 0.1).coupling.stiffness == "rigid"
 
 
-def test_statics_tells_wings_apart_that_are_tied_otherwise():
+def test_statics_distinguishes_wings_with_different_couplings():
     assert {"coupling", "protocol.driven_veins"} <= set(static_keys(REFERENCE))
 
 

@@ -73,8 +73,8 @@ def test_the_mass_of_the_membrane_is_that_of_its_panels(units):
         begins = hub + share * (ring - hub), other_hub + share * (other_ring - other_hub)
         for quad in ((begins[0], ring, other_ring, begins[1]), (ring, tip, other_tip, other_ring)):
             quads += area(np.array([quad[0], quad[1], quad[2]])) + area(np.array([quad[0], quad[2], quad[3]]))
-    own = sum(mass.mass for mass in structure.masses)
-    assert own == pytest.approx(1200 * REFERENCE.membrane.thickness * quads, rel=1e-12)
+    total = sum(mass.mass for mass in structure.masses)
+    assert total == pytest.approx(1200 * REFERENCE.membrane.thickness * quads, rel=1e-12)
     # it lies in the plane of the sheet
     origins, frames = built_frames(structure)
     heights = [(origins[mass.body] + frames[mass.body] @ mass.place)[2] for mass in structure.masses]

@@ -52,14 +52,14 @@ def test_both_senses_are_mirror_images():
 
 def test_with_the_angles_of_a_fan_it_is_that_fans_vein_with_its_base_held():
     fan = load_design("binder2025-built", {"membrane.density": "0 g/cm^3", "medium.density": "0 kg/m^3"})
-    own = {
+    settings = {
         "pattern.proximal_sector": "87.12501635 deg",
         "pattern.distal_sector": "107.12501635 deg",
         **{f"vein.{key}": value for key, value in fan.vein.as_tables().items()},
         "hinge.armature": "0 kg m^2",
         "tendon": fan.tendon.as_tables(),
     }
-    joint = load_design(JOINT, own)
+    joint = load_design(JOINT, settings)
     alone = structure_of_veins(fan, (joint_vein(joint),))
     other = structure_of(fan).tendons[1].crossing
     for crossing in (structure_of(joint).tendons[0].crossing, alone.tendons[0].crossing):

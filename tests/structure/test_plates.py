@@ -93,8 +93,8 @@ def test_folding_in_its_own_sense_is_folding_as_assigned(held):
     signed = np.full(len(pattern.edges_assignment), np.nan)
     signed[:4] = [size if letter == "V" else -size for size, letter in zip(sizes, letters, strict=True)]
     folded = folded_coordinates(pattern, signed, fixed_face=held)
-    own = [sizes[int(hinge.name.removeprefix("crease"))] for hinge in structure.hinges]
-    for item, place in zip(structure.points, turned_points(structure, own), strict=True):
+    fold_angles = [sizes[int(hinge.name.removeprefix("crease"))] for hinge in structure.hinges]
+    for item, place in zip(structure.points, turned_points(structure, fold_angles), strict=True):
         vertex = int(item.name.partition("vertex")[2])
         assert place == pytest.approx(folded[vertex], abs=1e-14)
 
@@ -236,7 +236,7 @@ def test_another_protocol_on_the_same_plates():
 
 
 @pytest.mark.parametrize(("first", "second", "size"), [(0.02, -0.03, 0.02), (0.0, -0.03, -0.03)])
-def test_drives_of_one_stage_grow_together_whichever_of_them_has_strength(first, second, size):
+def test_drives_of_one_stage_grow_together_for_all_combinations_of_strengths(first, second, size):
     both = {"protocol.stages.1.drive": ["close", "open"], "drive.close.value": first, "drive.open.value": second}
     structure = structure_of(with_values(LETTER, both))
     drive = structure.drives[-1]

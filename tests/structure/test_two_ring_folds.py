@@ -127,7 +127,7 @@ def test_no_panels_intersect_when_layers_fold_rigidly(design):
 def test_rigidly_folded_layers_lie_a_pitch_apart_and_bars_beside_each_other(design):
     pitch, bars = design.fan.pitch, stack_of(design).bars()
     proximal, distal = bars[:, 0, :, 2], bars[:, 2, :, 2]
-    # level, and one layer above the other, whichever vein the lowest is of
+    # level, and one layer above the other, no matter which vein has the lowest layer
     for heights in (proximal, distal):
         assert np.ptp(heights, axis=1) == pytest.approx(0, abs=1e-12)
         assert np.abs(np.diff(heights[:, 0])) == pytest.approx(pitch, rel=1e-9)

@@ -51,7 +51,7 @@ def study(tmp_path_factory, write_study_file):
 
 
 @pytest.fixture(scope="module")
-def here(study, tmp_path_factory):
+def local_table(study, tmp_path_factory):
     """The table without a cluster, and the lines of its journal."""
     folder = tmp_path_factory.mktemp("here")
     return ff.run_study(study, folder), lines(folder)
@@ -84,7 +84,7 @@ def kill_at_work(cluster):
 
 @pytest.mark.parametrize("blamed_on_others", [3, 0], ids=["given to another worker", "run here"])
 def test_a_worker_killed_at_work_loses_no_row_and_changes_no_bit(
-    mortal_cluster, study, here, tmp_path, monkeypatch, blamed_on_others
+    mortal_cluster, study, local_table, tmp_path, monkeypatch, blamed_on_others
 ):
     cluster, died = mortal_cluster, set()
     monkeypatch.setattr(cluster.scheduler, "allowed_failures", blamed_on_others)
@@ -100,16 +100,18 @@ def test_a_worker_killed_at_work_loses_no_row_and_changes_no_bit(
     for attempt in range(5):
         with dask_cluster(cluster.scheduler_address) as workers:
             table = ff.run_study(study, tmp_path / f"{attempt}", cluster=workers, progress=kill_once)
-        assert table.identical(here[0])
-        assert lines(tmp_path / f"{attempt}") == here[1]
+        assert table.identical(local_table[0])
+        assert lines(tmp_path / f"{attempt}") == local_table[1]
         if died:
             break
     assert len(died) == 1
-    assert len(here[1]) == len(study.points) + 2  # the signature comes first, and nothing follows the last newline
+    assert (
+        len(local_table[1]) == len(study.points) + 2
+    )  # the signature comes first, and nothing follows the last newline
 
 
 def test_a_study_whose_workers_all_leave_ends_with_one_error_and_keeps_what_is_done(
-    cluster, study, here, tmp_path, monkeypatch
+    cluster, study, local_table, tmp_path, monkeypatch
 ):
     monkeypatch.setattr("forficula.study.running.cluster._PATIENCE_SECONDS", 1)
     kept = []
@@ -128,7 +130,7 @@ def test_a_study_whose_workers_all_leave_ends_with_one_error_and_keeps_what_is_d
     table = ff.run_study(study, tmp_path / "out", progress=lambda item: rows.append(item.latest["key"]))
     assert {*kept, *rows} == set(read_rows(tmp_path / "out", study.base))
     assert set(kept).isdisjoint(rows)
-    assert table.identical(here[0])
+    assert table.identical(local_table[0])
 
 
 def test_a_scheduler_that_is_gone_is_one_error_and_what_is_done_is_kept(cluster, study, tmp_path):

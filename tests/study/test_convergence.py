@@ -108,7 +108,7 @@ def test_a_timestep_that_is_too_long_is_reported_with_one_that_suffices(one_hing
 
 def test_the_fold_time_is_that_of_the_angle_between_two_steps(short):
     result = converge(with_values(short, {"stops.time_constant": 2e-3}), TIMESTEP, [4e-4, 2e-4])
-    assert result.own == 2e-4
+    assert result.design_value == 2e-4
     for step, time in zip(result.values, result.transition_times["fold"], strict=True):
         steps = time / step
         assert abs(steps - round(steps)) > 1e-3  # not a multiple of the step
@@ -126,7 +126,7 @@ def test_the_own_value_is_run_and_timesteps_go_from_coarse_to_fine(short):
 
 def test_progress_counts_the_runs_whatever_meshes_they_have(short):
     seen = []
-    converge(short, MESH, [1, 2], progress=lambda *each: seen.append(each))
+    converge(short, MESH, [1, 2], progress=lambda *report: seen.append(report))
     assert seen == [(number, 2, {"verdict": Verdict.REACHED, "outcome": "folded"}) for number in (1, 2)]
 
 
@@ -161,9 +161,9 @@ def test_a_timestep_is_borderline_if_its_bounds_enclose_the_tolerance(short):
     assert between.verdict.startswith("0.2 ms is borderline: ")
 
 
-def _middle(found):
+def _middle(convergence):
     """The middle between the bounds of the difference from the limit, if no order is observed."""
-    times, fit = found.transition_times["fold"], found.orders["fold"]
+    times, fit = convergence.transition_times["fold"], convergence.orders["fold"]
     assert not fit.observed
     far, near = abs(times[2] - fit.limit), abs(times[2] - times[3])
     return (min(far, near) + max(far, near, fit.scatter)) / 2 / fit.limit

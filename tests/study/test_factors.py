@@ -232,7 +232,7 @@ def test_every_column_of_sobol_points_has_one_in_each_of_as_many_equal_parts():
 
 
 @pytest.mark.parametrize(
-    ("given", "message"),
+    ("distribution", "message"),
     [
         (
             {"distribution": "cauchy", "low": "1 cm", "high": "2 cm"},
@@ -251,9 +251,9 @@ def test_every_column_of_sobol_points_has_one_in_each_of_as_many_equal_parts():
         ({"distribution": "normal", "mean": "1 cm", "deviation": "0 cm"}, ".deviation: need > 0"),
     ],
 )
-def test_an_invalid_distribution_is_rejected_with_its_parameter(given, message):
+def test_an_invalid_distribution_is_rejected_with_its_parameter(distribution, message):
     with pytest.raises(InputError) as caught:
-        read_factor("tendon.rest_length", given, FanDesign)
+        read_factor("tendon.rest_length", distribution, FanDesign)
     assert str(caught.value).startswith(f"tendon.rest_length{message}")
 
 

@@ -67,7 +67,7 @@ def test_a_torn_row_is_run_again_and_the_table_is_the_same(tmp_path, study_file)
     journal = tmp_path / "out" / "journal.jsonl"
     journal.write_bytes(journal.read_bytes()[:-30])
     again = []
-    assert run_study(study, tmp_path / "out", progress=lambda *each: again.append(each)).identical(table)
+    assert run_study(study, tmp_path / "out", progress=lambda *report: again.append(report)).identical(table)
     assert [(done, needed) for done, needed, _ in again] == [(6, 6)]
 
 
@@ -242,7 +242,7 @@ def test_a_damaged_row_is_reported_and_run_again(tmp_path, whole_study, capsys, 
     damaged = tmp_path / "journal.jsonl"
     damaged.write_bytes(b"\n".join([signature, damage(first), second, b""]))
     again = []
-    assert run_study(study, tmp_path, progress=lambda *each: again.append(each)).identical(table)
+    assert run_study(study, tmp_path, progress=lambda *report: again.append(report)).identical(table)
     assert len(again) == 1
     said = f"warning: {damaged}: 1 damaged row is skipped; missing runs are repeated\n"
     assert capsys.readouterr().err == said
@@ -306,19 +306,19 @@ def test_the_second_start_of_a_running_study_is_rejected_at_once(tmp_path, study
     assert len(read_rows(out, load_study(path).base)) == 5
 
 
-@pytest.mark.parametrize("there", [True, False])
-def test_a_planted_link_in_the_place_of_a_journal_is_not_followed(tmp_path, study_file, there):
+@pytest.mark.parametrize("exists", [True, False])
+def test_a_planted_link_in_the_place_of_a_journal_is_not_followed(tmp_path, study_file, exists):
     study = load_study(study_file(TENDONS))
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "journal.jsonl").symlink_to(tmp_path / "theirs")
-    if there:
+    if exists:
         (tmp_path / "theirs").write_text("theirs")
     with pytest.raises(
         InputError, match=r"journal\.jsonl: (need a file or nothing there, got a link to|cannot be read)"
     ):
         run_study(study, tmp_path / "out")
-    assert (tmp_path / "theirs").exists() == there
-    assert not there or (tmp_path / "theirs").read_text() == "theirs"
+    assert (tmp_path / "theirs").exists() == exists
+    assert not exists or (tmp_path / "theirs").read_text() == "theirs"
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names here")

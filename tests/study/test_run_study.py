@@ -95,14 +95,14 @@ def test_a_search_gives_the_same_bits_whatever_shares_a_batch(tmp_path, study_fi
 def test_a_complete_study_runs_nothing_again(tmp_path, study_file):
     study, rows = load_study(study_file(TENDONS)), []
     table = run_study(study, tmp_path)
-    assert run_study(study, tmp_path, progress=lambda *each: rows.append(each)).identical(table)
+    assert run_study(study, tmp_path, progress=lambda *report: rows.append(report)).identical(table)
     assert rows == []
     assert estimate(study, tmp_path) == (6, 0, 0.0)
 
 
 def test_progress_counts_the_runs_up_to_all_of_them(tmp_path, study_file):
     seen = []
-    run_study(load_study(study_file(TENDONS)), tmp_path, batch=4, progress=lambda *each: seen.append(each))
+    run_study(load_study(study_file(TENDONS)), tmp_path, batch=4, progress=lambda *report: seen.append(report))
     assert [(done, needed) for done, needed, _ in seen] == [(number, 6) for number in range(1, 7)]
     assert {row["outcome"] for _, _, row in seen} <= {
         *("folded and opened", "did not open", "did not stay open", "did not fold", "still folding", "still opening"),
@@ -116,7 +116,7 @@ def test_number_of_needed_runs_never_shrinks_and_is_reached(tmp_path, study_file
     search = '[search]\nfold_with = "50 N cm"\n'
     search += 'fold_torques = "0..50 N cm step 25"\nunfold_torques = "20..100 N cm step 10"\nrefinements = 1'
     study, seen = load_study(study_file(TENDONS, LEAST_TORQUES, search)), []
-    run_study(study, tmp_path, batch=batch, progress=lambda *each: seen.append(each))
+    run_study(study, tmp_path, batch=batch, progress=lambda *report: seen.append(report))
     done, needed, rows = zip(*seen, strict=True)
     assert list(needed) == sorted(needed)
     assert list(done) == sorted(done)
@@ -130,23 +130,23 @@ def test_the_first_points_run_before_the_last_designs_are_built(tmp_path, study_
     module = sys.modules["forficula.study.running.run_study"]
     built, seen = [], []
     monkeypatch.setattr(module, "_WINDOW", 2)
-    monkeypatch.setattr(module, "point_design", lambda *each: built.append(each) or point_design(*each))
+    monkeypatch.setattr(module, "point_design", lambda *report: built.append(report) or point_design(*report))
     study = load_study(study_file(TENDONS))
-    table = run_study(study, tmp_path, progress=lambda *each: seen.append((len(built), *each[:2])))
+    table = run_study(study, tmp_path, progress=lambda *report: seen.append((len(built), *report[:2])))
     assert seen == [(2, 1, 6), (2, 2, 6), (4, 3, 6), (4, 4, 6), (6, 5, 6), (6, 6, 6)]
     assert table.identical(run_study(study, tmp_path))
 
 
 def test_building_of_other_designs_is_reported(tmp_path, study_file):
     study, seen = load_study(study_file(TENDONS)), []
-    run_study(study, tmp_path, shard=(1, 2), building=lambda *each: seen.append(each))
+    run_study(study, tmp_path, shard=(1, 2), building=lambda *report: seen.append(report))
     assert seen == [(2, 6), (4, 6), (6, 6)]
 
 
 def test_progress_of_a_continued_study_starts_where_it_stopped(tmp_path, study_file):
     study, seen = load_study(study_file(TENDONS)), []
     run_study(study, tmp_path, shard=(1, 2))
-    run_study(study, tmp_path, progress=lambda *each: seen.append(each))
+    run_study(study, tmp_path, progress=lambda *report: seen.append(report))
     assert [(done, needed) for done, needed, _ in seen] == [(4, 6), (5, 6), (6, 6)]
 
 
@@ -163,7 +163,7 @@ def test_a_refined_grid_reuses_the_rows_that_it_shares(tmp_path, study_file, who
     coarse = '"tendon.stiffness" = "10..30 N/cm step 20"\n"tendon.rest_length" = ["5 cm"]'
     run_study(load_study(study_file(coarse)), tmp_path / "out")
     before, fine, rows = keys(tmp_path / "out")[0], study_file(TENDONS), []
-    table = run_study(load_study(fine), tmp_path / "out", progress=lambda *each: rows.append(each))
+    table = run_study(load_study(fine), tmp_path / "out", progress=lambda *report: rows.append(report))
     after, _ = keys(tmp_path / "out")
     assert (len(before), len(after), len(set(after)), len(rows)) == (2, 6, 6, 4)
     assert after[:2] == before
@@ -338,6 +338,6 @@ def test_ctrl_c_stops_a_study_with_one_line_and_the_same_command_continues(tmp_p
     assert (process.returncode, output, said) == (130, "", ["forficula: stopped"])
     before, rows = keys(tmp_path / "out")[0], []
     assert before
-    table = run_study(load_study(path), tmp_path / "out", progress=lambda *each: rows.append(each))
+    table = run_study(load_study(path), tmp_path / "out", progress=lambda *report: rows.append(report))
     assert {row["key"] for _, _, row in rows}.isdisjoint(before)
     assert table.identical(whole(path))

@@ -96,7 +96,7 @@ def answers(design, folds, opens, large="folded", released="folded", untrusted=(
     return answer("folded and opened", unfold_time_s=0.1 / opening, unfold_work_J=2 * opening, opened_energy_J=2.9)
 
 
-def found(search, folds, opens=no_torque, large="folded", released="folded", untrusted=()):
+def search_with(search, folds, opens=no_torque, large="folded", released="folded", untrusted=()):
     """Repeat until nothing is missing, and return the result and every design that had to run."""
     rows, run = {}, []
     while missing := [item for item in search_designs(DESIGN, search, rows).items() if item[0] not in rows]:
@@ -107,7 +107,7 @@ def found(search, folds, opens=no_torque, large="folded", released="folded", unt
 
 
 def test_the_least_torques_are_the_first_steps_that_work():
-    result, run = found(GRID, lambda torque: torque >= 0.2, lambda torque: torque >= 0.3)
+    result, run = search_with(GRID, lambda torque: torque >= 0.2, lambda torque: torque >= 0.3)
     assert (result["least_fold_torque"], result["least_unfold_torque"]) == (0.2, 0.3)
     assert (result["fold_time"], result["fold_work"], result["folded_energy"]) == (0.5, 0.2, 0.5)
     assert (result["unfold_time"], result["unfold_work"], result["opened_energy"]) == (0.1 / 0.3, 0.6, 2.9)
@@ -119,12 +119,12 @@ def test_the_least_torques_are_the_first_steps_that_work():
 
 
 def test_least_success_counts_even_if_success_is_not_monotone():
-    result, _ = found(GRID, lambda torque: torque in (0.1, 0.3), lambda torque: torque == 0.2)
+    result, _ = search_with(GRID, lambda torque: torque in (0.1, 0.3), lambda torque: torque == 0.2)
     assert (result["least_fold_torque"], result["least_unfold_torque"]) == (0.1, 0.2)
 
 
 def test_a_tendon_that_folds_with_a_small_but_not_the_large_torque_has_a_row_that_says_so():
-    result, _ = found(GRID, lambda torque: torque >= 0.1, large="stuck at -134.6 deg")
+    result, _ = search_with(GRID, lambda torque: torque >= 0.1, large="stuck at -134.6 deg")
     assert result["least_fold_torque"] == 0.1
     assert result["least_unfold_torque"] is None
     assert result["status"] == "with 500 N cm: stuck at -134.6 deg"
@@ -142,7 +142,7 @@ def test_a_tendon_that_folds_with_a_small_but_not_the_large_torque_has_a_row_tha
 )
 def test_a_wing_whose_release_fails_has_a_row_that_says_so(opens, large, after):
     released = "did not stay folded"
-    result, _ = found(GRID, lambda torque: torque >= 0.2, opens, large, released)
+    result, _ = search_with(GRID, lambda torque: torque >= 0.2, opens, large, released)
     assert result["least_fold_torque"] == 0.2
     assert result["status"] == f"{released}; with 500 N cm: {after}"
     assert (result["fold_outcome"], result["fold_time"]) == (released, None)
@@ -162,13 +162,13 @@ NUMBERS = (
     ],
 )
 def test_an_inconclusive_release_leaves_the_point_without_numbers(released, word):
-    result, _ = found(GRID, lambda torque: torque >= 0.2, any_torque, released=released)
+    result, _ = search_with(GRID, lambda torque: torque >= 0.2, any_torque, released=released)
     assert [result.get(name) for name in NUMBERS] == [None] * len(NUMBERS)
     assert (result["status"], result["outcome"], result["fold_outcome"]) == (released, word, word)
 
 
 def test_an_unreliable_run_below_the_least_folding_torque_leaves_the_point_without_numbers():
-    result, run = found(GRID, lambda torque: torque >= 0.2, any_torque, untrusted=[0.1])
+    result, run = search_with(GRID, lambda torque: torque >= 0.2, any_torque, untrusted=[0.1])
     assert [result.get(name) for name in NUMBERS] == [None] * len(NUMBERS)
     assert (result["verdict"], result["outcome"]) == ("untrusted", "unreliable")
     assert result["status"] == "unreliable: the energy balance misses 12 %"
@@ -178,14 +178,14 @@ def test_an_unreliable_run_below_the_least_folding_torque_leaves_the_point_witho
 
 
 def test_an_unreliable_run_above_the_least_folding_torque_is_only_reported():
-    result, _ = found(GRID, lambda torque: torque == 0.1, any_torque, untrusted=[0.3])
+    result, _ = search_with(GRID, lambda torque: torque == 0.1, any_torque, untrusted=[0.3])
     assert (result["least_fold_torque"], result["least_unfold_torque"]) == (0.1, 0.1)
     assert (result["verdict"], result["residual"]) == ("reached", 0.12)
 
 
 def test_an_unreliable_run_below_the_least_opening_torque_leaves_none():
     # 0.15 N m is tried for opening only after 0.2 N m has opened
-    result, _ = found(
+    result, _ = search_with(
         refined(1), lambda torque: torque >= 0.3, lambda torque: torque >= 0.2, untrusted=[(0.1 + 0.2) / 2]
     )
     assert (result["least_fold_torque"], result["fold_work"]) == (0.3, 0.3)
@@ -195,7 +195,7 @@ def test_an_unreliable_run_below_the_least_opening_torque_leaves_none():
 
 
 def test_a_tendon_that_no_torque_folds_says_how_it_failed_with_the_largest_of_the_grid():
-    result, run = found(GRID, no_torque)
+    result, run = search_with(GRID, no_torque)
     assert result["least_fold_torque"] is None
     assert "fold_work" not in result
     # opening is searched only for tendons that fold
@@ -204,7 +204,7 @@ def test_a_tendon_that_no_torque_folds_says_how_it_failed_with_the_largest_of_th
 
 
 def test_a_tendon_that_no_torque_opens_says_so():
-    result, _ = found(GRID, any_torque)
+    result, _ = search_with(GRID, any_torque)
     assert result["least_fold_torque"] == 0.0
     assert (result["least_unfold_torque"], result["status"]) == (
         None,
@@ -214,7 +214,7 @@ def test_a_tendon_that_no_torque_opens_says_so():
 
 
 def test_the_wing_is_released_at_the_least_torque_that_folds_only():
-    _, run = found(GRID, lambda torque: torque >= 0.2)
+    _, run = search_with(GRID, lambda torque: torque >= 0.2)
     released = [item for item in run if item.protocol.stages[-1].name == "release folded"]
     assert [item.protocol.fold_torque for item in released] == [0.2]
 
@@ -233,7 +233,7 @@ def test_every_run_of_a_search_differs_from_the_design_in_torques_and_last_stage
 @settings(max_examples=40, deadline=None)
 @given(st.floats(0.001, 0.3), st.integers(0, 8))
 def test_bisection_halves_the_step_below_the_least_torque_that_works(barrier, times):
-    result, _ = found(refined(times), lambda torque: torque >= barrier, lambda torque: torque >= barrier)
+    result, _ = search_with(refined(times), lambda torque: torque >= barrier, lambda torque: torque >= barrier)
     width = 0.1 / 2**times
     # up to rounding of the middles
     assert barrier <= result["least_fold_torque"] <= barrier + width * (1 + 1e-9)
@@ -242,8 +242,8 @@ def test_bisection_halves_the_step_below_the_least_torque_that_works(barrier, ti
 
 
 def test_bisection_costs_one_run_a_halving_and_keeps_the_grid():
-    _, coarse = found(GRID, lambda torque: torque >= 0.17)
-    _, fine = found(refined(3), lambda torque: torque >= 0.17)
+    _, coarse = search_with(GRID, lambda torque: torque >= 0.17)
+    _, fine = search_with(refined(3), lambda torque: torque >= 0.17)
     torques = [
         {item.protocol.fold_torque for item in run if item.protocol.stages[-1].drive == "fold"}
         for run in (coarse, fine)
@@ -257,14 +257,14 @@ def test_bisection_stays_below_the_least_that_works_where_success_is_not_monoton
     def folds(torque):
         return 0.1 <= torque < 0.13 or torque >= 0.27
 
-    result, _ = found(refined(4), folds)
+    result, _ = search_with(refined(4), folds)
     assert result["least_fold_torque"] == 0.1
-    result, _ = found(refined(4), lambda torque: 0.14 <= torque < 0.16 or torque >= 0.17)
+    result, _ = search_with(refined(4), lambda torque: 0.14 <= torque < 0.16 or torque >= 0.17)
     assert math.isclose(result["least_fold_torque"], 0.14375)
 
 
 def test_where_nothing_works_nothing_is_bisected():
-    _, run = found(refined(5), no_torque)
+    _, run = search_with(refined(5), no_torque)
     assert len(run) == 4
 
 
@@ -274,6 +274,6 @@ def test_a_point_replaces_values_of_the_design():
 
 
 def test_default_torque_before_the_second_drive_is_that_of_a_run():
-    own = DESIGN.with_values({"protocol.fold_torque": "40 N cm"})
-    assert read_search("least-torques", {}, own).reference == pytest.approx(0.4)
-    assert read_search("least-torques", {"fold_with": "500 N cm"}, own).reference == pytest.approx(5.0)
+    design = DESIGN.with_values({"protocol.fold_torque": "40 N cm"})
+    assert read_search("least-torques", {}, design).reference == pytest.approx(0.4)
+    assert read_search("least-torques", {"fold_with": "500 N cm"}, design).reference == pytest.approx(5.0)

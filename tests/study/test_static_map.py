@@ -186,7 +186,7 @@ def test_a_map_reports_progress_and_does_not_depend_on_batches(reference, static
     study, seen = map_study(reference, OVER | {"tendon.stiffness": ["10 N/cm"]}), []
     whole = statics.sel(tendon_stiffness=[1000])
     monkeypatch.setattr("forficula.study.tables.static_map._SIDE_BY_SIDE", 2)
-    parts = static_map(study, lambda *each: seen.append(each))
+    parts = static_map(study, lambda *report: seen.append(report))
     assert seen == [(2, 3), (3, 3)]
     xarray.testing.assert_allclose(parts.drop_vars("status"), whole.drop_vars("status"), rtol=1e-9)
     assert (parts["status"] == whole["status"]).all()

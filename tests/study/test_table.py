@@ -36,7 +36,7 @@ def lines(text):
 
 @pytest.fixture(scope="module")
 def searched(tmp_path_factory, write_study_file):
-    """A study of four tendons, some of which fold and some open, and its table."""
+    """Return a study of four tendons and its table; some tendons fold and some of these open."""
     study = load_study(
         write_study_file(
             tmp_path_factory.mktemp("searched") / "small.toml",

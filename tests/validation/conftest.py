@@ -20,12 +20,12 @@ def pytest_runtest_call(item):
         item.user_properties += [("agreement", json.dumps(item)) for item in _TOLD.values()]
 
 
-def _tell(key: tuple[Any, ...], strain: float, told: dict[str, Any]) -> None:
+def _tell(key: tuple[Any, ...], strain: float, report: dict[str, Any]) -> None:
     """Keep a comparison if it is nearer to its bound than earlier ones under the same words."""
     before = _TOLD.get(key)
-    count = told["count"] + (0 if before is None else before["count"])
+    count = report["count"] + (0 if before is None else before["count"])
     if before is None or not strain <= before["strain"]:
-        _TOLD[key] = told | {"strain": strain}
+        _TOLD[key] = report | {"strain": strain}
     _TOLD[key]["count"] = count
 
 

@@ -281,8 +281,8 @@ def test_the_work_of_stops_of_plates_in_a_loop_does_not_include_weight_of_the_me
 
 @pytest.mark.parametrize("name", ["binder2025", "miura-sheet", "letter-fold"])
 def test_a_medium_of_zero_density_changes_nothing(name):
-    given, empty = load_design(name), load_design(name, {"medium.density": "0 kg/m^3", "medium.viscosity": "0 Pa s"})
-    assert empty == given
-    assert empty.hash == given.hash
+    original, empty = load_design(name), load_design(name, {"medium.density": "0 kg/m^3", "medium.viscosity": "0 Pa s"})
+    assert empty == original
+    assert empty.hash == original.hash
     assert structure_of(empty).medium is None
-    assert compile_model(empty).followed == compile_model(given).followed
+    assert compile_model(empty).followed == compile_model(original).followed

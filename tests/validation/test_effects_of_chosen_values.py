@@ -32,8 +32,14 @@ def test_the_armature_is_twenty_times_the_inertia_of_a_vein_about_its_axis(refer
     cosine = float(proximal @ distal / np.prod(lengths))
     radius = reference.vein.diameter / 2
     line = reference.vein.density * math.pi * radius**2
-    own = line * lengths[1] ** 3 * (1 - cosine**2) / 3 + line * lengths[0] * radius**2 / 2
-    agree("armature divided by the inertia of a vein", reference.hinge.armature / own, 20, by="documentation", rel=0.05)
+    inertia = line * lengths[1] ** 3 * (1 - cosine**2) / 3 + line * lengths[0] * radius**2 / 2
+    agree(
+        "armature divided by the inertia of a vein",
+        reference.hinge.armature / inertia,
+        20,
+        by="documentation",
+        rel=0.05,
+    )
 
 
 @pytest.mark.parametrize(("stiffness", "rest_length"), [("10 N/cm", "9 cm"), ("10 N/cm", "4 cm"), ("60 N/cm", "8 cm")])

@@ -177,8 +177,8 @@ def test_displacements_and_energies_equal_those_of_merlin_at_its_loads(request, 
 def test_snap_loads_equal_those_of_merlin(request, agree, followed, linear, release, strain):
     """With linear bars to the precision of limits from increments, with the release's bars to that of the law.
 
-    For these MERLIN was run with a quarter, a third and a fifth of the release's first load factor: a parabola through
-    increments that are farther apart tells the second limit of the popped sheet to 2e-4 alone.
+    For these, MERLIN was run with a quarter, a third and a fifth of the release's first load factor, because a parabola
+    through increments that are farther apart determines the second limit of the popped sheet only to 2e-4.
     """
     name, followed = WORDS[followed], request.getfixturevalue(followed)
     limits = [event.point for event in followed.path.events if event.kind == "limit"]

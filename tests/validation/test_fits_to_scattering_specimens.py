@@ -62,9 +62,9 @@ def specimens(law, *, scatter, rng, programs=(STEPS,) * 3, rows=12):
         time = sampled(knots, rows=rows)
         strain, stress = viscoelastic_stress(knots, time, law.moduli, viscosity=viscosity, branches=branches)
         # a specimen becomes slack rather than push
-        own = np.exp(scatter * rng.standard_normal()) * np.maximum(stress, 0)
+        scaled = np.exp(scatter * rng.standard_normal()) * np.maximum(stress, 0)
         false = NOISE * (rng.standard_normal() + rng.standard_normal(len(time)))
-        histories.append(StrainHistory(time=time, strain=strain, stress=own + false))
+        histories.append(StrainHistory(time=time, strain=strain, stress=scaled + false))
     return histories
 
 

@@ -263,7 +263,7 @@ def test_the_sum_of_spring_damper_and_branches_pulls_or_is_zero(
     pull = polynomial(*spring(moduli), max(length - LENGTH, 0)) - 300.0 * BY_LENGTH * lever * speed
     pull -= after.act.sum() * units.energy / units.length
     moment = data.qfrc_actuator[0] + data.qfrc_passive[0]
-    # the spring's onset is smoothed over 1e-6 of the resting length; laws in pieces are off by a share of
+    # the spring's onset is smoothed over 1e-6 of the resting length; laws in pieces deviate by a share of
     # its largest force
     largest = polynomial(*spring(moduli), np.linspace(0, 2 * ARM - LENGTH)).max()
     result, known = moment * -units.energy, (max(pull, 0) if length > LENGTH else 0) * lever

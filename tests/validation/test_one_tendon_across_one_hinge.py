@@ -87,7 +87,7 @@ def test_the_recorded_energy_is_that_of_the_recorded_angle(agree, one_hinge, res
     hinge, angles, record = swing(one_hinge, rest_length, arms, steps=500)
     energy = record.data["tendon_energy"].values[:, 0]
     assert angles.max() > math.radians(179)
-    # rounding; a length that lags its angle by one step would be off by 1e-3
+    # rounding; a length that lags its angle by one step would deviate by 1e-3
     ours, theirs = energy / hinge.energy(0), hinge.energy(angles) / hinge.energy(0)
     agree("energy divided by that when straight", ours, theirs, by="law of cosines", abs=1e-12)
 

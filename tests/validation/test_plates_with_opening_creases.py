@@ -169,7 +169,7 @@ def test_the_springs_of_flattened_plates_store_the_energy_of_the_closed_form(agr
 
 
 def symmetric_rest(stiffness, start):
-    """Fold angle and energy of four equal plates that all stand alike, at a minimum, without any of our own code.
+    """Return fold angle and energy of four equal plates with the same tilt, at a minimum, without forficula's code.
 
     A plate is tilted by t about the line square to its bisector and shifted by s along that; neighbours are a quarter
     turn apart, and the gap between them is integrated along the crease by Gauss' rule.

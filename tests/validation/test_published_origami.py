@@ -47,8 +47,8 @@ def test_the_in_plane_poissons_ratio_of_a_miura_sheet_is_that_of_schenk_and_gues
 def uniform_fields(pattern):
     """Displacements by which a Miura sheet stretches and bends evenly, but for the same in every unit cell.
 
-    A plate's field takes the corner of each cell along and turns the cell with it; beside that every cell deforms
-    alike: so all bars of one kind change alike, and one cell tells of an endless sheet.
+    A plate's field moves and turns each cell with its corner. In addition, all cells deform identically. All bars of
+    one kind therefore change by the same length, and one cell represents an infinite sheet.
 
     Returns by curvatures (x, y, twist), strains (x, y, shear) and the twelve coordinates of a cell, (node, 3, 18).
     """
@@ -63,8 +63,8 @@ def uniform_fields(pattern):
         fields.append(np.cross(turn, corners - at) + rise[:, None] * (0, 0, 1))
     fields += [np.stack(item, axis=1) for item in ((x, none, none), (none, y, none), (y, x, none))]
     kinds = (2 * (line % 2) + place % 2)[:, None] == np.arange(4)
-    own = kinds[:, None, :, None] * np.eye(3)[None, :, None, :]
-    return np.concatenate((np.stack(fields, axis=-1), own.reshape(49, 3, 12)), axis=-1)
+    opposite = kinds[:, None, :, None] * np.eye(3)[None, :, None, :]
+    return np.concatenate((np.stack(fields, axis=-1), opposite.reshape(49, 3, 12)), axis=-1)
 
 
 @pytest.mark.parametrize(("acute", "fold"), [(60, 30), (70, 90), (45, 60), (80, 150)])
@@ -104,8 +104,9 @@ def test_the_bending_poissons_ratio_of_a_miura_sheet_is_minus_the_in_plane_ratio
 def test_a_waterbomb_base_has_two_states_at_the_minima_of_its_symmetric_energy(agree):
     """One stable state with the centre up and one with it down (Hanna, Lund, Lang, Magleby and Howell 2014).
 
-    With rigid facets and all diagonals folded alike their angle fixes that of the midlines, on either side of flat
-    (doi 10.1088/0964-1726/23/9/094009); the least of the energy of eight linear springs is then found along a line.
+    With rigid facets and equally folded diagonals, the angle of the diagonals determines that of the midlines, on
+    either side of flat (doi 10.1088/0964-1726/23/9/094009). The minimum of the energy of eight linear springs is then
+    computed along a line.
     """
     side, fold, stiffness = 0.1, np.deg2rad(60), 0.02
     pattern = waterbomb_base(side, fold, "up")

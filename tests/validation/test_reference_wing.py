@@ -254,7 +254,7 @@ def test_without_a_release_the_folded_state_is_taken_at_the_moment_of_folding(re
 def test_the_wing_folds_by_the_mountain_and_valley_assignment_of_its_pattern(
     reference, reference_run, reference_outcome
 ):
-    """A vein that is a mountain stands above its neighbours when folded, a valley below (FOLD 1.2, seen from +z)."""
+    """A folded mountain vein is above its neighbours, a valley vein below (FOLD 1.2, seen from +z)."""
     row = np.argmin(np.abs(reference_run.time - reference_outcome.states["folded"].time))
     height = places(reference_run, "ring")[row, :, 2]
     pattern = ff.pattern.earwig_pattern(reference.fan)

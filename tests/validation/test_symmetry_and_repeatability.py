@@ -27,9 +27,9 @@ def assert_same_bits(record, other):
 def mirrored(design):
     """The wing with all senses reversed: its image in its own plane."""
 
-    def image(own, _):
-        veins = veins_on(earwig_pattern(own.fan), ring_directions(own.fan))
-        return structure_of_veins(own, [dataclasses.replace(vein, sense=-vein.sense) for vein in veins])
+    def image(design, _):
+        veins = veins_on(earwig_pattern(design.fan), ring_directions(design.fan))
+        return structure_of_veins(design, [dataclasses.replace(vein, sense=-vein.sense) for vein in veins])
 
     return compiled(design, image)
 

@@ -50,9 +50,9 @@ class Served:
         connection.close()
         return result
 
-    def ask(self, what, **asked):
+    def ask(self, what, **values):
         """What it says to a design."""
-        status, content = self.request("POST", what, json.dumps(asked), {"Content-Type": "application/json"})
+        status, content = self.request("POST", what, json.dumps(values), {"Content-Type": "application/json"})
         assert status == 200, content
         return json.loads(content)
 

@@ -35,9 +35,9 @@ def places(tmp_path, monkeypatch):
     return inside, outside
 
 
-def refusal(opened, **asked):
+def refusal(opened, **values):
     with pytest.raises(InputError) as error:
-        requested_design(DesignRequest.model_validate(asked), opened)
+        requested_design(DesignRequest.model_validate(values), opened)
     return str(error.value)
 
 

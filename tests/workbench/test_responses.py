@@ -1,4 +1,4 @@
-"""What a workbench tells of a design."""
+"""Responses of a workbench about a design."""
 
 import shlex
 
@@ -26,7 +26,7 @@ def test_a_shell_reads_the_command_as_the_values_that_were_set(settings):
 
 
 @pytest.mark.parametrize(
-    ("asked", "opened", "command"),
+    ("opened_request", "opened", "command"),
     [
         (DesignRequest(), Opened(design="my wing.toml"), "forficula run 'my wing.toml'"),
         (DesignRequest(), Opened(design="sheet.fold", unit=0.01), 'forficula run sheet.fold --unit "0.01 m"'),
@@ -36,8 +36,8 @@ def test_a_shell_reads_the_command_as_the_values_that_were_set(settings):
         (DesignRequest(settings={"a.b": "2 cm"}), LETTER, 'forficula run letter-fold --set a.b="2 cm"'),
     ],
 )
-def test_the_command_names_what_is_open(asked, opened, command):
-    assert command_of(asked, opened) == command
+def test_the_command_names_what_is_open(opened_request, opened, command):
+    assert command_of(opened_request, opened) == command
 
 
 def test_the_response_describes_the_design_and_its_sections():

@@ -55,8 +55,8 @@ def test_requests_of_other_pages_are_refused(served, headers):
 
 
 def test_its_own_page_is_answered(served):
-    own = {"Origin": f"http://127.0.0.1:{served.port}", "Sec-Fetch-Site": "same-origin"}
-    assert served.request("POST", "design", "{}", JSON | own)[0] == 200
+    origin = {"Origin": f"http://127.0.0.1:{served.port}", "Sec-Fetch-Site": "same-origin"}
+    assert served.request("POST", "design", "{}", JSON | origin)[0] == 200
     status, page = served.request("GET", headers={"Sec-Fetch-Site": "none"})
     assert status == 200
     assert b"wasm-unsafe-eval" in page
@@ -128,7 +128,7 @@ def served_value(name, key):
 
 
 @pytest.mark.parametrize(
-    ("asked", "refused"),
+    ("values", "refused"),
     [
         ({"settings": {"tendon.0.stiffness": "-1 N/cm"}}, "tendon.0.stiffness: need >= 0, got -1 N/cm"),
         ({"settings": {"tendon.0.stiffness": "3"}}, "tendon.0.stiffness: "),
@@ -141,8 +141,8 @@ def served_value(name, key):
         ({"files": sent("a.fold", "{")}, "a.fold: "),
     ],
 )
-def test_invalid_designs_are_refused_with_the_message_of_the_package(served, asked, refused):
-    output = served.ask("design", **asked)
+def test_invalid_designs_are_refused_with_the_message_of_the_package(served, values, refused):
+    output = served.ask("design", **values)
     assert output["refused"].startswith(refused)
     assert "/tmp" not in output["refused"]
 
@@ -187,12 +187,12 @@ def test_the_model_is_the_one_that_the_package_builds_for_a_page(served):
     output = served.ask("model", settings={"tendon.0.stiffness": "0.6 N/cm"})
     design = load_design("letter-fold", {"tendon.0.stiffness": "0.6 N/cm"})
     clip = start_clip(design)
-    own = live_data(design, [reading.measure for reading in clip.readings], clip.mesh.anchors.tolist())
-    assert output["live"] == json.loads(json.dumps(own))
+    expected = live_data(design, [reading.measure for reading in clip.readings], clip.mesh.anchors.tolist())
+    assert output["live"] == json.loads(json.dumps(expected))
 
 
-def lines(served, what, **asked):
-    status, content = served.request("POST", what, json.dumps(asked), JSON)
+def lines(served, what, **values):
+    status, content = served.request("POST", what, json.dumps(values), JSON)
     assert status == 200
     return [json.loads(line) for line in content.splitlines()]
 
@@ -234,7 +234,7 @@ def test_a_task_ends_when_its_page_is_closed(served):
 def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line_and_leaves_nothing(
     tmp_path, tmp_path_factory, monkeypatch, by, at_work
 ):
-    """So does whoever ends it otherwise, or closes its terminal, which is heard alike."""
+    """SIGTERM, and SIGHUP from a closed terminal, have the same effect as Ctrl-C."""
     number = getattr(signal, by, None)
     if number is None or signal.getsignal(number) == signal.SIG_IGN:
         pytest.skip("a job in the background ignores it, and not every system has it")

@@ -7,12 +7,12 @@ const KEPT = `forficula ${location.pathname}`; // key of the session storage, wh
 /**
  * A design that is opened, changed and built, one request after another.
  *
- * shows: {says, told, model}: displays what is being done and what was refused, the design with its keys, and its
- * structure (awaited). The design has `asked`, the request; `base`, the reply for the design as opened; `told`, the
+ * shows: {says, reply, model}: displays what is being done and what was refused, the design with its keys, and its
+ * structure (awaited). The design has `asked`, the request; `base`, the reply for the design as opened; `reply`, the
  * present reply; and `rejected`, texts of keys that were refused, with reasons.
  */
 export function makeDesign(shows) {
-  const design = { asked: null, base: null, told: null, rejected: new Map() };
+  const design = { asked: null, base: null, reply: null, rejected: new Map() };
 
   /** Open a design in place of another; returns the reason if it is refused, otherwise "". */
   design.open = async (where, settings) => {
@@ -22,7 +22,7 @@ export function makeDesign(shows) {
     const why = base.refused ?? (await build({ ...where, settings }, base));
     if (why) shows.says.refuse(`${name} is not opened: ${why}`);
     else design.rejected.clear();
-    if (design.told) tell(design.told);
+    if (design.reply) display(design.reply);
     return why;
   };
 
@@ -32,12 +32,12 @@ export function makeDesign(shows) {
     const stopping = new AbortController();
     shows.says.wait("Building", () => stopping.abort());
     try {
-      const told = await ask("design", wanted, stopping.signal);
-      if (told.refused) return told.refused;
+      const reply = await ask("design", wanted, stopping.signal);
+      if (reply.refused) return reply.refused;
       const model = await ask("model", wanted, stopping.signal);
       if (model.refused) return model.refused;
       Object.assign(design, { asked: wanted, base });
-      tell(told);
+      display(reply);
       await shows.model(model);
       shows.says.done(`Built in ${((performance.now() - began) / 1000).toFixed(1)} s.`);
     } catch (error) {
@@ -65,16 +65,16 @@ export function makeDesign(shows) {
       rejected.set(key, { text, why });
       shows.says.refuse(`${why} \u2013 the last working model is kept`);
     } else if (same(alone, asked.settings)) shows.says.done("");
-    tell(design.told);
+    display(design.reply);
   };
 
   /** Record values that were changed during the simulation; nothing is built again. */
   design.slide = async (changed) => {
     const settings = put(design.asked.settings, Object.entries(changed));
-    const told = await ask("design", { ...design.asked, settings });
-    if (told.refused) return shows.says.refuse(told.refused);
+    const reply = await ask("design", { ...design.asked, settings });
+    if (reply.refused) return shows.says.refuse(reply.refused);
     design.asked = { ...design.asked, settings };
-    return tell(told);
+    return display(reply);
   };
 
   /** Merge changes into settings; empty texts and the values of the opened design are removed. */
@@ -87,10 +87,10 @@ export function makeDesign(shows) {
     return changed;
   }
 
-  function tell(told) {
-    design.told = told;
+  function display(reply) {
+    design.reply = reply;
     keep(design.asked);
-    shows.told(design);
+    shows.reply(design);
   }
 
   return design;

@@ -20,8 +20,8 @@ export function makeFile(build) {
   return {
     element,
     /** Display a design's file; edited text stays as long as the same file is displayed. */
-    show(told) {
-      if (told.text !== last) text.value = last = told.text;
+    show(reply) {
+      if (reply.text !== last) text.value = last = reply.text;
     },
   };
 }

@@ -40,20 +40,20 @@ export function makeKeys(changed) {
   }
 
   /** Display a design's keys, those that were set, and their previous values. */
-  function show(told, settings, base) {
+  function show(reply, settings, base) {
     const before = new Map(base.keys.map((fact) => [fact.key, fact]));
-    if (!sameKeys(told.keys, fields)) build(told);
-    for (const fact of told.keys) fields.get(fact.key).show(fact, settings[fact.key], before.get(fact.key));
-    for (const group of groups) group.tell(settings);
+    if (!sameKeys(reply.keys, fields)) build(reply);
+    for (const fact of reply.keys) fields.get(fact.key).show(fact, settings[fact.key], before.get(fact.key));
+    for (const group of groups) group.count(settings);
     find();
   }
 
-  function build(told) {
+  function build(reply) {
     const open = new Set(groups.length ? groups.filter(({ element: each }) => each.open).map(({ name }) => name) : FIRST);
     const focused = document.activeElement?.dataset?.key;
-    fields = new Map(told.keys.map((fact) => [fact.key, makeField(fact, (text) => changed(fact.key, text))]));
-    const names = new Set(told.keys.map(({ key }) => (key.includes(".") ? key.split(".")[0] : "")));
-    groups = [...names].sort((one, other) => (other === "" ? -1 : 0) - (one === "" ? -1 : 0)).map((name) => makeGroup(name, told, fields));
+    fields = new Map(reply.keys.map((fact) => [fact.key, makeField(fact, (text) => changed(fact.key, text))]));
+    const names = new Set(reply.keys.map(({ key }) => (key.includes(".") ? key.split(".")[0] : "")));
+    groups = [...names].sort((one, other) => (other === "" ? -1 : 0) - (one === "" ? -1 : 0)).map((name) => makeGroup(name, reply, fields));
     for (const group of groups) group.element.open = open.has(group.name);
     sections.replaceChildren(...groups.map((group) => group.element));
     if (focused) fields.get(focused)?.input.focus();
@@ -72,22 +72,22 @@ export function makeKeys(changed) {
 
 function sameKeys(facts, fields) {
   const keys = [...fields.keys()];
-  const alike = (fact, key) => fact.key === key && fact.onlyWords === fields.get(key).fact.onlyWords;
-  return facts.length === keys.length && facts.every((fact, place) => alike(fact, keys[place]));
+  const sameField = (fact, key) => fact.key === key && fact.onlyWords === fields.get(key).fact.onlyWords;
+  return facts.length === keys.length && facts.every((fact, place) => sameField(fact, keys[place]));
 }
 
 /** The keys of a section under its name; keys in entries of lists have headings of their own. */
-function makeGroup(name, told, all) {
-  const inside = told.keys.filter(({ key }) => (key.includes(".") ? key.split(".")[0] : "") === name);
+function makeGroup(name, reply, all) {
+  const inside = reply.keys.filter(({ key }) => (key.includes(".") ? key.split(".")[0] : "") === name);
   const fields = inside.map(({ key }) => all.get(key));
   const summary = make("summary");
-  const said = told.sections[name];
+  const said = reply.sections[name];
   const parts = [];
   const rows = [];
   for (const { key } of inside) {
     const within = key.split(".").slice(1, -1).join(".");
     if (within !== (parts.at(-1)?.within ?? "")) {
-      const called = told.keys.find((fact) => fact.key === `${name}.${within}.name`)?.value;
+      const called = reply.keys.find((fact) => fact.key === `${name}.${within}.name`)?.value;
       const heading = make("h3", {}, `${name}.${within}${called ? ` \u00b7 ${called}` : ""}`);
       parts.push({ within, heading, fields: [] });
       rows.push(heading);
@@ -98,10 +98,10 @@ function makeGroup(name, told, all) {
   const note = said ? [make("p", { className: "note" }, `${capital(said).replace(/\.$/, "")}.`)] : [];
   const element = make("details", {}, summary, ...note, ...rows);
 
-  function tell(settings) {
+  function count(settings) {
     const changed = inside.filter(({ key }) => key in settings).length;
     summary.replaceChildren(name ? capital(name) : "Name", ...(changed ? [make("small", {}, ` ${changed} changed`)] : []));
   }
 
-  return { name, element, fields, parts: parts.filter(({ heading }) => heading), tell };
+  return { name, element, fields, parts: parts.filter(({ heading }) => heading), count };
 }

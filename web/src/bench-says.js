@@ -40,10 +40,10 @@ export function makeTaking() {
   const line = make("pre", { tabIndex: 0, role: "group", "aria-label": "the command that runs it" }, command);
   return {
     element: make("div", { className: "taking" }, link, line),
-    show(told) {
-      link.href = asAddress(told.text, "application/toml");
-      link.download = `${told.name}.toml`;
-      command.textContent = told.command;
+    show(reply) {
+      link.href = asAddress(reply.text, "application/toml");
+      link.download = `${reply.name}.toml`;
+      command.textContent = reply.command;
     },
   };
 }

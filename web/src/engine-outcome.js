@@ -14,10 +14,10 @@ export function outcomeOf(live, ends, divergedAt, widest) {
   const missedEnd = missed(live, ends, ways);
   const apart = widest > protocol.largestGap;
   const verdict = divergedAt !== null ? "diverged" : apart ? "untrusted" : verdictOf(protocol, missedEnd);
-  const told = (tells(verdict) && missedEnd) || ways.findLast((way) => way.driven)?.driven;
-  const way = told && wayAt(protocol, ways, told);
+  const decisive = (isConclusive(verdict) && missedEnd) || ways.findLast((way) => way.driven)?.driven;
+  const way = decisive && wayAt(protocol, ways, decisive);
   const transition = way?.transition ?? null;
-  const reading = tells(verdict) && way?.state ? furthest(live, transition, way.state.coordinates) : null;
+  const reading = isConclusive(verdict) && way?.state ? furthest(live, transition, way.state.coordinates) : null;
   const why = verdict === "not held" && early(protocol, missedEnd) ? filled(endings["not held, early"], { stage: protocol.stages[missedEnd.stage].name }) : "";
   const short = verdict === "moving" && (missedEnd.atGoal ? endings["moving, too short"] : missedEnd.atRest && endings["moving, torque rises"]);
   const ending = { verdict, transition, reading, time: divergedAt, why: apart ? apartText(live, widest) : why || short || "" };
@@ -32,7 +32,7 @@ export function outcomeOf(live, ends, divergedAt, widest) {
 }
 
 /** Whether a verdict is about the structure and not about the computation. */
-export const tells = (verdict) => verdict !== "diverged" && verdict !== "untrusted";
+export const isConclusive = (verdict) => verdict !== "diverged" && verdict !== "untrusted";
 
 function apartText({ size, texts }, widest) {
   return filled(texts.apart, { share: Number((widest / size).toPrecision(2)) });
@@ -56,8 +56,8 @@ function wayOf({ course, protocol }, ends, divergedAt, transition) {
 }
 
 function sameGoal(one, other) {
-  const alike = (side) => one[side].every((bound, place) => bound === other[side][place]);
-  return one.kind === other.kind && alike("least") && alike("most");
+  const sameBounds = (side) => one[side].every((bound, place) => bound === other[side][place]);
+  return one.kind === other.kind && sameBounds("least") && sameBounds("most");
 }
 
 function early(protocol, end) {
@@ -142,7 +142,7 @@ function endingText(live, ending) {
 /** The outcome without numbers: the part that many runs have in common. */
 function endingWord({ texts: { endings } }, ending) {
   const { verdict, transition } = ending;
-  if (!tells(verdict)) return endings[verdict];
+  if (!isConclusive(verdict)) return endings[verdict];
   if (transition === null) return endings.settled;
   return filled(endings[verdict === "stuck" && underWay(ending) ? "stuck, under way" : verdict], transition.words);
 }

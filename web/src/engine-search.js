@@ -1,6 +1,6 @@
 /** The least values with which a structure reaches its states; same rules as forficula.study.search, without halvings. */
 
-import { tells } from "./engine-outcome.js";
+import { isConclusive } from "./engine-outcome.js";
 import { filled } from "./format.js";
 
 /** search: the steps with their values; runUntil: runs the protocol with values by key up to a stage. */
@@ -10,7 +10,7 @@ export function leastValues(search, runUntil) {
   let { least, outcome: done } = found;
   if (least !== null && release !== null) {
     done = runUntil({ [first.key]: first.sign * least }, release);
-    if (!tells(done.verdict)) least = null;
+    if (!isConclusive(done.verdict)) least = null;
   }
   const withReference = { [first.key]: first.sign * reference };
   const later =
@@ -31,7 +31,7 @@ function decided(step, run) {
   for (const [place, value] of step.values.entries()) {
     outcome = run(value);
     last = place;
-    if (!tells(outcome.verdict)) return { least: null, outcome, last };
+    if (!isConclusive(outcome.verdict)) return { least: null, outcome, last };
     if (reaches(outcome, step.transition)) return { least: value, outcome, last };
   }
   return { least: null, outcome, last };
@@ -46,12 +46,12 @@ function ending({ first, second, referenceText: value, texts }, { outcome: done,
   const { status: text, word, verdict, advice } = done;
   const named = (transition, at) => filled(texts.with, { text: transition, value: at });
   const used = (status, ...values) => filled(texts.used, { text: status, used: values.join(", ") });
-  if (!next) return { status: first.texts && tells(verdict) ? used(text, named(first.transition, first.texts[last])) : text, word, verdict, advice };
+  if (!next) return { status: first.texts && isConclusive(verdict) ? used(text, named(first.transition, first.texts[last])) : text, word, verdict, advice };
   if (!reaches(done, first.transition)) return { status: filled(texts.then, { text, value, next: next.status }), word, verdict, advice };
   if (reaches(next, first.transition)) {
     const status = first.texts ? used(next.status, named(first.transition, value), named(second.transition, second.texts[lastNext])) : next.status;
     return { status, word: next.word, verdict: next.verdict, advice: next.advice };
   }
   const said = { status: filled(texts.failed, { value, next: next.status }), verdict: next.verdict, advice: next.advice };
-  return { ...said, word: tells(next.verdict) ? named(next.word, value) : next.word };
+  return { ...said, word: isConclusive(next.verdict) ? named(next.word, value) : next.word };
 }

@@ -73,14 +73,14 @@ function frame() {
     energies_J: wing.tendonEnergies(new Float64Array(wing.tendons), lengths),
     restLengths_m: Array.from(lengths, (_, tendon) => live.units.length * wing.restLength(tendon)),
     works_J: Array.from(tracker.works, (work) => live.units.energy * work),
-    ended: ends.length || divergedAt !== null ? told(ends, divergedAt) : null,
+    ended: ends.length || divergedAt !== null ? summaryOf(ends, divergedAt) : null,
     meddled,
     running: timer !== null,
   };
 }
 
 /** Outcome of the stages so far; of a part of the protocol only its own transitions. */
-function told(ends, divergedAt) {
+function summaryOf(ends, divergedAt) {
   const outcome = outcomeOf(live, ends, divergedAt, wing.widest);
   for (const { took } of outcome.transitions) if (took) took.work_J = live.units.energy * took.work;
   return {
@@ -106,7 +106,7 @@ function run({ values, until = live.protocol.stages.length - 1 }) {
   begin();
   tracker.begin(0, until);
   while (tracker.stage !== null) tracker.step();
-  return { said: "outcome", outcome: told(tracker.ends, tracker.divergedAt), steps: tracker.steps };
+  return { said: "outcome", outcome: summaryOf(tracker.ends, tracker.divergedAt), steps: tracker.steps };
 }
 
 /** Answer for a study's point: the outcome of its protocol, or the least values. */

@@ -10,7 +10,7 @@ export function hasEngine() {
 /**
  * Start the engine with the data of a structure; `hear` receives its messages other than replies.
  *
- * Returns {first, ask, tell, take, end}: the first frame, and functions that send a request, send a message, and load
+ * Returns {first, ask, send, take, end}: the first frame, and functions that send a request, send a message, and load
  * another structure, which returns the same again.
  */
 export async function startEngine(text, hear) {
@@ -53,7 +53,7 @@ export async function startEngine(text, hear) {
   try {
     const program = document.getElementById("engine-program").textContent;
     const { frame, version } = await ask({ act: "load", program, text });
-    const engine = { first: frame, version, ask, tell: (message) => worker.postMessage(message), take, end };
+    const engine = { first: frame, version, ask, send: (message) => worker.postMessage(message), take, end };
     return engine;
 
     async function take(another, listen) {

@@ -1,4 +1,4 @@
-/** Parallel coordinates: every point is a line across axes, on each of which a reader can select a range. */
+/** Parallel coordinates: every point is a line across axes; a reader can select a range on every axis. */
 
 import { make } from "./elements.js";
 import { draw } from "./plane.js";
@@ -36,9 +36,9 @@ export function makeLines(model, keys, { best, best_word, front }, press) {
   model.whenAsked(() => {
     layers(model, view, place);
     handles(model, view, place);
-    tell(model, said, all);
+    report(model, said, all);
   });
-  tell(model, said, all);
+  report(model, said, all);
   let width = 0;
   new ResizeObserver(() => {
     if (scroll.clientWidth === width) return;
@@ -54,7 +54,7 @@ export function makeLines(model, keys, { best, best_word, front }, press) {
   };
 }
 
-function tell(model, said, all) {
+function report(model, said, all) {
   const { points, noun } = model.study;
   const left = Array.from({ length: points }, (_, point) => point).filter(model.shown);
   const good = left.filter(model.good).length;

@@ -258,14 +258,14 @@ function makeChooser(model, data, state, player) {
   function choose(index) {
     state.chosen = index;
     for (const [place, button] of buttons.entries()) button.setAttribute("aria-pressed", String(place === index));
-    player.info.textContent = index === null ? FIRST : told(index);
+    player.info.textContent = index === null ? FIRST : describe(index);
     player.repaint();
   }
 
-  function told(index) {
+  function describe(index) {
     const part = model.parts[index];
     const [material, mass, size] = part.facts;
-    const many = part.count > 1 ? `${part.count} alike, each ` : "";
+    const many = part.count > 1 ? `${part.count} identical ones, each ` : "";
     return `${part.name}: ${model.looks[part.look].name} of ${material}, ${many}${mass}, ${size}`;
   }
 

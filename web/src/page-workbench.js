@@ -22,7 +22,7 @@ export async function showWorkbench(data) {
   const says = makeSays();
   let queue = Promise.resolve();
   const next = (job) => (queue = queue.then(job).catch((error) => says.refuse(error.message)));
-  const design = makeDesign({ says, told: show, model: build });
+  const design = makeDesign({ says, reply: show, model: build });
   const slid = makeSlid((settings) => next(() => design.slide(settings)));
   const open = (where) => next(() => design.open(where, {}));
   const opening = makeOpening(data.designs, data.opened, open);
@@ -34,14 +34,14 @@ export async function showWorkbench(data) {
   const taking = makeTaking();
 
   /** Display a design, and the keys that were set or refused. */
-  function show({ asked, base, told, rejected }) {
-    document.title = `${told.title}: workbench`;
-    document.querySelector("h1").textContent = told.title;
+  function show({ asked, base, reply, rejected }) {
+    document.title = `${reply.title}: workbench`;
+    document.querySelector("h1").textContent = reply.title;
     opening.show(asked);
-    keys.show(told, asked.settings, base);
+    keys.show(reply, asked.settings, base);
     for (const [key, { text, why }] of rejected) keys.reject(key, text, why);
-    views.file.show(told);
-    taking.show(told);
+    views.file.show(reply);
+    taking.show(reply);
     views.tabs.seen();
   }
 
@@ -73,7 +73,7 @@ function makeViews(design, slid, open) {
     results.run.find();
   });
   const sheet = makeSheet(asked);
-  const file = makeFile((text) => open({ design: "", files: [{ name: `${design.told?.name ?? "design"}.toml`, text }], unit: "" }));
+  const file = makeFile((text) => open({ design: "", files: [{ name: `${design.reply?.name ?? "design"}.toml`, text }], unit: "" }));
   const tabs = makeTabs(
     [
       { name: "wing", title: "Structure", element: wing.element },

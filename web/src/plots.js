@@ -19,8 +19,8 @@ const DEGREES = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 1
 export function mountPlots(element, plots, clips, clock) {
   const lines = plots.map((plot) => linesOf(plot, clips));
   const made = plots.map((plot, index) => {
-    const alike = plot.sharing ? lines.filter((_, each) => plots[each].sharing === plot.sharing).flat() : null;
-    return makePlot(plot, lines[index].map((line) => line.values), alike, clips, clock);
+    const sharing = plot.sharing ? lines.filter((_, each) => plots[each].sharing === plot.sharing).flat() : null;
+    return makePlot(plot, lines[index].map((line) => line.values), sharing, clips, clock);
   });
   element.replaceChildren(...made.map((plot) => plot.element));
   element.classList.add("plots");
@@ -57,8 +57,8 @@ function clipOf(plot) {
   return others.every((each) => each === first) ? (first ?? null) : null;
 }
 
-/** alike: lines of all plots with the same range of values; null for a range of its own. */
-function makePlot(plot, values, alike, clips, clock) {
+/** sharing: lines of all plots with the same range of values; null for a range of its own. */
+function makePlot(plot, values, sharing, clips, clock) {
   const { element, key, place } = figureOf(plot, plot.owner);
   const cursor = make("div", { className: "cursor" });
   let chart = null;
@@ -88,7 +88,7 @@ function makePlot(plot, values, alike, clips, clock) {
   function start() {
     span = clock.span;
     stretched = clock.stretched;
-    chart = new uPlot(options(plot, alike, clips, clock, place.clientWidth), tables(plot, values, clips, span), place);
+    chart = new uPlot(options(plot, sharing, clips, clock, place.clientWidth), tables(plot, values, clips, span), place);
     chart.setScale("x", { min: span.start, max: span.end });
     chart.over.append(cursor);
     seekByPointer(chart, clock);
@@ -140,9 +140,9 @@ function tables(plot, values, clips, span) {
   return uPlot.join(byLine);
 }
 
-function options(plot, alike, clips, clock, width) {
+function options(plot, sharing, clips, clock, width) {
   const axis = axisLook();
-  const range = (_, low, high) => yRange(plot, ...(alike ? endsWithin(alike, clips, clock.span) : [low, high]));
+  const range = (_, low, high) => yRange(plot, ...(sharing ? endsWithin(sharing, clips, clock.span) : [low, high]));
   return {
     width,
     height: HEIGHT,

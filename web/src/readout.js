@@ -58,7 +58,7 @@ function number(value, unit) {
 /** Means, each with half its range if it has one. */
 function stated({ mean, swing }, unit) {
   return mean.map((value, place) => {
-    const told = swing[place] > (SWINGS[unit] ?? 0.005 * Math.abs(value));
-    return `${number(value, unit)}${told ? ` \u00b1 ${number(swing[place], unit)}` : ""}`;
+    const hasSwing = swing[place] > (SWINGS[unit] ?? 0.005 * Math.abs(value));
+    return `${number(value, unit)}${hasSwing ? ` \u00b1 ${number(swing[place], unit)}` : ""}`;
   });
 }

@@ -79,7 +79,7 @@ export function makeAnswers(model) {
   /** Let the reader move the point's structure; its values are set again after earlier simulations. */
   function goLive(point) {
     panel.sliders.set(live.points[point]);
-    panel.engine.tell({ act: "restart", through: false });
+    panel.engine.send({ act: "restart", through: false });
   }
 
   /** A map between a point and its neighbours, filled cell by cell. */
@@ -162,11 +162,11 @@ function caption([across, up], sampled) {
 /** The outcome of a point, with the least values that were searched for. */
 function answerText(live, { status, least }) {
   const steps = live.search ? [live.search.first, live.search.second].filter(Boolean) : [];
-  const told = steps
+  const torques = steps
     .filter(({ name }) => least[name] !== null && least[name] !== undefined)
     .map(({ key, name, title }) => {
       const { factor, unit } = live.knobs.find((knob) => knob.key === key);
       return `${title} ${short(factor * least[name])} ${unit}`;
     });
-  return [status, ...told].join("; ");
+  return [status, ...torques].join("; ");
 }

@@ -26,8 +26,8 @@ export function makeModel(study, runs) {
 
   function scaleOf(quantity) {
     // groups that share a scale can be compared
-    const alike = quantity.shares ? quantities.filter((each) => each.group === quantity.group) : [quantity];
-    const values = alike.flatMap((each) => each.values ?? []).filter((value) => value !== null);
+    const sameGroup = quantity.shares ? quantities.filter((each) => each.group === quantity.group) : [quantity];
+    const values = sameGroup.flatMap((each) => each.values ?? []).filter((value) => value !== null);
     if (!values.length) return null;
     const [low, high] = [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
     const share = (value) => (high > low ? (value - low) / (high - low) : 0.5);

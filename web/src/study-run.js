@@ -131,8 +131,8 @@ function pairedPlots(runs, clips) {
 /** Names that distinguish runs displayed together: their points, or what was done; empty for a single run. */
 function calledOf(runs, { study }) {
   if (runs.length === 1) return [""];
-  const alike = new Set(runs.map((run) => run.point)).size < runs.length;
-  return runs.map((run) => `${study.noun} ${run.point + 1}${alike ? `, ${run.title}` : ""}`);
+  const severalPerPoint = new Set(runs.map((run) => run.point)).size < runs.length;
+  return runs.map((run) => `${study.noun} ${run.point + 1}${severalPerPoint ? `, ${run.title}` : ""}`);
 }
 
 function nameOf(run, called, model) {

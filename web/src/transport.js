@@ -131,11 +131,11 @@ export function stageText(clip, moment) {
 
 /** The moment in words: its time, and what every structure does. */
 function momentText(clips, clock) {
-  const told = clips.map((clip, index) => {
+  const parts = clips.map((clip, index) => {
     const moment = clock.clipTime(index);
     return `${clips.length > 1 ? `${clip.name}: ` : ""}${stageText(clip, moment)}${readingText(clip, moment)}`;
   });
-  return `${timeText(clock.time, clock.span)}: ${told.join("; ")}`;
+  return `${timeText(clock.time, clock.span)}: ${parts.join("; ")}`;
 }
 
 /** The first readings of a clip: their range. */

@@ -43,7 +43,7 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
   const readout = make("div");
   const design = makeDesignLink(own);
   const sliders = makeSliders(own.knobs, data.kind === "bench" ? "the design" : "this run", (key, value) => {
-    engine.tell({ act: "set", values: { [key]: value } });
+    engine.send({ act: "set", values: { [key]: value } });
     sliders.refresh();
     design.refresh(sliders.changes);
     set?.(key, valueText(own, key, value));
@@ -53,7 +53,7 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
     advice.textContent = "";
   });
   const acting = own.motors.every((motor) => motor.kind === "torque") ? "torques" : "drives";
-  let told = null;
+  let shownKey = null;
 
   function hear(message) {
     if (message.said === "refused") {
@@ -73,17 +73,17 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
     account.textContent = parts.join(" \u00b7 ");
     const outcome = frame.stageNumber === null ? frame.ended : null;
     const key = outcome && JSON.stringify([outcome.verdict, ...outcome.stages.map((stage) => stage.end_s)]);
-    if (key !== told) {
+    if (key !== shownKey) {
       said.textContent = outcome ? sentence(outcome, data.whole, own.texts.outcome) : "";
       advice.textContent = [outcome?.advice, outcome && frame.meddled && MEDDLED].filter(Boolean).join(" ");
     }
-    told = key;
+    shownKey = key;
   }
 
   panel.element = make(
     "div",
     { className: "trial" },
-    make("div", { className: "seen" }, make("div", { className: "choices" }, ...buttons), make("div", { className: "told" }, moment, account), said, advice, picture, readout),
+    make("div", { className: "seen" }, make("div", { className: "choices" }, ...buttons), make("div", { className: "live-facts" }, moment, account), said, advice, picture, readout),
     make("div", { className: "hands" }, sliders.element, ...(set ? [] : [design.element])),
   );
 
@@ -98,13 +98,13 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
     if (stage) {
       live.movable = own.anchors.bodies.map((body) => body > 0);
       const most = strongest(own, clip.mesh.span_m);
-      const push = (point, force) => engine.tell({ act: "push", point, force });
+      const push = (point, force) => engine.send({ act: "push", point, force });
       listenToPushes(stage, live, clip.mesh.span_m, most, push);
       picture.querySelector(".picture").after(makePushKeys(stage, live, own.anchors.names, most, push));
     }
     show(engine.first);
-    engine.tell({ act: "pace", value: panel.pace });
-    engine.tell({ act: "restart", through: false });
+    engine.send({ act: "pace", value: panel.pace });
+    engine.send({ act: "restart", through: false });
     if (data.kind !== "bench") buttons[0].focus();
   };
   panel.leave = () => panel.stage?.dispose();
@@ -127,7 +127,7 @@ function makeButtons({ protocol }, engine, panel, before) {
     made.append(text);
     made.addEventListener("click", () => {
       before();
-      engine.tell(message);
+      engine.send(message);
     });
     return made;
   };
@@ -140,7 +140,7 @@ function makeButtons({ protocol }, engine, panel, before) {
   const paces = make("select", {}, ...PACES.map(([name, value]) => make("option", { value, selected: value === panel.pace }, name)));
   paces.addEventListener("change", () => {
     panel.pace = Number(paces.value);
-    engine.tell({ act: "pace", value: panel.pace });
+    engine.send({ act: "pace", value: panel.pace });
   });
   return [
     button("Start again", { act: "restart", through: false }, "from the start of the run"),

@@ -498,11 +498,11 @@ def _named_state(record: Record, state: RestState) -> State | None:
     return _state(record, record.stages[number], state.name) if _ended_without_divergence(record, number) else None
 
 
-def _rest_name(state: RestState, found: State | None, holds: Mapping[str, bool | None]) -> str:
+def _rest_name(state: RestState, resting: State | None, holds: Mapping[str, bool | None]) -> str:
     if state.name in holds:
         held = holds[state.name]
         return state.unknown if held is None else state.name if held else state.missed
-    return state.name if found is None or found.within else state.missed
+    return state.name if resting is None or resting.within else state.missed
 
 
 def _within_bounds(coordinates: Array, bounds: StageGoal) -> bool:

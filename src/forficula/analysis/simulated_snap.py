@@ -138,11 +138,11 @@ def simulated_snap(record: Record, crossed: CrossedHinge) -> SimulatedSnap | Non
     """
     if record.diverged_at is not None:
         return None
-    structure, hinge, own = record.structure, crossed.hinge, crossed.own
+    structure, hinge, actual = record.structure, crossed.hinge, crossed.actual
     before = folding_rows(record, hinge)
     angle = record.series["hinge_angle"][before, hinge]
     time, fold = record.time[before], -folding_sense(structure.hinges[hinge]) * angle
-    folded, start = folded_angle(structure, hinge), max(own.fold_start - own.hinge.top, -own.hinge.overbend)
+    folded, start = folded_angle(structure, hinge), max(actual.fold_start - actual.hinge.top, -actual.hinge.overbend)
     folded_time = None if folded is None else _snap_time(time, fold, start, folded)
     leaves = _passage_times(time, fold, start)
     moving = time >= leaves[0] if len(leaves) else np.zeros(len(time), dtype=bool)
@@ -197,7 +197,7 @@ def simulation_summary(record: Record, crossed: CrossedHinge | None) -> dict[str
                 "fold_time_s": hinge.fold_time,
                 "final_speed_rad_per_s": hinge.final_speed,
             }
-            for name, hinge in (("ideal_hinge", crossed.ideal), (own_name, crossed.own))
+            for name, hinge in (("ideal_hinge", crossed.ideal), (own_name, crossed.actual))
             if hinge is not None and hinge.spring is None
         },
     }

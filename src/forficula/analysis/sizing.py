@@ -99,11 +99,11 @@ def _flat_length(structure: Structure, length: float) -> float:
     return float((built[matching] if any(matching) else built).max(initial=0.0))
 
 
-def _lengths(structure: Structure, law: MaterialLaw, given: float | None) -> Iterator[tuple[float, str]]:
+def _lengths(structure: Structure, law: MaterialLaw, length_given: float | None) -> Iterator[tuple[float, str]]:
     known = known_length(law)
-    first = given if given is not None else known
+    first = length_given if length_given is not None else known
     if first is not None:
-        yield first, "as given" if given is not None else f"of the specimens of {law.name}"
+        yield first, "as given" if length_given is not None else f"of the specimens of {law.name}"
     names: dict[float, list[str]] = {}
     for tendon in structure.tendons:
         names.setdefault(tendon.gauge_length, []).append(tendon.name)

@@ -34,7 +34,7 @@ def identify(
             `{"design": design, "unknown": {"tendon.left.stiffness": [...]}, "fact": [...]}`.
         out: folder of the journal, in which an interrupted identification continues; a temporary one if not given.
         threads: number of threads; 0 for one per core.
-        progress: as of `run`; `Progress.latest` has the samples so far.
+        progress: as in `run`; `Progress.latest` has the samples so far.
 
     Returns:
         Table over samples and facts: values, their distances from each fact, and which samples agree. Each unknown
@@ -78,7 +78,7 @@ def optimise(
         goal: goal, the name of a named one, the path of a goal file, or its tables, in which `design` may be a design.
         out: folder of the journal, in which an interrupted search continues; a temporary one if not given.
         threads: number of threads; 0 for one per core.
-        progress: as of `run`; `Progress.latest` has the best candidate so far.
+        progress: as in `run`; `Progress.latest` has the best candidate so far.
 
     Returns:
         Optimum, whose `designs` are the best ones and whose `table` has all that were tried.
@@ -139,7 +139,7 @@ def tolerance(
         rng: seed of the points within the tolerances, or a generator that draws it; None for a new seed each time.
         seed: old name of `rng`.
         threads: number of threads; 0 for one per core.
-        progress: as of `run`; `Progress.latest` is the row of the last run.
+        progress: as in `run`; `Progress.latest` is the row of the last run.
 
     Returns:
         Probabilities, sensitivity indices, the distance that each value may deviate alone, and all samples. The

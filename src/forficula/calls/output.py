@@ -26,7 +26,7 @@ def figure(of: object, kind: str | None = None, *, width: float | Literal["colum
 
     Args:
         of: result, such as a run, a landscape or the table of a study, or the folder of one.
-        kind: name of the figure, as of its file in the folder; may be left out where there is only one.
+        kind: name of the figure, which is that of its file in the folder; may be left out where there is only one.
         width: of a journal's column or page, or a number in inches.
 
     Raises:

@@ -68,7 +68,7 @@ def landscape(design: AnyDesign, points: int = 181, *, progress: ProgressOption 
     Args:
         design: design, its name or its path.
         points: number of points of each curve.
-        progress: as of `run`.
+        progress: as in `run`.
 
     Returns:
         Stable states with energies, barriers between them, and the least torques or forces of each transition.

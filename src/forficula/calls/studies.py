@@ -42,7 +42,7 @@ def converge(
         timesteps: text such as "0.5 0.2 ms", or numbers in s.
         moduli: Young's moduli of the membrane: text such as "0.5 1 2 MPa", or numbers in Pa.
         meshes: factors by which the rows of the membrane's mesh are closer: text such as "1 2", or numbers.
-        progress: as of `run`.
+        progress: as in `run`.
 
     Raises:
         InputError: none or several of the three, or values that are not allowed.
@@ -75,7 +75,7 @@ def assumptions(
     Args:
         design: design, its name or its path.
         only: names of the assumptions to change, such as "slow rise"; all that apply if not given.
-        progress: as of `run`.
+        progress: as in `run`.
 
     Returns:
         All runs, and which of them change the verdict.
@@ -103,7 +103,7 @@ def run_cycles(design: AnyDesign, last: int, progress: ProgressOption = None) ->
     Args:
         design: design, its name or its path; its tendons have a law (`tendon.law`) with drift or softening.
         last: number of the last cycle; each of the first 20 cycles is run, then ten per decade.
-        progress: as of `run`.
+        progress: as in `run`.
 
     Raises:
         InputError: the tendons do not change, the protocol drives no transition, or `last` is not >= 1.
@@ -181,7 +181,7 @@ def run_study(
         threads: number of threads; 0 for one per core.
         batch: number of runs side by side.
         cluster: function that runs designs elsewhere, from `dask_cluster`; the cores of this machine if not given.
-        progress: as of `run`; `Progress.latest` is the row of the last run.
+        progress: as in `run`; `Progress.latest` is the row of the last run.
         building: function that is called with the number of designs that are built, and the number of all, while
             designs are built that do not run here.
 
@@ -247,9 +247,9 @@ def sweep(
         factors: by key of the design: a list of values, a range, or a distribution, as in a study file.
         out: folder of the journal, in which an interrupted sweep continues; a temporary one if not given.
         threads: number of threads; 0 for one per core.
-        rng: as of `new_study`.
-        progress: as of `run_study`.
-        **tables: as of `new_study`.
+        rng: as in `new_study`.
+        progress: as in `run_study`.
+        **tables: as in `new_study`.
 
     Returns:
         Table (an `xarray.Dataset`) whose dimensions are the factors; `to_dataframe` makes a pandas table of it.

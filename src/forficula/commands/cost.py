@@ -88,7 +88,7 @@ class CountEstimate(_Estimate):
 def runs_estimated(
     progress: Callable[[int, int, dict[str, Any]], None], *, most: bool = False
 ) -> Callable[[int, int, dict[str, Any]], None]:
-    """Return the progress of many runs that also writes an estimate; `most` is as of `CountEstimate`."""
+    """Return the progress of many runs that also writes an estimate; `most` is as in `CountEstimate`."""
     estimate = CountEstimate(most=most)
 
     def update(done: int, needed: int, row: dict[str, Any]) -> None:

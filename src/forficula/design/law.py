@@ -139,13 +139,13 @@ class LawSection(Section):
 
     @model_validator(mode="before")
     @classmethod
-    def _read_by_name(cls, given: object, info: ValidationInfo) -> object:
-        if isinstance(given, str | MaterialLaw):
-            given = {"based_on": given}
-        if not isinstance(given, dict) or not isinstance(named := given.get("based_on"), str | MaterialLaw):
-            return given
+    def _read_by_name(cls, value: object, info: ValidationInfo) -> object:
+        if isinstance(value, str | MaterialLaw):
+            value = {"based_on": value}
+        if not isinstance(value, dict) or not isinstance(named := value.get("based_on"), str | MaterialLaw):
+            return value
         material, si = tendon_material(named), bool(info.context and info.context.get("si"))
-        values = {key: value for key, value in given.items() if key != "based_on"}
+        values = {key: value for key, value in value.items() if key != "based_on"}
         _check_choice(material, values.get("linear_modulus"), si=si)
         return law_tables(material, si=si) | values
 
@@ -231,12 +231,12 @@ def law_tables(material: MaterialLaw, *, si: bool) -> dict[str, Any]:
     return {name: value for name, value in text.items() if name in values}
 
 
-def _check_choice(material: MaterialLaw, given: object, *, si: bool) -> None:
+def _check_choice(material: MaterialLaw, number: object, *, si: bool) -> None:
     """Refuse a linear modulus that is missing, or outside the range, where a material has only a range."""
     if material.moduli is not None:
         return
     key = "linear_modulus"
-    if given is None:
+    if number is None:
         bounds = next(bounds for bounds in material.ranges if bounds.key == _CHOSEN)
         raise InputError(
             f"{key}: of {material.name} only a range is known, {show_range(bounds.key, bounds.low, bounds.high)};"
@@ -245,7 +245,7 @@ def _check_choice(material: MaterialLaw, given: object, *, si: bool) -> None:
         )
     reader = field_quantity(LawSection.model_fields[key])
     try:
-        value = reader.read(given, in_si=si) if reader else None
+        value = reader.read(number, in_si=si) if reader else None
     except InputError:  # validation of the field reports the error
         return
     try:

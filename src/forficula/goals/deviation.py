@@ -105,12 +105,12 @@ def _numbers(value: object, key: str) -> Iterator[tuple[str, float]]:
             yield from _numbers(entry, f"{key}.{getattr(entry, 'name', None) or number}")
 
 
-def read_deviations(given: Mapping[str, object], design: Design) -> tuple[Deviation, ...]:
+def read_deviations(tolerances: Mapping[str, object], design: Design) -> tuple[Deviation, ...]:
     """Read the tolerances of a goal file.
 
     Args:
-        given: tolerances by key of the design: a text such as "10 %" or "0.1 mm", uniform in both directions; a table
-            with `distribution` and `size`; for `tendon.law` a table with `intervals_of`, a law file whose 95 %
+        tolerances: tolerances by key of the design: a text such as "10 %" or "0.1 mm", uniform in both directions; a
+            table with `distribution` and `size`; for `tendon.law` a table with `intervals_of`, a law file whose 95 %
             intervals are used as independent normal distributions, because the file has no correlations. `all` means
             every positive number with a unit that is not in the protocol; other keys take precedence, and "none"
             removes one.
@@ -119,17 +119,17 @@ def read_deviations(given: Mapping[str, object], design: Design) -> tuple[Deviat
     Raises:
         InputError: an unknown key, or a value that is not allowed. The caller adds the name of the table.
     """
-    check_keys_once(given, design)
+    check_keys_once(tolerances, design)
     deviations: dict[str, Deviation] = {}
-    if "all" in given:
-        size, relative = _size("all", given["all"], None)
+    if "all" in tolerances:
+        size, relative = _size("all", tolerances["all"], None)
         deviations = {
             key: Deviation(key=key, distribution="uniform", size=size, relative=relative)
             for key in positive_keys(design)
         }
     # "all" has list entries by their names; a file may have them by their numbers
     key_by_number = {numbered_key(design, key): key for key in deviations}
-    for key_in_file, value in given.items():
+    for key_in_file, value in tolerances.items():
         if key_in_file == "all":
             continue
         key = key_by_number.get(numbered_key(design, key_in_file), key_in_file)

@@ -53,7 +53,7 @@ def _mass(structure: Structure) -> float:
 
 def _hinges(structure: Structure) -> Values:
     """Return the weakest and the most resistant values among hinges that a tendon crosses, each hinge alone."""
-    landscapes = [hinge.own for hinge in crossed_hinges(structure, _HINGE_POINTS)]
+    landscapes = [hinge.actual for hinge in crossed_hinges(structure, _HINGE_POINTS)]
     barriers = [hinge.barrier for hinge in landscapes if hinge.barrier is not None]
     torques = [hinge.holding_torque for hinge in landscapes if hinge.holding_torque is not None]
     peaks = [hinge.peak_opening.torque for hinge in landscapes if hinge.peak_opening is not None]

@@ -222,7 +222,7 @@ def _specimen(test: TensileTest, drop_first: bool, band: float) -> Specimen:
     cycles = find_cycles(test, band=band, drop_first=False)
     kept = cycles[1:] if drop_first else cycles
     if not kept:
-        raise InputError(f"{test.name}: need two cycles, of which the first is left out, got one: see --keep-first")
+        raise InputError(f"{test.name}: need two cycles, because the first is left out, got one: see --keep-first")
     return Specimen(test=test, cycles=kept, left_out=cycles[: len(cycles) - len(kept)])
 
 

@@ -58,7 +58,7 @@ def rotation_to_z(direction: Array) -> Array:
 
 
 def frame_along(direction: Array) -> Array:
-    """Return axes in columns, (3, 3), the third of which is a given unit vector; robust to rounding of this vector."""
+    """Return axes in columns, (3, 3), with a unit vector as the third; robust to rounding of this vector."""
     across = np.cross(direction, np.eye(3)[int(np.argmin(np.round(np.abs(direction), 9)))])
     across /= np.linalg.norm(across)
     return np.column_stack([across, np.cross(direction, across), direction])

@@ -90,8 +90,8 @@ def figure_style() -> Iterator[None]:
 
 def _without_matplotlibrc() -> Any:  # of many literal names, to type checkers
     """Return matplotlib's own defaults for settings that a matplotlibrc or a program has changed."""
-    own = (name for name in rcParamsDefault if not name.startswith(_OF_WINDOWS))
-    return {name: rcParamsDefault[name] for name in own if rcParams[name] != rcParamsDefault[name]}
+    names = (name for name in rcParamsDefault if not name.startswith(_OF_WINDOWS))
+    return {name: rcParamsDefault[name] for name in names if rcParams[name] != rcParamsDefault[name]}
 
 
 def colours_of(unit: str) -> Colormap:

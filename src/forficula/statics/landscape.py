@@ -194,7 +194,7 @@ class EnergyLandscape(Result):
     @property
     def tendons(self) -> tuple[HingeLandscape, ...]:
         """Return every hinge that one tendon lies across, about its true axis, by tendon."""
-        return tuple(hinge.own for hinge in self.hinges)
+        return tuple(hinge.actual for hinge in self.hinges)
 
     @property
     def least_torques(self) -> Mapping[str, float | None]:

@@ -142,7 +142,7 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
             TendonCurve(
                 tendon=structure.tendons[hinge_law.tendon].name,
                 hinge=structure.hinges[hinge_law.hinge].name,
-                curve=_hinge(hinge_law.own),
+                curve=_hinge(hinge_law.actual),
             )
             for hinge_law in landscape.hinges
         ],
@@ -295,7 +295,7 @@ def _net_state(structure: Structure, net: Net, state: NetState) -> dict[str, Any
             for withstood in state.withstands
         ],
         "panels_pass_through": state.passing,
-        "found": state.found,
+        "found": state.hits,
         "positions": _points(structure, net, state.rest.shape),
     }
 
@@ -304,10 +304,10 @@ def _points(structure: Structure, net: Net, shape: NetShape) -> WithUnit:
     return WithUnit(point_positions(net, shape)[: len(structure.points)], "m")
 
 
-def _mobility(found: Mobility | None) -> dict[str, int | None]:
+def _mobility(mobility: Mobility | None) -> dict[str, int | None]:
     return {
-        "degrees_of_freedom": None if found is None else found.degrees_of_freedom,
-        "self_stresses": None if found is None else found.self_stresses,
+        "degrees_of_freedom": None if mobility is None else mobility.degrees_of_freedom,
+        "self_stresses": None if mobility is None else mobility.self_stresses,
     }
 
 

@@ -52,7 +52,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     hinges = crossed_hinges(structure, points)
     path = None if structure.rigid_fold is None else fold_path(structures, points)
     start = start_state(structures)
-    peaks = [hinge.own.peak_opening.torque for hinge in hinges if hinge.own.peak_opening is not None]
+    peaks = [hinge.actual.peak_opening.torque for hinge in hinges if hinge.actual.peak_opening is not None]
     rests, courses, torque_remarks = _protocol(structures, start, max(peaks, default=0.0))
     return EnergyLandscape(
         design=design,
@@ -133,10 +133,10 @@ def _passes(path: FoldPath) -> tuple[Pass, ...]:
     return tuple(passes)
 
 
-def _rest(structures: Ensemble, name: str, found: Equilibria, earlier: Sequence[Rest] = ()) -> Rest:
-    state, position = state_of(structures.structure, name), found.position[0]
+def _rest(structures: Ensemble, name: str, equilibria: Equilibria, earlier: Sequence[Rest] = ()) -> Rest:
+    state, position = state_of(structures.structure, name), equilibria.position[0]
     goal = None if state is None else goal_of(structures.structure, state.goal)
-    within = goal is None or bool(at_goal(structures, found.position[:1], goal)[0])
+    within = goal is None or bool(at_goal(structures, equilibria.position[:1], goal)[0])
     slight = slight_energy(structures)
 
     def known(energy: Array) -> float:
@@ -145,9 +145,9 @@ def _rest(structures: Ensemble, name: str, found: Equilibria, earlier: Sequence[
     return Rest(
         name=name if within or state is None else state.missed,
         angles=position,
-        energy=known(found.energy),
-        stored={part: known(energy) for part, energy in stored_energy(structures, found.position[:1]).items()},
-        stable=bool(found.rests[0] and found.stiffness[0] > -soft_stiffness(structures)),
+        energy=known(equilibria.energy),
+        stored={part: known(energy) for part, energy in stored_energy(structures, equilibria.position[:1]).items()},
+        stable=bool(equilibria.rests[0] and equilibria.stiffness[0] > -soft_stiffness(structures)),
         within=within,
         same_as=next((rest.name for rest in earlier if np.all(np.abs(rest.angles - position) <= _SAME)), ""),
     )
@@ -160,10 +160,10 @@ def _largest_torque(structures: Ensemble, transition: Transition, peak: float) -
     return max(_MOST_OPENING * peak, strength) if crosses(structures, drive) else strength
 
 
-def _inertial_help(structures: Ensemble, transition: Transition, found: SlowTransition | None) -> InertialHelp | None:
-    if found is None or not found.torque[0] > 0:
+def _inertial_help(structures: Ensemble, transition: Transition, slow: SlowTransition | None) -> InertialHelp | None:
+    if slow is None or not slow.torque[0] > 0:
         return None
-    return inertial_help(structures, found.paths[0], drive_of(structures.structure, transition.drive))
+    return inertial_help(structures, slow.paths[0], drive_of(structures.structure, transition.drive))
 
 
 def _tendon_remarks(structure: Structure, hinges: Sequence[CrossedHinge]) -> tuple[str, ...]:
@@ -173,12 +173,12 @@ def _tendon_remarks(structure: Structure, hinges: Sequence[CrossedHinge]) -> tup
     """
     of: dict[str, list[str]] = {}
     for hinge in hinges:
-        tendon, own, ideal = structure.tendons[hinge.tendon], hinge.own, hinge.ideal
-        remarks = own.remarks if ideal is None else ideal.remarks
+        tendon, actual, ideal = structure.tendons[hinge.tendon], hinge.actual, hinge.ideal
+        remarks = actual.remarks if ideal is None else ideal.remarks
         # the same remark on both would differ slightly in its angles
-        if ideal is not None and ideal.hinge.pulls != own.hinge.pulls:
+        if ideal is not None and ideal.hinge.pulls != actual.hinge.pulls:
             whose = structure.appearance.whole
-            remarks = (*remarks, *(f"about the {whose}'s own hinge axes {remark}" for remark in own.remarks))
+            remarks = (*remarks, *(f"about the {whose}'s own hinge axes {remark}" for remark in actual.remarks))
         for remark in remarks:
             of.setdefault(remark, []).append(tendon.label or tendon.name)
     return tuple(
@@ -230,7 +230,7 @@ def slow_remarks(
     structure: Structure,
     transition: Transition,
     most: float,
-    found: SlowTransition | None,
+    slow: SlowTransition | None,
     span: tuple[float, float] | None,
     helped: InertialHelp | None,
 ) -> tuple[str, ...]:
@@ -240,16 +240,16 @@ def slow_remarks(
         structure: the structure.
         transition: the transition.
         most: largest torque tried, N m.
-        found: result for the structure; None if it does not rest in the state that the transition starts from.
+        slow: result for the structure; None if it does not rest in the state that the transition starts from.
         span: least and largest torque of structures shifted slightly at their snaps, N m; None if none makes it.
         helped: a snap after which inertia may make it with less torque; None without such a snap.
     """
     verb, does = transition.wording.verb, transition.wording.does
     makes = f"makes it {verb}" if " " in verb else f"{does} it"
-    if found is None:
+    if slow is None:
         before = _start_state(structure, transition)
         return (f'no slowly growing torque {makes} from the state "{before}", because it does not rest in this state',)
-    if found.torque[0] == 0:
+    if slow.torque[0] == 0:
         return (
             f'no torque is needed to {verb}: the goal of "{transition.name}" is already met in the state before it',
         )
@@ -257,15 +257,15 @@ def slow_remarks(
     if span is not None and span[1] > (1 + _ALIKE) * span[0]:
         low, high = (show_quantity(torque, TORQUE) for torque in span)
         whole, least = structure.appearance.whole, ""
-        if math.isfinite(found.torque[0]):
-            least = f", {show_quantity(float(found.torque[0]), TORQUE)},"
+        if math.isfinite(slow.torque[0]):
+            least = f", {show_quantity(float(slow.torque[0]), TORQUE)},"
         further = f"to {high}" if math.isfinite(span[1]) else f"to more than {show_quantity(most, TORQUE)}"
         spread = (
             f"the least slow torque to {verb}{least} depends on small differences: with hinges shifted by 0.3 deg"
             f" where the {whole} begins to snap, it is {low} {further}, so inertia and imperfections decide",
         )
     if helped is not None:
-        least, snap = (show_quantity(torque, TORQUE) for torque in (float(found.torque[0]), helped.torque))
+        least, snap = (show_quantity(torque, TORQUE) for torque in (float(slow.torque[0]), helped.torque))
         whole, released, climb = structure.appearance.whole, helped.released, helped.barrier
         return (
             *spread,
@@ -273,12 +273,12 @@ def slow_remarks(
             f" {whole} snaps and releases {show_value(released, 'J')}, and from there the slow path climbs"
             f" {show_value(climb, 'J')}; a run with protocol.rise computes whether less is enough",
         )
-    if not math.isnan(found.torque[0]):
+    if not math.isnan(slow.torque[0]):
         return spread
     started = "" if transition is structure.transitions[0] else f" from {_start_state(structure, transition)}"
     folding = list(folding_hinges(structure))
     stopped = (
-        f", the last hinge stops at {math.degrees(float(found.position[0, folding].max())):.4g} deg" if folding else ""
+        f", the last hinge stops at {math.degrees(float(slow.position[0, folding].max())):.4g} deg" if folding else ""
     )
     if spread:
         return spread

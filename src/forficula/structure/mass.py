@@ -37,7 +37,7 @@ def mass_of(structure: Structure, body: int) -> tuple[float, Array, Array]:
 
 
 def _copies(structure: Structure, body: int) -> tuple[int, list[Closure]]:
-    """Return the body of which a body is a copy, or the body itself, and all copies of that body."""
+    """Return the original of a copied body, or the body itself if it is no copy, and all copies of the original."""
     original = next((closure.bodies[0] for closure in structure.closures if closure.bodies[1] == body), body)
     return original, [closure for closure in structure.closures if closure.bodies[0] == original]
 

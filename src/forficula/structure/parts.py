@@ -138,7 +138,7 @@ class Facet:
 class Hinge:
     """A hinge: a joint about which a body turns relative to its parent, or a crease between two flaps.
 
-    The axis of a joint passes through the origin of its body. A body may have several joints, of which each turns the
+    The axis of a joint passes through the origin of its body. A body may have several joints; each joint turns the
     axes of the next. A crease has no body: its angle is that between two triangles, 0 if they lie in one plane, and
     positive if both rise to the side from which the left one is seen counterclockwise. All angles are in the hinge's
     own sense.

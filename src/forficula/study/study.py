@@ -54,7 +54,7 @@ class Study(Displayed):
         Args:
             out: folder of the journal, in which an interrupted study continues; a temporary one if not given.
             threads: number of threads; 0 for one per core.
-            progress: as of `forficula.run`.
+            progress: as in `forficula.run`.
 
         Raises:
             InputError: the folder contains rows of another study or cannot be written.

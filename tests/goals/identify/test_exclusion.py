@@ -39,7 +39,7 @@ def test_facts_exclude_one_another_only_if_each_is_met_and_placed_samples_miss_b
     met, targets = halves(placed=[(0, 1)])
     pair = conjunction((0, 1), evidence(met, targets=targets))
     assert pair.verdict is Together.EXCLUDED
-    assert (pair.told, pair.drawn, pair.alone, pair.tried) == (40, 0, (20, 20), 1)
+    assert (pair.conclusive_count, pair.drawn, pair.alone, pair.tried) == (40, 0, (20, 20), 1)
     assert pair.independent == 10
     # none of 40: the Clopper-Pearson bound, without assuming independence of the facts
     assert pair.most == pytest.approx(1 - 0.05 ** (1 / 40))
@@ -92,7 +92,7 @@ def test_inconclusive_samples_are_not_counted_and_widen_the_bound():
     # 4 samples that meet fact 0 are inconclusive for fact 1; 4 that meet fact 1 are inconclusive for fact 3
     conclusive[:4, 1] = conclusive[20:24, 3] = False
     pair = conjunction((0, 1), evidence(met, conclusive=conclusive, targets=targets))
-    assert (pair.told, pair.alone) == (36, (16, 20))
+    assert (pair.conclusive_count, pair.alone) == (36, (16, 20))
     assert pair.most == pytest.approx(one_sided_upper_bound(4, 40))
     # a sample that certainly misses one fact does not meet both, whatever the other is
     assert conjunction((0, 3), evidence(met, conclusive=conclusive, targets=targets)).most == pytest.approx(

@@ -67,8 +67,8 @@ def looked_for():
 
 @pytest.mark.parametrize(("overbend", "damping"), HIDDEN)
 def test_hidden_values_are_identified_from_their_effects(looked_for, overbend, damping):
-    own = 2 * HIDDEN.index((overbend, damping))
-    met = looked_for.sel(sample=looked_for.met.isel(fact=[own, own + 1]).all("fact"))
+    first_fact = 2 * HIDDEN.index((overbend, damping))
+    met = looked_for.sel(sample=looked_for.met.isel(fact=[first_fact, first_fact + 1]).all("fact"))
     assert 3 <= met.sizes["sample"] < 64
     # within a third of the overbend the count changes by five; 5 ms is 0.43 of the hinge's time scale, 11.5 ms
     np.testing.assert_allclose(np.degrees(met.hinge_overbend), overbend, rtol=1 / 3)
@@ -182,7 +182,7 @@ LENGTHS = {"over": {"tendon.rest_length": ["8 cm", "9 cm"]}}
 
 
 @pytest.mark.parametrize(
-    ("statistic", "asked", "met", "tells"),
+    ("statistic", "settings", "met", "tells"),
     [
         # the conclusive run takes 11.5 ms or more: the least is at most this, the largest at least
         ("least", {"at_most": "1 s"}, True, True),
@@ -195,11 +195,11 @@ LENGTHS = {"over": {"tendon.rest_length": ["8 cm", "9 cm"]}}
         ("least at", {"at": {"tendon.rest_length": "8 cm"}}, False, False),
     ],
 )
-def test_a_number_with_an_inconclusive_run_is_decided_only_if_this_run_cannot_matter(statistic, asked, met, tells):
-    fact = time_fact("time", statistic=statistic, **LENGTHS, **asked)
+def test_a_number_with_an_inconclusive_run_is_decided_only_if_this_run_cannot_matter(statistic, settings, met, tells):
+    fact = time_fact("time", statistic=statistic, **LENGTHS, **settings)
     result = observed([fact], samples=4, rows=silent_at("9 cm"))
     assert (result.met == met).all()
-    assert (result.conclusive == tells).all()
+    assert (result.tells == tells).all()
     assert (result.untold == 1).all()
     assert np.isfinite(result.distance).all()
     assert int(result.told[0]) == (4 if tells else 0)
@@ -221,15 +221,15 @@ def test_a_least_value_is_bounded_by_inconclusive_values_and_the_first_success()
     requested |= {"over": {"tendon.rest_length": "5 cm"}, "tolerance": "1 N cm"}
     unknown = {"hinge.overbend": ["3 deg", "8 deg"]}
 
-    def told(**bound):
+    def met_and_conclusive(**bound):
         result = observed([{**requested, **bound}], samples=2, unknown=unknown, rows=silent)
         return [result[name].sortby("hinge_overbend").values[:, 0].tolist() for name in ("met", "tells")]
 
     # 10 N cm suffice at 3 deg; at 8 deg 20 N cm may, and 30 N cm do
-    assert told(at_most="30 N cm") == [[True, True], [True, True]]
-    assert told(equals="30 N cm") == [[False, False], [True, False]]
-    assert told(at_least="20 N cm") == [[False, True], [True, True]]
-    assert told(equals="40 N cm") == [[False, False], [True, True]]
+    assert met_and_conclusive(at_most="30 N cm") == [[True, True], [True, True]]
+    assert met_and_conclusive(equals="30 N cm") == [[False, False], [True, False]]
+    assert met_and_conclusive(at_least="20 N cm") == [[False, True], [True, True]]
+    assert met_and_conclusive(equals="40 N cm") == [[False, False], [True, True]]
 
 
 def test_evidence_for_an_exclusion_is_reported_with_numbers(contradicted):

@@ -9,7 +9,7 @@ REPETITIONS, UNKNOWNS, SAMPLES = 200, 15, 256
 
 
 def result(shares, agrees):
-    """Samples at coordinates, (samples, unknowns), some of which agree."""
+    """Return samples at coordinates, (samples, unknowns); some of them agree."""
     count = len(shares)
     return xarray.Dataset(
         {
@@ -30,7 +30,9 @@ def test_uninformative_facts_give_a_significant_unknown_in_at_most_one_of_twenty
     output = 0
     for seed in range(REPETITIONS):
         shares = np.random.default_rng(seed).random((SAMPLES, UNKNOWNS))
-        output += any(marginal.told for marginal in marginals(result(shares, np.arange(SAMPLES) < SAMPLES // 10)))
+        output += any(
+            marginal.significant for marginal in marginals(result(shares, np.arange(SAMPLES) < SAMPLES // 10))
+        )
     # 0.05, plus three of its standard errors
     assert output / REPETITIONS <= 0.05 + 3 * np.sqrt(0.05 * 0.95 / REPETITIONS)
 
@@ -38,6 +40,6 @@ def test_uninformative_facts_give_a_significant_unknown_in_at_most_one_of_twenty
 def test_the_decisive_unknown_comes_first_with_its_range():
     shares = np.random.default_rng(0).random((SAMPLES, UNKNOWNS))
     first, *others = marginals(result(shares, shares[:, 7] < 0.2))
-    assert (first.name, first.told) == ("u7", True)
+    assert (first.name, first.significant) == ("u7", True)
     assert first.agrees[1] < 0.2
-    assert not any(other.told for other in others)
+    assert not any(other.significant for other in others)

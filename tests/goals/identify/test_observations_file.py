@@ -70,7 +70,7 @@ def test_longer_draws_begin_with_the_shorter_ones():
 
 
 @pytest.mark.parametrize(
-    ("given", "error"),
+    ("entries", "error"),
     [
         ({"design": "binder2025", "unknown": UNKNOWN}, r"fact: is missing; need at least one table \[\[fact\]\]"),
         ({**tables(**TIME), "unknown": {}}, "unknown: need a table with at least one"),
@@ -111,9 +111,9 @@ def test_longer_draws_begin_with_the_shorter_ones():
         (tables(**TIME, over={"tendon.stiffness": {}}), "fact t: over.tendon.stiffness.distribution: is missing"),
     ],
 )
-def test_errors_name_the_fact_the_key_and_what_is_allowed(given, error):
+def test_errors_name_the_fact_the_key_and_what_is_allowed(entries, error):
     with pytest.raises(InputError, match=error):
-        observations_of(given)
+        observations_of(entries)
 
 
 def test_facts_need_names_of_their_own():

@@ -37,7 +37,7 @@ def observed_wing(overbend, fact):
     return observations_of({"design": "binder2025", "settings": SETTINGS, "unknown": unknown, "fact": [fact]})
 
 
-def found(overbend="3 deg", rows=assess, **fact):
+def observed(overbend="3 deg", rows=assess, **fact):
     """Result of a sample for a fact, and the conditions that were run for it."""
     requested = observed_wing(overbend, fact)
     runs, known, ran = SampleRuns(requested.base, {"hinge.overbend": overbend}), {}, []
@@ -73,8 +73,8 @@ def test_a_staircase_is_found_by_its_boundary(firsts):
 @pytest.mark.parametrize("overbend", ["1 deg", "3 deg", "8 deg", "30 deg"])
 def test_a_count_along_a_boundary_is_that_of_all_conditions(overbend):
     fact = {**FOLDED, "statistic": "count", "equals": 32, "settings": {"protocol.fold_torque": "50 N cm"}}
-    everything, all_runs = found(overbend, **fact)
-    lazily, few = found(overbend, **fact, rising=["tendon.rest_length"], falling=["tendon.stiffness"])
+    everything, all_runs = observed(overbend, **fact)
+    lazily, few = observed(overbend, **fact, rising=["tendon.rest_length"], falling=["tendon.stiffness"])
     assert len(all_runs) == 60
     assert len(few) <= 18
     assert lazily == everything
@@ -83,8 +83,8 @@ def test_a_count_along_a_boundary_is_that_of_all_conditions(overbend):
 @pytest.mark.parametrize("overbend", ["1 deg", "3 deg", "8 deg"])
 @pytest.mark.parametrize("statistic", ["least", "largest", "mean"])
 def test_least_torques_by_bisection_equal_those_of_a_full_scan_and_bound_the_closed_form(overbend, statistic):
-    tried, many = found(overbend, **{**LEAST, "statistic": statistic})
-    halved, few = found(overbend, **{**LEAST, "statistic": statistic, "least": {**LEAST["least"], "monotone": True}})
+    tried, many = observed(overbend, **{**LEAST, "statistic": statistic})
+    halved, few = observed(overbend, **{**LEAST, "statistic": statistic, "least": {**LEAST["least"], "monotone": True}})
     assert halved == tried
     # of fifty values a single one, or six bisections
     assert len(few) <= 7 * 10
@@ -94,14 +94,14 @@ def test_least_torques_by_bisection_equal_those_of_a_full_scan_and_bound_the_clo
 
 
 def test_only_conditions_that_may_have_the_least_torque_of_all_are_searched():
-    _, everywhere = found(**{**LEAST, "statistic": "largest", "least": {**LEAST["least"], "monotone": True}})
-    _, where_it_may_be = found(**{**LEAST, "statistic": "least", "least": {**LEAST["least"], "monotone": True}})
+    _, everywhere = observed(**{**LEAST, "statistic": "largest", "least": {**LEAST["least"], "monotone": True}})
+    _, where_it_may_be = observed(**{**LEAST, "statistic": "least", "least": {**LEAST["least"], "monotone": True}})
     assert len(where_it_may_be) < len(everywhere)
 
 
 def test_least_torque_is_one_step_above_all_if_none_succeeds():
     least = {**LEAST["least"], "values": "1..3 N cm step 1"}
-    result, _ = found("8 deg", **{**LEAST, "least": least, "over": {"tendon.rest_length": "0..2 cm step 1"}})
+    result, _ = observed("8 deg", **{**LEAST, "least": least, "over": {"tendon.rest_length": "0..2 cm step 1"}})
     assert result.value == pytest.approx(0.04)
     assert result.distance == pytest.approx(0.16)
 
@@ -116,12 +116,12 @@ def test_deviation_of_a_position_is_the_difference_of_its_number_to_the_least():
         "settings": {"protocol.fold_torque": "500 N cm"},
         "absent": "1 s",
     }
-    stiff, _ = found(**fact, at={"tendon.stiffness": "40 N/cm"})
+    stiff, _ = observed(**fact, at={"tendon.stiffness": "40 N/cm"})
     assert stiff == Finding(value=0.0, miss=0.0, distance=0.0, met=True, conclusive=True, untold=0)
-    soft, _ = found(**fact, at={"tendon.stiffness": "10 N/cm"})
+    soft, _ = observed(**fact, at={"tendon.stiffness": "10 N/cm"})
     # sqrt(I / (k a b)) of 4e-4 kg m^2 and 5.5 cm twice: 11.5 ms at 10 N/cm and half of it at 40, each doubled
     assert soft.distance == pytest.approx(11.5e-3, rel=1e-2)
-    never, _ = found(**{**fact, "settings": {"protocol.fold_torque": "0 N cm"}}, at={"tendon.stiffness": "10 N/cm"})
+    never, _ = observed(**{**fact, "settings": {"protocol.fold_torque": "0 N cm"}}, at={"tendon.stiffness": "10 N/cm"})
     assert (never.distance, never.met) == (1.0, False)
 
 
@@ -135,9 +135,9 @@ def test_two_statistics_can_be_compared():
         "over": {"tendon.stiffness": TENDONS["tendon.stiffness"], "tendon.rest_length": "5..9 cm step 1"},
     }
     short = {"tendon.stiffness": TENDONS["tendon.stiffness"], "tendon.rest_length": "0..4 cm step 1"}
-    held, _ = found(**by_length, at_least={"over": short})
+    held, _ = observed(**by_length, at_least={"over": short})
     assert held.met
-    turned, _ = found(**by_length, at_most={"over": short})
+    turned, _ = observed(**by_length, at_most={"over": short})
     design = load_design("binder2025")
     folds = [
         [
@@ -162,9 +162,9 @@ def test_sums_of_quantities_and_runs_that_do_not_count():
         "absent": "7 J",
         "at_most": "0 J",
     }
-    result, _ = found(**fact)
+    result, _ = observed(**fact)
     assert result.value == pytest.approx(-0.3 * np.radians(80))
-    nothing, _ = found("30 deg", **{**fact, "settings": {"protocol.fold_torque": "1 N cm"}})
+    nothing, _ = observed("30 deg", **{**fact, "settings": {"protocol.fold_torque": "1 N cm"}})
     assert nothing.value == 7.0
 
 
@@ -181,7 +181,7 @@ def test_requested_runs_do_not_depend_on_other_known_rows():
 
     requested = observed_wing("3 deg", fact)
     runs = SampleRuns(requested.base, {"hinge.overbend": "3 deg"})
-    lazily, ran = found(rows=odd, **fact)
+    lazily, ran = observed(rows=odd, **fact)
     conditions = [dict(zip(TENDONS, values, strict=True)) for values in itertools.product(
         [f"{k}0 N/cm" for k in range(1, 7)], [f"{length} cm" for length in range(10)])]  # fmt: skip
     every = [runs.at({**condition, "protocol.fold_torque": "50 N cm"}, "fold") for condition in conditions]
@@ -200,8 +200,8 @@ def test_every_condition_is_run_if_the_far_corner_has_another_boundary():
         return rows
 
     fact = {**FOLDED, "statistic": "count", "equals": 32, "settings": {"protocol.fold_torque": "50 N cm"}}
-    everything, _ = found(rows=band, **fact)
-    lazily, ran = found(rows=band, **fact, rising=["tendon.rest_length"], falling=["tendon.stiffness"])
+    everything, _ = observed(rows=band, **fact)
+    lazily, ran = observed(rows=band, **fact, rising=["tendon.rest_length"], falling=["tendon.stiffness"])
     assert lazily == everything
     assert len(ran) == 60
 

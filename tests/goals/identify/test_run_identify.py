@@ -76,7 +76,7 @@ def test_an_interrupted_identification_gives_the_same_result(planted, result, tm
         with pytest.raises(KilledError):
             identify(planted, tmp_path, run_progress=count)
     ran = []
-    again = identify(planted, tmp_path, run_progress=lambda *told: ran.append(told))
+    again = identify(planted, tmp_path, run_progress=lambda *report: ran.append(report))
     assert 0 < len(ran) < result.attrs["runs"]
     xarray.testing.assert_identical(again, result)
     identify(planted, tmp_path, run_progress=lambda *_: pytest.fail("ran what was there"))

@@ -126,7 +126,9 @@ def test_a_robust_optimum_keeps_its_distance_from_the_limit_and_costs_as_much(tm
     # the neighbours of every design that meets the goal were evaluated; those of worse designs were not
     table = inside.table
     assert bool((table["neighbours"].values[table["feasible"].values] > 0).all())
-    unasked = [candidate for candidate in inside.candidates if candidate.found.meets and candidate.neighbours is None]
+    unasked = [
+        candidate for candidate in inside.candidates if candidate.screened.meets and candidate.neighbours is None
+    ]
     assert unasked
     assert not table["feasible"].values[[candidate in unasked for candidate in inside.candidates]].any()
 

@@ -79,13 +79,13 @@ def line(offsets):
     return EDGE - float(offsets @ WEIGHTS)
 
 
-def asked(design):
+def question_about(design):
     return Question(design=design, deviations=tuple(FACTORS))
 
 
 def assessed(design, folder, plan, margin, shard=(1, 1), **closed_form):
     """Result of a tolerance analysis with a plan that is in its folder."""
-    question, cluster = asked(design), ClosedForm(design, FACTORS, margin, **closed_form)
+    question, cluster = question_about(design), ClosedForm(design, FACTORS, margin, **closed_form)
     folder.mkdir(exist_ok=True)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("forficula.goals.tolerance.saved_plan.PLANS", (plan,))

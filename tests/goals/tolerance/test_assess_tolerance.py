@@ -24,9 +24,9 @@ from tests.goals.tolerance.closed_form import (
     SMALL,
     WEIGHTS,
     ClosedForm,
-    asked,
     assessed,
     line,
+    question_about,
 )
 
 
@@ -37,12 +37,12 @@ def design():
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Folder with the runs of `found`."""
-    return tmp_path_factory.mktemp("found")
+    """Folder with the runs of `tolerance`."""
+    return tmp_path_factory.mktemp("tolerance")
 
 
 @pytest.fixture(scope="module")
-def found(design, folder):
+def tolerance(design, folder):
     return assessed(design, folder, SMALL, line)
 
 
@@ -55,92 +55,94 @@ def works_within(width):
 WORKS = works_within(1.0)
 
 
-def test_probability_equals_closed_form(found):
-    works = found.probability
+def test_probability_equals_closed_form(tolerance):
+    works = tolerance.probability
     assert works.count == 128 + 32
     assert works.low <= WORKS <= works.high
     assert works.share == pytest.approx(WORKS, abs=0.05)
 
 
-def test_every_transition_has_its_own_probability(found):
-    assert list(found.probabilities) == ["works", "gets closed", "stays closed", "gets opened", "stays opened"]
-    assert found.probabilities["gets closed"].share == 1
-    assert found.probabilities["stays opened"] == found.probabilities["works"]
+def test_every_transition_has_its_own_probability(tolerance):
+    assert list(tolerance.probabilities) == ["works", "gets closed", "stays closed", "gets opened", "stays opened"]
+    assert tolerance.probabilities["gets closed"].share == 1
+    assert tolerance.probabilities["stays opened"] == tolerance.probabilities["works"]
 
 
-def test_planted_factors_are_found_and_others_are_unimportant(found):
-    assert [KEYS[factor] for factor in found.order] == [KEYS[1], KEYS[3]]
-    for share, low, high in zip((0.8, 0.2, 0), found.indices.total_low[0], found.indices.total_high[0], strict=True):
+def test_planted_factors_are_found_and_others_are_unimportant(tolerance):
+    assert [KEYS[factor] for factor in tolerance.order] == [KEYS[1], KEYS[3]]
+    for share, low, high in zip(
+        (0.8, 0.2, 0), tolerance.indices.total_low[0], tolerance.indices.total_high[0], strict=True
+    ):
         assert low <= share <= high
-    assert KEYS[most_important(found)] == KEYS[1]
-    np.testing.assert_allclose(found.effects, [0, 0.8, 0, 0.2, 0], atol=0.1)
+    assert KEYS[most_important(tolerance)] == KEYS[1]
+    np.testing.assert_allclose(tolerance.effects, [0, 0.8, 0, 0.2, 0], atol=0.1)
 
 
-def test_range_of_each_value_alone_ends_at_zero_margin(found):
-    down, up = found.reaches[1]
+def test_range_of_each_value_alone_ends_at_zero_margin(tolerance):
+    down, up = tolerance.reaches[1]
     assert up.works <= EDGE / 0.2 <= up.fails
     assert up.fails - up.works == pytest.approx(2.0**-SMALL.halvings)
     assert down.fails is None
-    other, _ = found.reaches[3]
+    other, _ = tolerance.reaches[3]
     assert other.works <= EDGE / 0.1 <= other.fails
-    assert all(reach.fails is None for factor in (0, 2, 4) for reach in found.reaches[factor])
+    assert all(reach.fails is None for factor in (0, 2, 4) for reach in tolerance.reaches[factor])
 
 
-def test_the_nearest_failure_of_all_together_is_the_corner(found):
+def test_the_nearest_failure_of_all_together_is_the_corner(tolerance):
     """0.2 t + 0.1 t = EDGE, if both deviate by the same fraction of their tolerances."""
-    assert found.nearest.works * found.nearest.largest <= EDGE / 0.3 <= found.nearest.largest <= 0.625
-    assert np.sign(found.nearest.offsets[[1, 3]]).tolist() == [1, -1]
+    assert tolerance.nearest.works * tolerance.nearest.largest <= EDGE / 0.3 <= tolerance.nearest.largest <= 0.625
+    assert np.sign(tolerance.nearest.offsets[[1, 3]]).tolist() == [1, -1]
 
 
-def test_gain_of_a_halved_tolerance_equals_closed_form(found):
-    gain = found.narrowed[1]
+def test_gain_of_a_halved_tolerance_equals_closed_form(tolerance):
+    gain = tolerance.narrowed[1]
     assert gain.gain_low <= works_within(0.5) - WORKS <= gain.gain_high
-    assert found.narrowed[0].gain_low <= 0 <= found.narrowed[0].gain_high
+    assert tolerance.narrowed[0].gain_low <= 0 <= tolerance.narrowed[0].gain_high
 
 
-def test_conclusions_name_the_tolerance_to_tighten_and_the_value_to_change(found):
-    output = " ".join(advice(found))
+def test_conclusions_name_the_tolerance_to_tighten_and_the_value_to_change(tolerance):
+    output = " ".join(advice(tolerance))
     assert f"Tighten the tolerance of {KEYS[1]}, ± 10 %, first." in output
     assert f"A smaller {KEYS[1]} than 5 cm would help" in output
     assert "The remaining tolerances (3) together explain 0 % (0 to 0 %): they are uncritical." in output
 
 
-def test_map_shows_the_two_most_important_factors_and_their_failures(found):
-    drawn = found.map
+def test_map_shows_the_two_most_important_factors_and_their_failures(tolerance):
+    drawn = tolerance.map
     assert (KEYS[drawn.first], KEYS[drawn.second]) == (KEYS[1], KEYS[3])
     assert np.count_nonzero(drawn.samples.offsets[:, [0, 2, 4]]) == 0
     works = drawn.samples.offsets @ WEIGHTS < EDGE
     np.testing.assert_array_equal(drawn.samples.answers == Answer.WORKS, works)
 
 
-def test_the_runs_are_no_more_than_the_plan_says(found):
-    assert 300 < found.runs <= SMALL.most_runs(5)
+def test_the_runs_are_no_more_than_the_plan_says(tolerance):
+    assert 300 < tolerance.runs <= SMALL.most_runs(5)
 
 
-def digest(found):
-    table = tolerance_table(found)
+def digest(tolerance):
+    table = tolerance_table(tolerance)
     return json.dumps(table.to_dict(), default=str, sort_keys=True)
 
 
-def test_three_interruptions_do_not_change_the_result(design, tmp_path, found):
+def test_three_interruptions_do_not_change_the_result(design, tmp_path, tolerance):
     folder = tmp_path / "killed"
     for after in (3, 100, 60):
         with pytest.raises(KeyboardInterrupt):
             assessed(design, folder, SMALL, line, killed_after=after)
-    assert digest(assessed(design, folder, SMALL, line)) == digest(found)
+    assert digest(assessed(design, folder, SMALL, line)) == digest(tolerance)
 
 
-def test_repeating_a_finished_analysis_runs_nothing(design, folder, found):
+def test_repeating_a_finished_analysis_runs_nothing(design, folder, tolerance):
     again = assessed(design, folder, SMALL, line, killed_after=0)
-    assert digest(again) == digest(found)
+    assert digest(again) == digest(tolerance)
 
 
-def test_unreliable_runs_are_counted_separately_and_widen_the_interval(design, tmp_path, found):
+def test_unreliable_runs_are_counted_separately_and_widen_the_interval(design, tmp_path, tolerance):
     doubtful = assessed(design, tmp_path / "doubtful", SMALL, line, untrusted=lambda offsets: offsets[0] > 0.9)
     works = doubtful.probability
     assert works.unknown == np.sum(doubtful.samples.offsets[:, 0] > 0.9) > 0
-    assert works.count == found.probability.count
-    assert works.low < found.probability.low
+    assert works.count == tolerance.probability.count
+    assert works.low < tolerance.probability.low
     assert works.high >= works.share
     assert "unreliable or cannot be built" in " ".join(advice(doubtful))
     # an inconclusive run does not count as a failure of a single value
@@ -195,10 +197,10 @@ def test_nearly_equal_tolerances_are_reported_as_unresolved(design, tmp_path):
     assert close.indices.leads[0].sum() == pytest.approx(1)
 
 
-def test_a_dominant_tolerance_is_resolved(found):
-    assert "too few runs" not in " ".join(advice(found))
-    assert found.indices.leads[0, found.kept.index(1)] > 0.95
-    assert tolerance_table(found)["screening_resolved"].values.tolist() == [False, True, False, True, False]
+def test_a_dominant_tolerance_is_resolved(tolerance):
+    assert "too few runs" not in " ".join(advice(tolerance))
+    assert tolerance.indices.leads[0, tolerance.kept.index(1)] > 0.95
+    assert tolerance_table(tolerance)["screening_resolved"].values.tolist() == [False, True, False, True, False]
 
 
 def test_linear_indices_find_the_important_factors_if_time_is_short(design, tmp_path):
@@ -215,19 +217,19 @@ def test_too_few_designs_for_ranking_are_reported(design, tmp_path):
     assert "There are too few designs to rank the tolerances: increase the time." in advice(few)
 
 
-def test_the_table_has_values_in_si_that_lie_within_the_tolerances(found):
-    table = tolerance_table(found)
+def test_the_table_has_values_in_si_that_lie_within_the_tolerances(tolerance):
+    table = tolerance_table(tolerance)
     lengths = table["tendon_left_rest_length"]
     assert lengths.attrs == {"units": "m", "display": "cm", "key": "tendon.left.rest_length"}
     assert float(lengths.min()) >= 0.045
     assert float(lengths.max()) <= 0.055
-    assert float(table["probability"].sel(fact="works")) == found.probability.share
-    assert float(table["total_index"].sel(result="margin", group=KEYS[1])) == found.indices.total[0, 0]
+    assert float(table["probability"].sel(fact="works")) == tolerance.probability.share
+    assert float(table["total_index"].sel(result="margin", group=KEYS[1])) == tolerance.indices.total[0, 0]
 
 
 def test_first_runs_determine_the_plan_and_it_is_kept(design, tmp_path):
     """Runs of a closed form are so short that the largest plan is chosen."""
-    question = asked(design)
+    question = question_about(design)
     assert kept_plan(tmp_path, question, 0.3, 1) is None
     cluster = ClosedForm(design, FACTORS, line, killed_after=40)
     with pytest.raises(KeyboardInterrupt):
@@ -241,17 +243,17 @@ def test_first_runs_determine_the_plan_and_it_is_kept(design, tmp_path):
 def test_existing_rows_are_not_used_to_time_runs(design, tmp_path):
     """Half a second does not suffice for 256 points, although the folder has rows of earlier runs."""
     with pytest.raises(KeyboardInterrupt):
-        assess_tolerance(asked(design), tmp_path, cluster=ClosedForm(design, FACTORS, line, killed_after=300))
+        assess_tolerance(question_about(design), tmp_path, cluster=ClosedForm(design, FACTORS, line, killed_after=300))
     slow = ClosedForm(design, FACTORS, line, pause=0.02)
-    assert assess_tolerance(asked(design), tmp_path, minutes=0.5 / 60, cluster=slow).plan in PLANS[4:]
+    assert assess_tolerance(question_about(design), tmp_path, minutes=0.5 / 60, cluster=slow).plan in PLANS[4:]
 
 
-def test_two_processes_that_share_runs_get_the_same_result(design, folder, tmp_path, found):
+def test_two_processes_that_share_runs_get_the_same_result(design, folder, tmp_path, tolerance):
     """Each process finds the rows of the other in its folder, here those of an earlier process."""
     shared = tmp_path / "shared"
     shutil.copytree(folder, shared)
     (shared / "journal.jsonl").rename(shared / "journal-1-of-2.jsonl")
-    assert digest(assessed(design, shared, SMALL, line, shard=(2, 2), killed_after=0)) == digest(found)
+    assert digest(assessed(design, shared, SMALL, line, shard=(2, 2), killed_after=0)) == digest(tolerance)
 
 
 @pytest.mark.parametrize(
@@ -260,11 +262,11 @@ def test_two_processes_that_share_runs_get_the_same_result(design, folder, tmp_p
 )
 def test_numbers_that_are_not_allowed_are_refused(design, tmp_path, wrong, message):
     with pytest.raises(InputError, match=message):
-        assess_tolerance(asked(design), tmp_path, **wrong)
+        assess_tolerance(question_about(design), tmp_path, **wrong)
 
 
 def test_an_estimate_runs_a_few_and_writes_nothing(design, tmp_path):
-    plan, most, seconds = estimate_tolerance(asked(design), tmp_path / "not-there", minutes=0.01)
+    plan, most, seconds = estimate_tolerance(question_about(design), tmp_path / "not-there", minutes=0.01)
     assert plan is PLANS[-1]
     assert most == plan.most_runs(5)
     assert seconds > 0
@@ -280,19 +282,19 @@ def test_values_beyond_bounds_are_built_at_the_bound_and_reported(design, tmp_pa
         patch.setattr("forficula.goals.tolerance.saved_plan.PLANS", (plan,))
         saved_plan(tmp_path, question, 5.0, 0, plan)
         built = ClosedForm(design, question.deviations, lambda offsets: 0.3 + 0.1 * offsets[1] + 0.01 * offsets[0])
-        found = assess_tolerance(question, tmp_path, cluster=built)
-    table = tolerance_table(found)
+        tolerance = assess_tolerance(question, tmp_path, cluster=built)
+    table = tolerance_table(tolerance)
     limits = table["crease_fold_limit"].values
     assert limits.max() == pytest.approx(np.pi, rel=1e-12)
     at_bound = int(np.sum(np.isclose(limits, np.pi, rtol=1e-12)))
     assert at_bound == pytest.approx(64 * (1 - 5 / 17.5) / 2, abs=2)
-    assert table["map_x" if found.map.first == 0 else "map_y"].values.max() <= np.pi * (1 + 1e-12)
+    assert table["map_x" if tolerance.map.first == 0 else "map_y"].values.max() <= np.pi * (1 + 1e-12)
     says = f"crease.fold_limit cannot go beyond 180 deg: {at_bound} of 64 designs would exceed this bound"
-    assert any(item.startswith(says) for item in advice(found))
-    assert not any("facet.thickness cannot" in item for item in advice(found))
+    assert any(item.startswith(says) for item in advice(tolerance))
+    assert not any("facet.thickness cannot" in item for item in advice(tolerance))
 
 
 @pytest.mark.parametrize(("minutes", "seed", "says"), [(0, 0, "minutes: need"), (5.0, -1, "seed: need")])
 def test_estimate_rejects_the_same_arguments_as_the_analysis(design, tmp_path, minutes, seed, says):
     with pytest.raises(InputError, match=says):
-        estimate_tolerance(asked(design), tmp_path, minutes, seed)
+        estimate_tolerance(question_about(design), tmp_path, minutes, seed)

@@ -143,7 +143,7 @@ def test_linear_fit_explains_nothing_of_noise_on_average():
     points, rng = two_samples(10, 64, 0)[0], np.random.default_rng(1)
     noise = rng.standard_normal((200, 64))
     result = line_indices([str(index) for index in range(200)], [str(index) for index in range(10)], points, noise, 0)
-    # mean of 2000 fractions of a variance, each of which scatters by 0.02
+    # mean of 2000 fractions of a variance; a single fraction scatters by 0.02
     assert abs(np.mean(result.first)) < 0.002
     held = (result.first_low <= 0) & (result.first_high >= 0)
     assert np.mean(held) > 0.9

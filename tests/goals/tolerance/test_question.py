@@ -29,9 +29,9 @@ def test_arguments_override_tolerances_and_limits_of_a_file(design, tmp_path):
     assert question.keys == ("tendon.stiffness",)
     assert [str(limit) for limit in question.limits] == ["fold_time <= 0.04 s"]
     assert question.sources == ("run",)
-    own = question_of(design, {"vein.diameter": "0.1 mm"}, goal=path)
-    assert own.keys == ("vein.diameter",)
-    assert own.width_text(0) == "± 0.1 mm"
+    question = question_of(design, {"vein.diameter": "0.1 mm"}, goal=path)
+    assert question.keys == ("vein.diameter",)
+    assert question.width_text(0) == "± 0.1 mm"
 
 
 def test_a_named_goal_gives_its_torques_tolerances_and_required_probability(design):
@@ -50,7 +50,7 @@ def test_values_out_of_bounds_are_detected_before_a_run(design):
 
 
 @pytest.mark.parametrize(
-    ("given", "message"),
+    ("arguments", "message"),
     [
         ({"tolerances": {"tendon.stifness": "5 %"}}, r"tendon\.stifness"),
         ({"tolerances": {"tendon.stiffness": "-5 %"}}, "tendon.stiffness: need a tolerance > 0"),
@@ -61,9 +61,9 @@ def test_values_out_of_bounds_are_detected_before_a_run(design):
         ({"goal": "heavy-wing"}, "neither a named goal"),
     ],
 )
-def test_errors_name_the_key(design, given, message):
+def test_errors_name_the_key(design, arguments, message):
     with pytest.raises(InputError, match=message):
-        question_of(design, **given)
+        question_of(design, **arguments)
 
 
 def test_errors_in_a_table_name_the_file(design, tmp_path):

@@ -87,11 +87,11 @@ def test_specimens_that_differ_widen_the_intervals():
     hits, widths = [], []
     for seed in range(30):
         scale = 1 + 0.05 * np.random.default_rng(100 + seed).standard_normal(4)
-        own = [
+        specimens = [
             measured(replace(VISCOUS, moduli=(5e6 * item, 0, 0)), history, 4 * seed + index)
             for index, item in enumerate(scale)
         ]
-        fit = fit_law(own, forms=[LawForm(damper=1)])
+        fit = fit_law(specimens, forms=[LawForm(damper=1)])
         hits.append(covered(VISCOUS, fit)["modulus.linear"])
         widths.append(fit.law.intervals[0].high - fit.law.intervals[0].low)
     # mean of four: Student's t of 3 times 5 % by sqrt(4), to either side
@@ -152,7 +152,7 @@ def test_a_first_cycle_that_is_not_compared_is_remembered():
     assert fit.misfit == pytest.approx(1e4, rel=0.1)
 
 
-def test_two_rates_tell_a_nonlinear_damper_and_one_does_not():
+def test_two_rates_determine_a_nonlinear_damper_and_one_does_not():
     form = LawForm(damper=2)
     fit = fit_law([measured(NONLINEAR, two_rates(800), 1, noise=1e4)], forms=[form])
     assert all(covered(NONLINEAR, fit).values())
@@ -202,7 +202,7 @@ def test_a_known_zero_of_the_force_is_not_fitted():
         assert residual.fitted[0] == pytest.approx(specimen.stress[0], abs=1.0)
 
 
-def test_one_rate_cannot_tell_a_damper_from_a_fast_branch():
+def test_one_rate_cannot_distinguish_a_damper_from_a_fast_branch():
     law = replace(VISCOUS, viscosity=None, branches=(MaxwellBranch(modulus=4e6, time=6.0),))
     forms = [LawForm(damper=1), LawForm(branches=1)]
     one = measured(law, cycles(400, 3, 0.01), 2, noise=4e5)

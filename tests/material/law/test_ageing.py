@@ -16,8 +16,8 @@ REST, K, K1, TAU = 0.06, 500.0, 300.0, 3600.0
 
 
 def law(*branches, rest=REST, stiffness=(K, 0.0, 0.0), **values):
-    own = tuple(TendonBranch(stiffness=stiffness, time=time) for stiffness, time in branches)
-    return TendonLaw(rest_length=rest, stiffness=stiffness, branches=own, **values)
+    tendon_branches = tuple(TendonBranch(stiffness=stiffness, time=time) for stiffness, time in branches)
+    return TendonLaw(rest_length=rest, stiffness=stiffness, branches=tendon_branches, **values)
 
 
 SOLID = law((K1, TAU))

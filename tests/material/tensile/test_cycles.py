@@ -139,8 +139,7 @@ def test_an_elastic_cycle_loses_nothing_and_its_secant_modulus_is_the_modulus():
 def test_slack_is_found_under_noise_and_an_offset_of_the_load_cell(slack, noise, offset):
     samples = 500
     for cycle in find_cycles(cyclic_test(linear, slack_below(slack), samples=samples, noise=noise, offset=offset)):
-        # the force is noticed at 1 % of the peak or at five standard deviations, of which the estimate may be out by a
-        # fifth
+        # the force is detected at 1 % of the peak or at five standard deviations, whose estimate may deviate by a fifth
         threshold = max(0.01, 6 * noise / MODULUS) * (1 - slack)
         assert slack - 2 / samples <= cycle.slack_strain <= slack + threshold + 2 / samples
         # the mean of 25 hanging samples has a fifth of the noise; the foot's line is through some 40 samples

@@ -38,7 +38,7 @@ STUCK = {"status": "stuck at -80.0 deg", "folded": False, "opened": False, "fold
 
 @pytest.fixture
 def cycling(reference):
-    """Six cycles, some of them covered by tests, the last two of which fail."""
+    """Return six cycles: some are covered by tests, and the last two fail."""
     runs = (*(run(cycle) for cycle in range(1, 5)), *(run(cycle, **STUCK) for cycle in (5, 6)))
     return Cycling(
         design=reference,

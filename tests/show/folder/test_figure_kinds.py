@@ -161,7 +161,7 @@ def test_a_convergence_study_is_read_as_it_was_written(folders, convergence):
         assert list(again) == list(first) == ["fold", "unfold"]
         for transition, times in first.items():
             assert np.array_equal(again[transition], times, equal_nan=True)
-    for name in ("key", "own", "rows", "statuses", "orders", "tolerance", "fine", "verdict"):
+    for name in ("key", "design_value", "rows", "statuses", "orders", "tolerance", "fine", "verdict"):
         assert getattr(read, name) == getattr(convergence, name)
     assert read.design.hash == convergence.design.hash
     for again, curve in zip((*read.times, *read.angles), (*convergence.times, *convergence.angles), strict=True):

@@ -31,29 +31,29 @@ def folder(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def found(design, folder):
+def tolerance(design, folder):
     return assessed(design, folder, SMALL, line)
 
 
 @pytest.fixture(scope="module")
-def table(found):
-    return tolerance_table(found)
+def table(tolerance):
+    return tolerance_table(tolerance)
 
 
-def test_bars_show_the_indices_of_the_factors_in_order_and_of_the_others(found, table):
+def test_bars_show_the_indices_of_the_factors_in_order_and_of_the_others(tolerance, table):
     axes = draw_indices(table).axes[0]
     names = [yticklabel.get_text() for yticklabel in axes.get_yticklabels()]
     assert names == ["tendon left rest length", "facet thickness", "3 others"]
     first = [bar.get_width() for bar in axes.containers[0]]
-    assert first == pytest.approx([max(item, 0) for item in found.indices.first[0]])
-    assert [bar.get_width() for bar in axes.containers[1]] == pytest.approx(found.indices.total[0].tolist())
+    assert first == pytest.approx([max(item, 0) for item in tolerance.indices.first[0]])
+    assert [bar.get_width() for bar in axes.containers[1]] == pytest.approx(tolerance.indices.total[0].tolist())
     assert "is due to tendon left rest length" in description(axes.figure)
 
 
-def test_the_cloud_has_a_point_for_each_sample_and_the_map_a_cell_for_each_design(found, table):
+def test_the_cloud_has_a_point_for_each_sample_and_the_map_a_cell_for_each_design(tolerance, table):
     axes = draw_cloud(table).axes[0]
     points = {item.get_marker(): len(item.get_xdata()) for item in axes.lines}
-    answers = found.samples.answers
+    answers = tolerance.samples.answers
     assert points["o"] == (answers == Answer.WORKS).sum()
     assert points["x"] == (answers == Answer.FAILS).sum()
     assert axes.get_xlabel() == "tendon left rest length (cm)"
@@ -63,19 +63,19 @@ def test_the_cloud_has_a_point_for_each_sample_and_the_map_a_cell_for_each_desig
     assert (edge.get_x(), edge.get_width()) == pytest.approx((4.5, 1.0))
 
 
-def test_the_nearest_failure_is_in_the_first_row(found, table):
+def test_the_nearest_failure_is_in_the_first_row(tolerance, table):
     figure = draw_reaches(table, COLUMN_WIDTH)
     axes = figure.axes[0]
     assert axes.get_yticklabels()[0].get_text() == "tendon left rest length"
     failing = [
         item for item in axes.lines if item.get_marker() == "x" and to_hex(item.get_color()) == VERMILION.lower()
     ]
-    assert [item.get_xdata()[0] for item in failing[:1]] == [found.reaches[1][1].fails]
+    assert [item.get_xdata()[0] for item in failing[:1]] == [tolerance.reaches[1][1].fails]
     assert "Tendon left rest length fails first" in description(figure)
 
 
-def test_the_folder_has_all_of_it_and_draws_it_again(found, table, folder):
-    written = write_tolerance(found, folder)
+def test_the_folder_has_all_of_it_and_draws_it_again(tolerance, table, folder):
+    written = write_tolerance(tolerance, folder)
     assert set(folder_drawings(folder)) == set(tolerance_drawings(table)) == {"indices", "cloud", "reaches"}
     with xarray.open_dataset(folder / "tolerance.nc", engine="h5netcdf") as read:
         xarray.testing.assert_equal(read["probability"], written["probability"])
@@ -83,15 +83,15 @@ def test_the_folder_has_all_of_it_and_draws_it_again(found, table, folder):
         again = draw_indices(read.load())
     assert description(again) == description(draw_indices(table))
     content = json.loads((folder / "tolerance.json").read_text("utf-8"))
-    assert content["works"]["works"] == found.probability.works
+    assert content["works"]["works"] == tolerance.probability.works
     assert content["tighten_first"] == KEYS[1]
     rows = (folder / "table.csv").read_text("utf-8").splitlines()
-    assert len(rows) == len(found.samples) + 1
+    assert len(rows) == len(tolerance.samples) + 1
     assert rows[0].startswith("tendon_left_stiffness_N_per_m,tendon_left_rest_length_m,")
 
 
-def test_the_terminal_has_probability_indices_and_reaches(found, capsys):
-    print_tolerance(found)
+def test_the_terminal_has_probability_indices_and_reaches(tolerance, capsys):
+    print_tolerance(tolerance)
     output = capsys.readouterr().out
     for words in (
         "letter-fold: The design works in",
@@ -118,14 +118,14 @@ def test_a_design_that_fails_has_no_figure_of_distances_to_failure(design, tmp_p
     assert "The nominal design does not work: did not get opened." in capsys.readouterr().out
 
 
-def test_kept_runs_cover_every_outcome_with_the_smallest_deviations(found):
-    kept = samples_to_keep(found, 4)
-    outcomes = [found.samples.outcomes[run.point] for run in kept]
+def test_kept_runs_cover_every_outcome_with_the_smallest_deviations(tolerance):
+    kept = samples_to_keep(tolerance, 4)
+    outcomes = [tolerance.samples.outcomes[run.point] for run in kept]
     assert sorted(map(outcomes.count, set(outcomes))) == [2, 2]
-    failing = [run.point for run in kept if found.samples.answers[run.point] is Answer.FAILS]
-    squares = (found.samples.offsets**2).sum(axis=1)
-    assert min(squares[failing]) == min(squares[found.samples.answers == Answer.FAILS])
-    assert samples_to_keep(found, 0) == []
+    failing = [run.point for run in kept if tolerance.samples.answers[run.point] is Answer.FAILS]
+    squares = (tolerance.samples.offsets**2).sum(axis=1)
+    assert min(squares[failing]) == min(squares[tolerance.samples.answers == Answer.FAILS])
+    assert samples_to_keep(tolerance, 0) == []
 
 
 def test_a_notebook_says_which_tolerance_to_tighten(table):

@@ -142,9 +142,9 @@ def test_a_barrier_beside_straight_is_drawn_at_its_own_angle(surveyed):
     figure = draw_tendon(landscape)
     near = figure.axes[0].child_axes[0]
     (arrow,) = [text for text in near.texts if text.get_text() == ""]
-    own = landscape.tendons[1]
-    assert arrow.xy == (pytest.approx(math.degrees(own.barrier_angle)), pytest.approx(1e3 * own.barrier))
-    assert math.degrees(own.barrier_angle) < -4
+    hinge = landscape.tendons[1]
+    assert arrow.xy == (pytest.approx(math.degrees(hinge.barrier_angle)), pytest.approx(1e3 * hinge.barrier))
+    assert math.degrees(hinge.barrier_angle) < -4
     for line in [line for line in near.lines if len(line.get_xdata()) > 60]:
         # both tops are within what is shown, and the stop is its zero
         assert max(line.get_ydata()) > 0
@@ -157,7 +157,7 @@ def test_a_vein_without_a_tendon_has_no_curve_and_the_others_have_one_each(surve
     figure = draw_tendon(landscape)
     names = [str(line.get_label()) for line in figure.axes[0].lines if "hinge of the wing" in str(line.get_label())]
     assert names == [f"hinge of the wing, its ring crease (vein {vein})" for vein in (0, 2)]
-    # every state has its own level of independent hinges, whichever are folded
+    # every state has its own level of independent hinges, for any set of folded hinges
     top, bottom = draw_levels(landscape).axes
     dashed = [line.get_ydata()[0] for line in top.lines if line.get_linestyle() == "--"]
     assert sorted(dashed) == pytest.approx(sorted(fold.independent_energy for fold in landscape.partial_folds))

@@ -70,10 +70,10 @@ def test_at_a_stop_faces_of_both_halves_lie_on_one_another_and_half_way_none_do(
 
 
 def test_bars_of_different_roles_have_different_colours(section):
-    looks, own = part_looks(section)
+    looks, numbers = part_looks(section)
     assert [look.name for look in looks] == ["proximal bar", "distal bar", "pin", "strap", "hub", "root"]
     assert len({look.colour for look in looks}) == len(looks)
-    assert all(looks[look].kind == part.kind for part, look in zip(section.parts, own, strict=True))
+    assert all(looks[look].kind == part.kind for part, look in zip(section.parts, numbers, strict=True))
 
 
 def test_values_have_the_units_of_drawings():

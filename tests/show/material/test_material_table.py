@@ -91,8 +91,8 @@ def test_sizes_call_the_structure_by_its_word():
 
 def test_sizes_are_written_in_si_and_what_is_absent_is_empty(reference):
     sizes = size_tendons(reference, load_law("tpu-82a"), [1000.0], length=0.15)
-    slack, own = csv.DictReader(io.StringIO(sizes_csv(sizes)))
+    slack, measured = csv.DictReader(io.StringIO(sizes_csv(sizes)))
     assert slack["area_by_mean_stiffness_to_flat_m2"] == ""
     # A = k L / E, 10 N/cm, 9 cm, 4.8 MPa
-    assert float(own["area_m2"]) == pytest.approx(1000 * 0.09 / 4.8e6)
-    assert own["flat_strain_beyond_measured"] == "false"
+    assert float(measured["area_m2"]) == pytest.approx(1000 * 0.09 / 4.8e6)
+    assert measured["flat_strain_beyond_measured"] == "false"

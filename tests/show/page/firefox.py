@@ -128,9 +128,9 @@ class Firefox:
 @contextmanager
 def running(program, folder: Path, scheme="light"):
     """Firefox with a profile of its own in a folder, light or dark."""
-    own = PREFERENCES | {"layout.css.prefers-color-scheme.content-override": SCHEMES[scheme]}
+    preferences = PREFERENCES | {"layout.css.prefers-color-scheme.content-override": SCHEMES[scheme]}
     folder.mkdir()
-    lines = [f'user_pref("{name}", {json.dumps(value)});' for name, value in own.items()]
+    lines = [f'user_pref("{name}", {json.dumps(value)});' for name, value in preferences.items()]
     (folder / "user.js").write_text("\n".join(lines), "utf-8")
     with _screen() as (options, environment):
         command = [program, *options, "--no-remote", "--profile", str(folder), "--remote-debugging-port", "0"]

@@ -59,7 +59,7 @@ OFF = {
 class Tried:
     """A question, its result, and the kept runs."""
 
-    asked: object
+    subject: object
     table: xarray.Dataset
     kept: list
 
@@ -68,7 +68,7 @@ def tried_goal(folder, tables=TABLES):
     """The best designs of a goal, and the runs of some."""
     result = optimise_goal(goal_of(tables), folder)
     runs = candidates_to_keep(result, 4)
-    return Tried(asked=result, table=result.table, kept=list(kept_runs(runs, folder)))
+    return Tried(subject=result, table=result.table, kept=list(kept_runs(runs, folder)))
 
 
 def tried_tolerance(folder, count=32):
@@ -94,7 +94,7 @@ def tried_tolerance(folder, count=32):
     table = xarray.Dataset(samples | _made_up(deviations, works), {"result": ["margin"], "fact": ["works"]})
     table.attrs["transitions"] = transitions_text(structure_of(design), None)
     tells = [works.index(True), works.index(False)]
-    return Tried(asked=(design, deviations), table=table, kept=_kept(tells, designs, folder))
+    return Tried(subject=(design, deviations), table=table, kept=_kept(tells, designs, folder))
 
 
 def _made_up(deviations, works):
@@ -138,12 +138,12 @@ def write_pages_of_goals(folder):
         path.parent.mkdir(parents=True)
     result = PrintedResult(heading="a question: made up", tables=(), sentences=("made up for a test",))
     tried = tried_goal(paths["optimise"].parent)
-    write_goal_page(tried.asked, result, paths["optimise"], tried.kept, len(tried.kept))
+    write_goal_page(tried.subject, result, paths["optimise"], tried.kept, len(tried.kept))
     off = tried_tolerance(paths["tolerance"].parent)
-    design, deviations = off.asked
+    design, deviations = off.subject
     cells = made_up_cells(design, deviations)
     write_tolerance_page(design, deviations, off.table, result, paths["tolerance"], off.kept, len(off.kept), CSV, cells)
-    seen = Tried(asked=None, table=tried_identification(off.table), kept=[])
+    seen = Tried(subject=None, table=tried_identification(off.table), kept=[])
     write_identify_page(seen.table, result, paths["identify"])
     return {kind: (item, paths[kind]) for kind, item in zip(GOAL_KINDS, (tried, off, seen), strict=True)}
 

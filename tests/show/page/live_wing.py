@@ -72,11 +72,11 @@ class LiveWing:
 
     def pace(self, value):
         """Set a multiple of real time, which the page's menu limits to 1: fewer frames are drawn."""
-        self.evaluate(f"window.forficula.trial.panel.engine.tell({{ act: 'pace', value: {value} }})")
+        self.evaluate(f"window.forficula.trial.panel.engine.send({{ act: 'pace', value: {value} }})")
 
     def rest(self):
         """Pause until the next command, so that nothing is drawn meanwhile."""
-        self.evaluate("window.forficula.trial.panel.engine.tell({ act: 'pause' })")
+        self.evaluate("window.forficula.trial.panel.engine.send({ act: 'pause' })")
 
     def slide(self, shares=None):
         """Set sliders to shares of their ranges, by key, and reset the others to the run's values."""
@@ -102,21 +102,23 @@ class LiveWing:
         return np.degrees(self.evaluate("Array.from(window.forficula.trial.panel.frame.readings[0])"))
 
 
-def check_as_recorded(found, record):
+def check_as_recorded(outcome_of_page, record):
     """Check that stages, times, works, states and words of an outcome in a page are those of a record."""
     outcome = measure(record)
-    assert found["status"] == outcome.status
-    assert found["verdict"] == outcome.verdict
-    assert [stage["name"] for stage in found["stages"]] == [end.stage.name for end in record.stages]
-    for stage, end, item in zip(found["stages"], record.stages, outcome.stages, strict=True):
+    assert outcome_of_page["status"] == outcome.status
+    assert outcome_of_page["verdict"] == outcome.verdict
+    assert [stage["name"] for stage in outcome_of_page["stages"]] == [end.stage.name for end in record.stages]
+    for stage, end, item in zip(outcome_of_page["stages"], record.stages, outcome.stages, strict=True):
         assert stage["end_s"] == pytest.approx(end.end, abs=_TIME)
         assert (stage["goal_s"] is None) == (end.goal_time is None)
         assert stage["work_J"] == pytest.approx(item.work, rel=_ENERGY, abs=1e-9)
     states = record.structure.states
-    assert [state["name"] for state in found["states"]] == [outcome.state_names[state.name] for state in states]
+    assert [state["name"] for state in outcome_of_page["states"]] == [
+        outcome.state_names[state.name] for state in states
+    ]
     ends = {round(end.end, 9): number for number, end in enumerate(record.stages)}
     for state in filter(None, outcome.states.values()):
-        stage = found["stages"][ends[round(state.time, 9)]]
+        stage = outcome_of_page["stages"][ends[round(state.time, 9)]]
         for values, shown in zip(stage["readings"], shown_measures(record.structure), strict=True):
             if shown.name in state.readings and shown.kind == "angle":
                 assert np.degrees(values) == pytest.approx(np.degrees(state.readings[shown.name].mean), abs=_ANGLE)

@@ -53,10 +53,10 @@ def write_pages(folder, run, slow_run, landscape, material, write_study_file):
     Figures are left out of them, which take most of the time: each is a dot with its text.
 
     Args:
-        folder: in which.
-        run: of the reference, with the page of which cycles stand.
-        slow_run: beside which the other one is compared.
-        landscape: of the reference.
+        folder: folder for the pages.
+        run: run of the reference; the page of this run also has cycles.
+        slow_run: run to compare with `run`.
+        landscape: landscape of the reference.
         material: characterised.
         write_study_file: the fixture of that name.
     """
@@ -108,7 +108,7 @@ def _run_with_cycles(run, path):
 
 
 def _cycling(design):
-    """Two cycles, the second of which fails and is extrapolated."""
+    """Return two cycles; the second fails and is extrapolated."""
     worked = {"status": "folded and opened", "folded": True, "opened": True, "flat_energy_J": 0.5}
     worked |= {"folded_energy_J": 0.0, "opened_energy_J": 0.5, "fold_time_s": 0.05, "fold_work_J": 1.0}
     worked |= {"unfold_time_s": 0.01, "unfold_work_J": 2.0}

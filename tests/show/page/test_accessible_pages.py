@@ -73,7 +73,7 @@ def opened(context, pages, kind):
         yield watch(pages[kind], viewport=dict(zip(("width", "height"), WIDE, strict=True)))
 
 
-def asked(page, options, within=":root"):
+def violations(page, options, within=":root"):
     """Return the violations that axe-core finds on a page, and the rules that it cannot decide, with their elements.
 
     Args:
@@ -93,13 +93,13 @@ def asked(page, options, within=":root"):
 
 def test_axe_finds_nothing_on_any_page_in_a_wide_light_window_and_on_a_dark_phone(opened, kind):
     opened.show(*WIDE)
-    wrong, untold = asked(opened.page, ALL)
+    wrong, untold = violations(opened.page, ALL)
     assert wrong == []
     beyond = f"(targets) => targets.filter((each) => !document.querySelector(each).closest({json.dumps(UNTOLD)}))"
     assert opened.page.evaluate(beyond, [target for _, target, _ in untold]) == []
     if kind not in SAME_PARTS:
         opened.show(*NARROW, scheme="dark")
-        assert asked(opened.page, DARK_PHONE)[0] == []
+        assert violations(opened.page, DARK_PHONE)[0] == []
 
 
 def test_the_keyboard_reaches_every_control_in_its_order_and_shows_where_it_is(opened, kind):
@@ -124,9 +124,12 @@ def test_a_page_with_faults_fails(watch, pages):
     opened = watch(pages["converge"])
     opened.page.evaluate(FAULTS)
     opened.show(*WIDE)
-    assert {rule for rule, *_ in asked(opened.page, ALL)[0]} == {"button-name", "image-alt"}
+    assert {rule for rule, *_ in violations(opened.page, ALL)[0]} == {"button-name", "image-alt"}
     opened.show(*NARROW, scheme="dark")
-    assert {rule for rule, *_ in asked(opened.page, DARK_PHONE)[0]} == {"color-contrast", "scrollable-region-focusable"}
+    assert {rule for rule, *_ in violations(opened.page, DARK_PHONE)[0]} == {
+        "color-contrast",
+        "scrollable-region-focusable",
+    }
     assert try_controls(opened.page)[1] == ["BUTTON"]
 
 

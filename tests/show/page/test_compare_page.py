@@ -79,10 +79,10 @@ def test_wings_are_drawn_to_one_scale_or_each_to_its_own_as_is_chosen(opened):
     shared = [opened.page.evaluate(eye, index) for index in (0, 1)]
     choice = opened.page.get_by_role("button", name="one scale: draw all wings at the same scale")
     choice.click()
-    own = [opened.page.evaluate(eye, index) for index in (0, 1)]
+    eyes = [opened.page.evaluate(eye, index) for index in (0, 1)]
     choice.click()
     assert shared[0] == shared[1]
-    assert not np.allclose(own[0], own[1], rtol=0.02)
+    assert not np.allclose(eyes[0], eyes[1], rtol=0.02)
 
 
 def test_only_values_that_differ_are_listed(opened):

@@ -28,9 +28,9 @@ def test_explanations_of_sections_do_not_depend_on_docstrings():
 
 
 def _subclasses(part):
-    for own in part.__subclasses__():
-        yield own
-        yield from _subclasses(own)
+    for subclass in part.__subclasses__():
+        yield subclass
+        yield from _subclasses(subclass)
 
 
 def test_exactly_what_was_changed_differs_with_both_values_and_units():

@@ -191,9 +191,9 @@ def test_tendons_fold_and_fail_in_a_page_as_in_the_study(run_in_page):
     result = outcomes(run_in_page(design, tendons))
     assert len({outcome["verdict"] for outcome in result}) > 1
     for outcome, record in zip(result, records, strict=True):
-        own = measure(record)
-        assert outcome["status"] == own.status
-        took = own.transitions["fold"]
+        measured = measure(record)
+        assert outcome["status"] == measured.status
+        took = measured.transitions["fold"]
         time = outcome["transitions"][0]["took"]["time_s"]
         assert time == (None if took.time is None else pytest.approx(took.time, abs=TIME))
 
@@ -246,8 +246,8 @@ def test_a_page_answers_as_a_study_would_at_points_that_fold_stick_and_open(run_
     assert [row["word"] for row in rows] == [str(word) for word in table["outcome"].values.ravel()]
     assert len({row["word"] for row in rows}) > 1
     for name in ("least_fold_torque", "least_unfold_torque"):
-        own = [None if np.isnan(value) else value for value in table[name].values.ravel().tolist()]
-        assert [row["least"][name] for row in rows] == pytest.approx(own)
+        expected = [None if np.isnan(value) else value for value in table[name].values.ravel().tolist()]
+        assert [row["least"][name] for row in rows] == pytest.approx(expected)
 
 
 @pytest.mark.skipif(not WEB.is_dir(), reason="the sources of the script are not there")
@@ -266,7 +266,7 @@ def test_no_script_of_a_page_repeats_a_sentence_of_the_package():
 def test_no_script_of_a_page_has_signs_of_outcomes_or_units_of_its_own():
     """Outcomes of points and legible units are decided in one place."""
     sources = "\n".join(path.read_text(encoding="utf-8") for path in WEB.glob("*.js"))
-    written = re.sub(r"\\u([0-9a-f]{4})", lambda found: chr(int(found[1], 16)), sources)
+    written = re.sub(r"\\u([0-9a-f]{4})", lambda escape: chr(int(escape[1], 16)), sources)
     signs = [sign for sign in _PATTERNS if sign not in "·×–"]  # these are also punctuation
     assert [sign for sign in signs if sign in written] == []
     units = {unit for names in READING_UNITS.values() for unit, _, _ in names if len(unit) > 1} - {"deg", "cm", "mm"}

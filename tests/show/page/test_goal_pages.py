@@ -64,7 +64,7 @@ def test_every_design_that_was_tried_is_on_the_page_in_the_units_of_its_goal(opt
 
 
 def test_each_limit_is_listed_with_the_value_and_margin_of_the_best_design(optimised, optimum_page):
-    best = shown_candidate(optimised.asked)
+    best = shown_candidate(optimised.subject)
     torque = float(optimised.table["hinge_holding_torque"].values[best])
     rows = {row[0]: row[2:] for row in cells(optimum_page, "Limits")}
     assert rows["hinge holding torque ≥ 5 N cm"][0] == f"{100 * torque:.4g} N cm"
@@ -77,19 +77,19 @@ def test_each_limit_is_listed_with_the_value_and_margin_of_the_best_design(optim
 def test_the_best_that_is_shown_first_is_verified_and_has_the_largest_margin_of_these(optimised):
     table = optimised.table
     best = table["best"].values
-    assert best[shown_candidate(optimised.asked)]
-    assert table["margin"].values[shown_candidate(optimised.asked)] == table["margin"].values[best].max()
+    assert best[shown_candidate(optimised.subject)]
+    assert table["margin"].values[shown_candidate(optimised.subject)] == table["margin"].values[best].max()
 
 
 def test_runs_that_were_made_and_those_that_were_saved_are_counted(optimised, optimum_page):
-    effort = optimised.asked.effort
+    effort = optimised.subject.effort
     rows = dict(cells(optimum_page, "Number of runs"))
     assert rows["designs tried"] == str(effort.tried)
     assert rows["runs saved"] == str(effort.spared_runs + effort.spared_neighbours)
 
 
 def test_without_a_feasible_design_the_page_lists_the_largest_margins(optimised):
-    result = optimised.asked
+    result = optimised.subject
     table = result.table.copy()
     for name in ("best", "front", "feasible"):
         table[name] = table[name].copy(data=np.zeros(table.sizes["candidate"], dtype=bool))
@@ -104,18 +104,18 @@ def test_without_a_feasible_design_the_page_lists_the_largest_margins(optimised)
 
 def test_runs_are_kept_of_the_best_first_and_of_what_failed_too(optimised):
     table = optimised.table
-    kept = [run.point for run in candidates_to_keep(optimised.asked, 100)]
+    kept = [run.point for run in candidates_to_keep(optimised.subject, 100)]
     best = np.flatnonzero(table["best"].values).tolist()
     assert kept[: len(best)] == best
     assert not table["feasible"].values[kept].all()
     assert sorted(set(kept)) == sorted(kept)
-    assert [run.point for run in candidates_to_keep(optimised.asked, 1)] == best[:1]
-    for run in candidates_to_keep(optimised.asked, 100):
-        assert run.design == optimised.asked.candidates[run.point].found.design
+    assert [run.point for run in candidates_to_keep(optimised.subject, 1)] == best[:1]
+    for run in candidates_to_keep(optimised.subject, 100):
+        assert run.design == optimised.subject.candidates[run.point].screened.design
 
 
 def test_designs_that_cannot_be_built_are_not_kept(optimised):
-    designs = ["why not", optimised.asked.goal.base]
+    designs = ["why not", optimised.subject.goal.base]
     assert [(run.point, run.name) for run in designs_to_keep(designs, [0, 1, 1])] == [(1, "2")]
 
 
@@ -134,7 +134,7 @@ def test_groups_are_ordered_by_sensitivity_and_the_remaining_factors_are_last(bu
     assert ranked_keys(table) == ["tendon.area", "tendon.rest_length"]
     table["total_index"].values[:] = np.nan
     assert ranked_keys(table) == ["tendon.rest_length", "tendon.area"]
-    design, deviations = built.asked
+    design, deviations = built.subject
     page = tolerance_page(design, deviations, table, NOTHING)
     assert [len(row) for row in cells(page, "Shares of the variance")] == [3, 3, 3]
 
@@ -147,9 +147,9 @@ def test_the_nearest_failure_is_listed_in_both_directions(goals):
 
 
 def test_the_design_itself_is_marked_in_the_cloud(goals, built):
-    design, _ = built.asked
-    own = {item["key"]: item["own"] for item in data(goals["tolerance"][1].read_text("utf-8"))["study"]["factors"]}
-    assert own["tendon.rest_length"] == pytest.approx(100 * design.tendon.rest_length)
+    design, _ = built.subject
+    nominal = {item["key"]: item["own"] for item in data(goals["tolerance"][1].read_text("utf-8"))["study"]["factors"]}
+    assert nominal["tendon.rest_length"] == pytest.approx(100 * design.tendon.rest_length)
 
 
 def test_facts_are_listed_with_their_shares_and_exclusive_pairs_are_marked(goals):
@@ -190,10 +190,10 @@ def test_bars_end_where_their_values_lie_and_stay_within_their_scale():
 
 def test_a_name_that_looks_like_a_script_stays_text(optimised, built):
     hostile = "</script><script>alert(1)</script>"
-    goal = replace(optimised.asked.goal, name=hostile, source="<img src=x onerror=alert(1)>")
-    design, deviations = built.asked
+    goal = replace(optimised.subject.goal, name=hostile, source="<img src=x onerror=alert(1)>")
+    design, deviations = built.subject
     for page in (
-        goal_page(replace(optimised.asked, goal=goal), NOTHING),
+        goal_page(replace(optimised.subject, goal=goal), NOTHING),
         tolerance_page(design.model_copy(update={"name": hostile}), deviations, built.table, NOTHING),
     ):
         assert "<script>alert" not in page

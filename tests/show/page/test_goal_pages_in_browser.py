@@ -144,7 +144,7 @@ def drag(page, x, start, end):
     page.mouse.up()
 
 
-def asked(page, name):
+def selected_range(page, name):
     return [int(handle(page, f"{end} {name}").get_attribute("aria-valuenow")) for end in ("least", "most")]
 
 
@@ -152,12 +152,12 @@ def test_a_handle_is_dragged_and_an_axis_is_swept_with_the_mouse(optimise):
     page = optimise.page
     x, foot, head = ends(page, "mass")
     drag(page, x, foot + 4, (foot + head) / 2)
-    assert asked(page, "mass") == [pytest.approx(50, abs=3), 100]
+    assert selected_range(page, "mass") == [pytest.approx(50, abs=3), 100]
     assert len(shown(page)) < 16
     page.get_by_role("button", name="show all designs").click()
     x, foot, head = ends(page, "mass")
     drag(page, x, foot - 0.25 * (foot - head), foot - 0.75 * (foot - head))
-    assert asked(page, "mass") == [pytest.approx(25, abs=3), pytest.approx(75, abs=3)]
+    assert selected_range(page, "mass") == [pytest.approx(25, abs=3), pytest.approx(75, abs=3)]
 
 
 def test_axes_of_the_plane_are_chosen_among_parameters_quantities_and_margins(optimise, goals):

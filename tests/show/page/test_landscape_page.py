@@ -52,8 +52,8 @@ def test_every_tendon_that_was_simulated_is_on_the_curve_of_statics(curves, shor
 
 def test_interpolated_lines_follow_the_closed_form(curves, surveyed):
     landscape, line = surveyed("reference"), curves[0].lines[0]
-    own = landscape.tendons[1]
-    exact = own.stored_energy(own.sense * line.angle)
+    actual = landscape.tendons[1]
+    exact = actual.stored_energy(actual.sense * line.angle)
     assert np.abs(line.energy - exact).max() < 1e-6 * exact.max()
 
 
@@ -231,7 +231,7 @@ def test_a_hinge_that_turns_alone_moves_its_plate_and_what_ties_hinges_says_why_
     shown = inner_hinge(plates)
     poses = poses_of(plates, shown)
     assert np.ptp(poses.angles, axis=0) == pytest.approx(
-        [np.ptp(shown.own.angle) if hinge == shown.hinge else 0 for hinge in range(len(plates.structure.hinges))]
+        [np.ptp(shown.actual.angle) if hinge == shown.hinge else 0 for hinge in range(len(plates.structure.hinges))]
     )
     tied = replace(plates, structure=replace(plates.structure, couplings=(None,)))
     assert poses_of(tied, shown) is None

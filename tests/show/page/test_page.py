@@ -59,11 +59,11 @@ def test_the_licences_of_packed_code_are_included():
     licences = built("LICENSES.txt")
     for words in ("three", "Copyright © 2010", "uplot", "Copyright (c) 2022 Leon Sorokin"):
         assert words in licences
-    own = licences.partition("mujoco ")[0]
-    assert own.count("Permission is hereby granted") == 2
+    licence = licences.partition("mujoco ")[0]
+    assert licence.count("Permission is hereby granted") == 2
 
 
-def test_a_reader_without_javascript_is_told_so_above_the_numbers():
+def test_a_page_without_javascript_has_a_notice_above_the_numbers():
     page = page_html("wing", "<h1>wing</h1>", {"kind": "run"})
     assert page.index("<noscript>") < page.index("<h1>")
 

@@ -37,7 +37,7 @@ def firefox(request, tmp_path_factory):
         yield firefox
 
 
-def asked(firefox):
+def requests_of(firefox):
     """Return the addresses that a page requested, except data in the page itself."""
     return [url for url in firefox.requests if not url.startswith(("file:", "data:", "blob:"))]
 
@@ -49,7 +49,7 @@ def test_every_page_opens_without_a_request_or_a_word_on_the_console_and_fits_it
         assert firefox.evaluate("document.querySelector('#data') === null || window.forficula !== undefined")
         firefox.evaluate(_DRAWN)
         assert firefox.evaluate("document.documentElement.scrollWidth") <= width
-        assert (firefox.messages, asked(firefox)) == ([], [])
+        assert (firefox.messages, requests_of(firefox)) == ([], [])
 
 
 @pytest.mark.parametrize("kind", MOVING)
@@ -73,7 +73,7 @@ def test_plots_and_the_structure_are_drawn_and_play_moves_them(firefox, pages, k
     assert not firefox.evaluate(f"{_CLOCK}.playing")
     moved = np.abs(np.asarray(firefox.picture(".stage"), dtype=int) - before).max(axis=2) > 16
     assert moved.mean() > 0.01
-    assert (firefox.messages, asked(firefox)) == ([], [])
+    assert (firefox.messages, requests_of(firefox)) == ([], [])
 
 
 def test_what_a_page_should_not_do_is_heard(firefox, tmp_path):
@@ -85,7 +85,7 @@ def test_what_a_page_should_not_do_is_heard(firefox, tmp_path):
     )
     firefox.open(tmp_path / "bad.html", *WIDE)
     firefox.until("window.cut === true")
-    assert asked(firefox) == ["http://example.invalid/"]
+    assert requests_of(firefox) == ["http://example.invalid/"]
     assert [text for text in firefox.messages if "said" in text]
     assert [text for text in firefox.messages if "nothing is not defined" in text]
 

@@ -123,10 +123,10 @@ def test_the_recorded_run_moves_bars_as_the_simulator_did(opened, parts, short_r
         opened.settle()
         for part in (part for part in parts.parts if part.body in moved):
             turn, way = rigid(corners(part, parts), drawn(opened, part.name))
-            own = [number for number, point in enumerate(structure.points) if point.body == part.body]
-            present = short_run.series["point_position"][row, own]
+            indices = [number for number, point in enumerate(structure.points) if point.body == part.body]
+            present = short_run.series["point_position"][row, indices]
             # angles are 4-byte floats, interpolated between kept rows
-            assert np.abs(built[own] @ turn.T + way - present).max() < 1e-5, (row, part.name)
+            assert np.abs(built[indices] @ turn.T + way - present).max() < 1e-5, (row, part.name)
 
 
 def test_in_the_exploded_view_every_part_has_its_displacement(opened, parts):

@@ -272,7 +272,7 @@ def test_the_sheet_takes_the_colours_of_its_strains_with_their_scale_and_its_own
     shape = shape_of(short_run.structure)
     end = next(end for end in short_run.stages if end.stage.name == "release folded")
     seek(opened, end.start)
-    strained, own = (opened.page.get_by_role("button", name=name) for name in ("membrane strain", "panels"))
+    strained, painted = (opened.page.get_by_role("button", name=name) for name in ("membrane strain", "panels"))
     strained.click()
     result = opened.page.evaluate(
         "(() => { const { strains, vertices } = forficula.player.stage.views[0].shape;"
@@ -284,7 +284,7 @@ def test_the_sheet_takes_the_colours_of_its_strains_with_their_scale_and_its_own
     scale = opened.page.locator(".legend .energy:visible").last.inner_text()
     assert re.fullmatch(r"Green strain of the membrane: 0\s*[\d.]+ %", scale)
     assert opened.page.locator(".legend .of-region:visible").count() == 0
-    own.click()
+    painted.click()
     assert opened.page.locator(".legend .of-region:visible").count() == 2
 
 

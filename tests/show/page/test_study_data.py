@@ -53,7 +53,7 @@ def test_numbers_are_those_of_the_table_in_the_unit_beside_them(study):
         assert np.nanmax(np.abs(provided), initial=0.1) < 1000
 
 
-def test_quantities_say_of_which_transition_they_are(study):
+def test_quantities_name_their_transition(study):
     """By index, so that a page can relate kept runs to quantities; None for quantities without transition."""
     table = many_ends()
     table.attrs |= {"start_state": "flat", "transitions": transitions_text(structure_of(study.base), study.search)}

@@ -8,7 +8,7 @@ import pytest
 from forficula.design import design_from_text, with_values
 from forficula.show.page import write_run_page
 from tests.show.page.live_wing import SMALL, LiveWing, write_wing
-from tests.show.page.test_accessible_pages import ALL, asked
+from tests.show.page.test_accessible_pages import ALL, violations
 
 MOST = 5e6  # bytes of a page
 WINDOW = {"width": 500, "height": 500}  # pixels of a window that is drawn quickly
@@ -86,8 +86,8 @@ def test_changes_and_pushes_are_reported_as_different_from_a_run_of_the_file(tri
     assert trial.live.do("Fold").startswith("The wing folded in")
     assert note.inner_text() == ""
     begin_again(trial)
-    trial.page.evaluate("forficula.trial.panel.engine.tell({ act: 'push', point: 5, force: [0, 0, 1] })")
-    trial.page.evaluate("forficula.trial.panel.engine.tell({ act: 'push', point: 0, force: null })")
+    trial.page.evaluate("forficula.trial.panel.engine.send({ act: 'push', point: 5, force: [0, 0, 1] })")
+    trial.page.evaluate("forficula.trial.panel.engine.send({ act: 'push', point: 0, force: null })")
     trial.live.do("Fold")
     assert "which no run of a design file repeats" in note.inner_text()
 
@@ -96,7 +96,7 @@ def test_a_diverged_simulation_stays_diverged_until_a_restart(watch, diverging_p
     """Release, changes and pushes have no effect, and the simulator still replies."""
     opened = watch(diverging_page, viewport=SMALL)
     live = LiveWing(opened.page.evaluate)
-    push = "forficula.trial.panel.engine.tell({ act: 'push', point: 5, force: [0, 0, 1] })"
+    push = "forficula.trial.panel.engine.send({ act: 'push', point: 5, force: [0, 0, 1] })"
     for act in (
         lambda: live.press("Release"),
         lambda: live.put("protocol.gravity", 0.5),
@@ -167,7 +167,7 @@ def test_a_page_without_its_engine_offers_nothing(recorded, tmp_path):
 def test_axe_finds_nothing_in_the_open_panel_and_it_fits_its_window(trial, size, scheme):
     trial.live.rest()
     trial.show(*size, scheme=scheme)
-    wrong, _ = asked(trial.page, ALL)
+    wrong, _ = violations(trial.page, ALL)
     assert wrong == []
     assert trial.page.evaluate("document.documentElement.scrollWidth") <= size[0]
     trial.show(**WINDOW)

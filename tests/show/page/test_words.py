@@ -22,7 +22,7 @@ from tests.analysis.test_outcome import ENDS, REFERENCE, planted
 
 
 @pytest.fixture
-def told(short_outcome):
+def summary(short_outcome):
     """Return the sentence about a short run with a partly changed outcome."""
 
     def tell(status=short_outcome.status, **changed):
@@ -32,22 +32,22 @@ def told(short_outcome):
     return tell
 
 
-def test_a_wing_that_folded_and_opened_is_told_in_one_sentence_with_its_numbers(told, short_outcome):
+def test_a_run_that_folds_and_opens_is_summarised_in_one_sentence_with_its_numbers(summary, short_outcome):
     fold, unfold = short_outcome.transitions.values()
-    sentence = told()
+    sentence = summary()
     assert sentence.startswith(f"wing folded in {1e3 * fold.time:.4g} ms with 50 N cm on every proximal joint (")
     assert f"opened again in {1e3 * unfold.time:.4g} ms with 100 N cm on every joint" in sentence
     assert "stayed folded when released, opened" in sentence
     assert sentence.endswith(" of work), and stayed open.")
 
 
-def test_a_failure_is_reported_with_its_torque(told):
-    stuck = told("stuck at -40.0 deg", holds={"folded": False, "opened": False})
+def test_a_failure_is_reported_with_its_torque(summary):
+    stuck = summary("stuck at -40.0 deg", holds={"folded": False, "opened": False})
     assert stuck == "wing: stuck at -40.0 deg, with 50 N cm on every proximal joint."
-    shut = told("did not open", holds={"opened": False})
+    shut = summary("did not open", holds={"opened": False})
     assert shut.endswith("stayed folded when released, and did not open with 100 N cm on every joint.")
-    assert told(transitions={"unfold": None}).endswith(" of work) and stayed folded when released.")
-    assert told("settled", transitions={"fold": None, "unfold": None}) == "wing: settled."
+    assert summary(transitions={"unfold": None}).endswith(" of work) and stayed folded when released.")
+    assert summary("settled", transitions={"fold": None, "unfold": None}) == "wing: settled."
 
 
 def sprung_back(angle):

@@ -12,7 +12,7 @@ from forficula.study.running.runs import run
 from forficula.workbench.access import write_redirect
 from tests.show.page.conftest import DEFAULTS, until
 from tests.show.page.keyboard import walk
-from tests.show.page.test_accessible_pages import ALL, DARK_PHONE, asked
+from tests.show.page.test_accessible_pages import ALL, DARK_PHONE, violations
 from tests.workbench.serving import SECONDS, serving
 from tests.workbench.test_server import SQUARE
 
@@ -71,7 +71,7 @@ class Bench:
         says = "document.querySelector('.says p[role=status]').textContent"
         until(self.page, f"!{says}.endsWith('\\u2026')", SECONDS)
         # a paused structure is not drawn
-        self.page.evaluate("forficula.wing.panel?.engine.tell({ act: 'pause' })")
+        self.page.evaluate("forficula.wing.panel?.engine.send({ act: 'pause' })")
 
     def begin_again(self):
         """Restore the initial state, in front of other pages."""
@@ -369,8 +369,8 @@ def test_every_field_is_accessible_by_keyboard_and_screen_reader(connected, addr
         for tab in ("Wing", "Pattern", "Landscape", "File"):
             page.get_by_role("tab", name=tab, exact=True).click()
             page.wait_for_timeout(300)
-            violations, _ = asked(page, rules, within)
-            assert violations == [], tab
+            refused, _ = violations(page, rules, within)
+            assert refused == [], tab
             assert page.evaluate("document.documentElement.scrollWidth") <= window["width"]
             within = "[role=tabpanel]:not([hidden])"  # elements around the views are the same
     page.close()

@@ -167,7 +167,7 @@ def test_the_pattern_shows_every_crease_and_tendon_of_a_fan(units):
     assert len(figure.axes[0].lines) == edges + 1 + veins
 
 
-def test_the_largest_kinetic_energy_is_drawn_and_told_even_where_it_is_between_two_samples(runs):
+def test_the_largest_kinetic_energy_is_drawn_and_reported_even_between_two_samples(runs):
     record = runs["reference"]
     at, most = record.kinetic_peak
     assert at not in record.time

@@ -83,7 +83,7 @@ def test_the_figure_has_the_verdict_and_the_advice(weak, drawings):
         assert heading.lower() == f"{outcome.status}. {outcome.advice}".lower()
 
 
-def test_a_run_that_came_to_its_goals_is_drawn_from_stop_to_stop(reference_run, reference_outcome):
+def test_a_run_that_reached_its_goals_is_drawn_from_stop_to_stop(reference_run, reference_outcome):
     assert stalled_stage(reference_run) is None
     assert needed_torque(reference_run) is None
     figure = run_drawings(reference_run, reference_outcome)["angles"](7.1)

@@ -59,7 +59,7 @@ def test_a_bar_that_passes_through_a_sheet_is_seen_on_the_side_where_it_is_neare
     assert np.all(shades[3:] < 0.5)
 
 
-def test_regions_differ_and_both_sides_look_alike():
+def test_regions_differ_and_both_sides_look_the_same():
     painted = paint_shape(planted(0.0), FROM_ABOVE, RED)
     one, other = seen_at(painted, 0.0551, 0.0251), seen_at(painted, 0.1551, 0.0251)
     assert abs(one - other).max() > 0.1

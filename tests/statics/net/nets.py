@@ -38,7 +38,7 @@ def truss(nodes, bars, *, stiffness, rest=None, held=(), masses=None, gravity=0.
 def sheet(nodes, facets: Sequence[Sequence[int]], *, axial=1e4, crease=1.0, facet=1e2, rest=0.0, held=()):
     """Return a sheet of counterclockwise triangles and quadrilaterals: bars of EA = `axial`, springs per crease length.
 
-    The second result tells which of the net's creases are diagonals of facets.
+    The second result marks the net's creases that are diagonals of facets.
     """
     nodes = np.asarray(nodes, dtype=float)
     triangles, diagonals = [], set()

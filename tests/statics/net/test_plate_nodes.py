@@ -47,15 +47,15 @@ def test_nodes_have_the_mass_and_the_inertia_of_their_plates():
     net, structure = net_of(FREE), FREE
     mass = net.mass_matrix.toarray()
     area = 0.02**2 * np.sin(np.radians(87.5)) / 2
-    each = 1270 * 0.5e-3 * area
-    assert mass[:4, :4].sum() == pytest.approx(each)
+    plate_mass = 1270 * 0.5e-3 * area
+    assert mass[:4, :4].sum() == pytest.approx(plate_mass)
     corners = built_points(structure)[list(structure.plates[0].points)]
     centre = corners.mean(axis=0)
     normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
     speeds = np.cross(normal / np.linalg.norm(normal), net.nodes[:4] - centre)
     # about the centre of a triangle, in its plane: m / 36 x the sum of the squares of its sides
     sides = sum(float(np.sum((corners[one] - corners[one - 1]) ** 2)) for one in range(3))
-    polar = each / 36 * sides
+    polar = plate_mass / 36 * sides
     assert np.einsum("ix,ij,jx->", speeds, mass[:4, :4], speeds) == pytest.approx(polar, rel=1e-2)
 
 

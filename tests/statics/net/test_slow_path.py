@@ -54,7 +54,7 @@ def test_a_force_that_falls_again_snaps_back_at_the_other_limit():
     assert [snap.factor for snap in back.snaps] == pytest.approx([-largest], rel=1e-4)
 
 
-def test_it_stops_on_the_way_of_a_snap_where_it_is_told():
+def test_a_path_stops_during_a_snap_where_the_stop_condition_holds():
     net = von_mises()
     largest = force(np.linspace(0, RISE, 20001)).max()
     load = point_forces(net, np.array([2]), np.array([[0.0, 0.0, -1.0]]))

@@ -41,18 +41,18 @@ def torque(angle):
 
 
 def least(sign, low, high, of=energy):
-    found = minimize_scalar(lambda x: sign * of(x), bounds=(low, high), method="bounded", options={"xatol": 1e-10})
-    return found.x, sign * found.fun
+    minimum = minimize_scalar(lambda x: sign * of(x), bounds=(low, high), method="bounded", options={"xatol": 1e-10})
+    return minimum.x, sign * minimum.fun
 
 
 @pytest.fixture(scope="module")
-def found():
+def search():
     net = panel()
     return net, find_stable_states(net, [built_shape(net)], tries=24)
 
 
-def test_the_search_finds_both_states_of_the_closed_form(found):
-    _, states = found
+def test_the_search_finds_both_states_of_the_closed_form(search):
+    _, states = search
     known = sorted((least(1, -np.pi, 0.3), least(1, 0.6, np.pi)), key=lambda item: item[1])
     assert len(states.states) == 2
     for state, (angle, stored) in zip(states.states, known, strict=True):
@@ -63,15 +63,15 @@ def test_the_search_finds_both_states_of_the_closed_form(found):
     assert sum(states.counts) + states.failed == states.tries + 1
 
 
-def test_the_same_seed_finds_the_same(found):
-    net, states = found
+def test_the_same_seed_finds_the_same(search):
+    net, states = search
     again = find_stable_states(net, [built_shape(net)], tries=24)
     assert [state.energy for state in again.states] == [state.energy for state in states.states]
     assert again.counts == states.counts
 
 
-def test_the_saddle_is_the_top_between_them(found):
-    net, states = found
+def test_the_saddle_is_the_top_between_them(search):
+    net, states = search
     saddle = find_saddle(net, *states.states)
     assert saddle is not None
     assert saddle.joins
@@ -80,8 +80,8 @@ def test_the_saddle_is_the_top_between_them(found):
     assert saddle.barriers == pytest.approx([top - state.energy for state in states.states], rel=1e-4)
 
 
-def test_the_torque_that_holds_is_the_steepest_slope(found):
-    net, states = found
+def test_the_torque_that_holds_is_the_steepest_slope(search):
+    net, states = search
     valley = max(states.states, key=lambda state: state.shape.angles[0])
     between = np.linspace(least(-1, 0.1, 1.0)[0], valley.shape.angles[0], 4001)
     lost = holding_torque(net, valley, 0, sense=-1)
@@ -90,8 +90,8 @@ def test_the_torque_that_holds_is_the_steepest_slope(found):
     assert holding_torque(net, valley, 0, increments=20).kind == "none"
 
 
-def test_only_stable_states_collapse(found):
-    net, states = found
+def test_only_stable_states_collapse(search):
+    net, states = search
     with pytest.raises(InputError, match="state: need a stable one, got one with 1 ways downhill"):
         collapse(net, replace(states.states[0], index=1), crease_torques(net, np.array([0]), 1.0))
 

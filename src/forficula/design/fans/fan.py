@@ -110,7 +110,7 @@ class FanDesign(Design):
     ] = None
     tendon: Annotated[
         Annotated[TendonSection, Tag("<one for all>")] | Annotated[tuple[TendonSection | None, ...], Tag("<by vein>")],
-        Discriminator(lambda given: "<by vein>" if isinstance(given, tuple) else "<one for all>"),
+        Discriminator(lambda value: "<by vein>" if isinstance(value, tuple) else "<one for all>"),
         Field(description="one tendon for all veins, or tendons by the number of the vein, None for a vein without"),
     ]
     guard: GuardSection

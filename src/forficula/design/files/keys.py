@@ -33,14 +33,14 @@ _OF_LAW_FILES = {
 }
 
 
-def key_quantity(key: str, model: type[Design] = FanDesign, given: object = None) -> Quantity | None:
+def key_quantity(key: str, model: type[Design] = FanDesign, text: object = None) -> Quantity | None:
     """Return the reader of a value of a design, or None if it has no unit; a law counts as one value, its name.
 
     Args:
         key: dotted key. A number or a name selects an entry of a list, as in "protocol.stages.1.hold"; the entry need
             not exist. "tendon.stiffness" means all tendons, "tendon.1.stiffness" the one on vein 1.
         model: class of the design.
-        given: value from the user, if any, for error messages.
+        text: value from the user, if any, for error messages.
 
     Raises:
         InputError: there is no such key, or it holds several values.
@@ -48,7 +48,7 @@ def key_quantity(key: str, model: type[Design] = FanDesign, given: object = None
     try:
         return _quantity_of(key, model)
     except InputError:
-        return _find_quantity(key, model, given)
+        return _find_quantity(key, model, text)
 
 
 @lru_cache(maxsize=1024)  # studies, optimisation and identification use the same keys for each of their designs
@@ -56,7 +56,7 @@ def _quantity_of(key: str, model: type[Design]) -> Quantity | None:
     return _find_quantity(key, model, None)
 
 
-def _find_quantity(key: str, model: type[Design], given: object) -> Quantity | None:
+def _find_quantity(key: str, model: type[Design], text: object) -> Quantity | None:
     if key == "based_on":
         raise InputError("based_on: is not a value of a design; name the design to start from instead")
     parts = key.split(".")
@@ -68,13 +68,13 @@ def _find_quantity(key: str, model: type[Design], given: object) -> Quantity | N
             place = entry
         elif fields:
             if part not in fields:
-                raise InputError(unknown_key(key, given, hint(parts, model)))
+                raise InputError(unknown_key(key, text, hint(parts, model)))
             place, quantity = fields[part].annotation, field_quantity(fields[part])
         elif entry is not None:
             of = ".".join(parts[:depth])
             raise InputError(f"{key}: need the number of an entry of {of}, from 0 on, got {as_written(part)}")
         else:
-            raise InputError(unknown_key(key, given, f"did you mean {'.'.join(parts[:depth])}?"))
+            raise InputError(unknown_key(key, text, f"did you mean {'.'.join(parts[:depth])}?"))
     if LawSection in _forms(place):
         return None
     section, entry = section_fields(place), entry_of(place)

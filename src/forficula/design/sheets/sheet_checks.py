@@ -220,7 +220,7 @@ def _in_sheet(sheet: CreasePattern, place: object) -> object:
 
 
 def _ends(design: SheetDesign, sheet: CreasePattern, key: str, joined: SheetTendon | SheetMeasure) -> list[object]:
-    """Return the places of both ends, one of which may be on the ground."""
+    """Return the positions of both ends. One of them may be on the ground."""
     places = [_keyed(f"{key}.{end}", _place, design, sheet, getattr(joined, end)) for end in ("from", "to")]
     if (GROUND_PLACE in places) != bool(joined.ground) or len(joined.ground) not in (0, 3):
         raise InputError(

@@ -74,7 +74,7 @@ def engine_work(model: Model, motor: int, steps: Steps, place: int, travel: Arra
     parts = np.concatenate([holds, holds - 1, np.flatnonzero(model.brakes == motor)])
     if not len(parts):
         return np.zeros(len(travel))
-    return np.asarray(np.sum(_engine_forces(steps, place, parts) * (travel @ model.ways[parts].T), axis=1))
+    return np.asarray(np.sum(_engine_forces(steps, place, parts) * (travel @ model.jacobian[parts].T), axis=1))
 
 
 def displacement_force(model: Model, motor: int, steps: Steps, place: int) -> Array:

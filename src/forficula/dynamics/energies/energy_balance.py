@@ -50,8 +50,8 @@ class EnergyBalance:
         drag: dissipated by the drag of air or water; None in empty space.
         at_hand: largest energy of tendons stretched by their levers, hinges turned by 1 rad, or bars and membranes
             strained by 1e-4; a billionth of it counts as rounding.
-        stored: energy stored in tendons, membrane and springs at the start or the end, whichever is larger; 1e-5 of it
-            is the least scale of the residual.
+        stored: energy stored in tendons, membrane and springs at the start or the end, the larger of the two; 1e-5 of
+            this energy is the least scale of the residual.
     """
 
     work: Joules

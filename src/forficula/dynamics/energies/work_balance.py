@@ -189,15 +189,15 @@ class WorkBalance:
                 )
             of_creases = np.zeros(travel.shape[:2])
         else:
-            each = [
+            parts_of_pieces = [
                 crease_works(self._models[row], steps, place, travel[place], torques[place], before_step[place])
                 for place, row in enumerate(rows.tolist())
             ]
             work = {
-                motor_work_name(number): np.array([motors[number] for motors, _ in each])
+                motor_work_name(number): np.array([motors[number] for motors, _ in parts_of_pieces])
                 for number in range(len(self._motors))
             }
-            of_creases = np.array([damped for _, damped in each])
+            of_creases = np.array([damped for _, damped in parts_of_pieces])
         return work, of_creases
 
     def _add_losses(

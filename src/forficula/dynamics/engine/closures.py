@@ -19,7 +19,7 @@ APART_TEXT = "creases that close loops come apart by {share} of its size: a shor
 def add_closures(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> None:
     """Weld the copies of bodies to their originals, in the model's units, and add tendons that measure the gaps.
 
-    A weld weighs an angle with the length of its crease, so that angles and distances count alike.
+    A weld weighs an angle with the length of its crease, so that angles and distances have the same weight.
     """
     for closure in structure.closures:
         body, copy = (structure.bodies[number] for number in closure.bodies)

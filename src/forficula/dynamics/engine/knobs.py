@@ -107,10 +107,10 @@ def _knobs(design: Design) -> tuple[Knob, ...]:
 
 def _keys(model: Model) -> list[str]:
     """Return candidate keys; for a few tendons that differ or have names, the keys of each tendon."""
-    each = list(dict.fromkeys(tendon.key for tendon in model.structure.tendons))
-    if not 0 < len(each) <= _MOST_TENDONS or each == ["tendon"]:
+    keys = list(dict.fromkeys(tendon.key for tendon in model.structure.tendons))
+    if not 0 < len(keys) <= _MOST_TENDONS or keys == ["tendon"]:
         return list(_FACTORS)
-    of_tendons = [f"{tendon}{key.removeprefix('tendon')}" for tendon in each for key in _FACTORS if "tendon." in key]
+    of_tendons = [f"{tendon}{key.removeprefix('tendon')}" for tendon in keys for key in _FACTORS if "tendon." in key]
     return [*of_tendons, *(key for key in _FACTORS if "tendon." not in key)]
 
 

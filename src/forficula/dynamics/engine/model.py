@@ -61,8 +61,8 @@ class Model:
             target; -1 for other controls.
         brakes: number of the motor whose magnitude each control follows to reduce its torque with the speed of a joint,
             (control,); -1 for other controls.
-        ways: displacement of a servo's point, or turn of a brake's joint, per shift of each coordinate, (control, dof);
-            0 for other controls.
+        jacobian: displacement of a servo's point, or turn of a brake's joint, per shift of each coordinate,
+            (control, dof); 0 for other controls.
         sites: index of the site of each point, (point,); -1 if it is the origin of its body.
         carriers: index of the body of each point, (point,).
         elastic: the springs of the tendons, as one law of arrays (tendon,), in the model's units.
@@ -91,7 +91,7 @@ class Model:
     motors: Indices
     holds: Indices
     brakes: Indices
-    ways: Array
+    jacobian: Array
     sites: Indices
     carriers: Indices
     elastic: ElasticLaw
@@ -184,7 +184,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     folds, drag = folds_of(engine, in_units), drag_of(engine, in_units)
     tendons = _indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
     plastic = engine.tendon_plasticadr[tendons]
-    (holds, servo_ways), (brakes, brake_ways) = _servos(engine, in_units), _brakes(engine, in_units)
+    (holds, servo_jacobian), (brakes, brake_jacobian) = _servos(engine, in_units), _brakes(engine, in_units)
     gaps = [gap_name(closure, end) for closure in in_units.closures for end in range(len(closure.points))]
     return Model(
         design=design,
@@ -210,7 +210,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         motors=_followed(engine, in_units),
         holds=holds,
         brakes=brakes,
-        ways=servo_ways + brake_ways,
+        jacobian=servo_jacobian + brake_jacobian,
         sites=_sites(engine, in_units),
         carriers=_point_bodies(engine, in_units),
         elastic=stacked_laws([tendon.law.elastic for tendon in in_units.tendons]),
@@ -386,28 +386,28 @@ def _displacement_weights(engine: mujoco.MjModel, structure: Structure, point: i
 
 
 def _servos(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
-    """Return `Model.holds`, and `Model.ways` of servos."""
-    holds, ways = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
+    """Return `Model.holds`, and `Model.jacobian` of servos."""
+    holds, jacobian = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
     for number, motor in enumerate(structure.motors):
         for point, names in zip(motor.points, servo_names(motor), strict=False):
             assert motor.direction is not None
             parts = _indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, list(names))
-            ways[parts] = _displacement_weights(engine, structure, point, motor.direction)
+            jacobian[parts] = _displacement_weights(engine, structure, point, motor.direction)
             holds[parts[1]] = number
-    return holds, ways
+    return holds, jacobian
 
 
 def _brakes(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
-    """Return `Model.brakes`, and `Model.ways` of brakes."""
-    brakes, ways = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
+    """Return `Model.brakes`, and `Model.jacobian` of brakes."""
+    brakes, jacobian = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
     for number, motor in enumerate(structure.motors):
         hinges = [structure.hinges[hinge] for hinge in motor.hinges if not structure.hinges[hinge].flaps]
         if np.isfinite(motor.no_load_speed) and hinges:
             controls = _indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, [brake_name(hinge) for hinge in hinges])
             joints = _indices(engine, mujoco.mjtObj.mjOBJ_JOINT, [hinge.name for hinge in hinges])
             brakes[controls] = number
-            ways[controls, engine.jnt_dofadr[joints]] = [hinge.sense for hinge in hinges]
-    return brakes, ways
+            jacobian[controls, engine.jnt_dofadr[joints]] = [hinge.sense for hinge in hinges]
+    return brakes, jacobian
 
 
 def _indices(engine: mujoco.MjModel, kind: mujoco.mjtObj, names: list[str]) -> Indices:

@@ -13,7 +13,7 @@ from forficula.structure import GROUND, Structure
 
 @dataclass(frozen=True, kw_only=True)
 class Placement:
-    """A tree of bodies, some of which turn freely or by a hinge; constants may have leading dimensions.
+    """A tree of bodies. Some bodies turn freely or by a hinge. Constants may have leading dimensions.
 
     Attributes:
         levels: numbers of the bodies on the ground, of their children, and so on.

@@ -40,7 +40,7 @@ class StageTracker:
         self._followed, self._holds = models[0].motors, models[0].holds
         self._brakes = np.flatnonzero(models[0].brakes >= 0)
         self._braking = models[0].brakes[self._brakes]
-        self._ways = np.array([model.ways for model in models])
+        self._jacobians = np.array([model.jacobian for model in models])
         # positions at the beginning of the present stage
         self._begun = np.zeros((len(models), models[0].engine.nq))
         count = len(models)
@@ -93,7 +93,7 @@ class StageTracker:
         holds = np.flatnonzero(self._holds >= 0)
         if len(holds):
             on = np.any(self._plan.torques[rows, self.stage[rows]][:, :, self._holds[holds]], axis=1)
-            begun = np.einsum("rcd,rd->rc", self._ways[rows][:, holds], self._begun[rows])
+            begun = np.einsum("rcd,rd->rc", self._jacobians[rows][:, holds], self._begun[rows])
             controls[:, :, holds] = on[:, None]
             controls[:, :, holds - 1] += (on * begun)[:, None]
         return controls

@@ -81,7 +81,7 @@ class Stepper:
             self._names = tuple(dict.fromkeys((*self._names, *_OF_CONTACT)))
         if any(hinge.friction for model in models for hinge in model.structure.hinges):
             self._names = (*self._names, "qacc")
-        if models[0].ways.any():
+        if models[0].jacobian.any():
             self._names = (*self._names, "actuator_force")
         drags = [model.drag for model in models if model.drag is not None]
         self._drag = stacked_drag(drags) if drags else None

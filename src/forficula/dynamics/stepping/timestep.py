@@ -223,7 +223,7 @@ def _as_built(model: Model) -> _Linear:
             damping += viscous * stretch[tendon : tendon + 1].T @ stretch[tendon : tendon + 1]
     for control in np.flatnonzero(model.brakes >= 0):
         # reduction of motors' torques with speed, at the largest torques
-        number, way = model.brakes[control], model.ways[control]
+        number, way = model.brakes[control], model.jacobian[control]
         largest = max((abs(drive.strengths[number]) for drive in model.in_units.drives), default=0.0)
         damping += largest / model.in_units.motors[number].no_load_speed * np.outer(way, way)
     if model.drag is not None:

@@ -65,7 +65,7 @@ class Conjunction:
 
     Attributes:
         facts: their indices, rising.
-        told: number of drawn samples that are conclusive for all of them.
+        conclusive_count: number of drawn samples that are conclusive for all of them.
         drawn: number of these that meet all facts.
         alone: number of these that meet each fact, in the order of the facts.
         placed: number of placed samples that meet all facts.
@@ -78,7 +78,7 @@ class Conjunction:
     """
 
     facts: tuple[int, ...]
-    told: int
+    conclusive_count: int
     drawn: int
     alone: tuple[int, ...]
     placed: int
@@ -90,7 +90,7 @@ class Conjunction:
     @property
     def independent(self) -> float:
         """Expected number of conclusive samples that meet all facts if the facts were independent."""
-        return float(np.prod([count / max(self.told, 1) for count in self.alone]) * self.told)
+        return float(np.prod([count / max(self.conclusive_count, 1) for count in self.alone]) * self.conclusive_count)
 
 
 def conjunction(facts: Sequence[int], seen: Evidence) -> Conjunction:
@@ -113,7 +113,7 @@ def conjunction(facts: Sequence[int], seen: Evidence) -> Conjunction:
         verdict = Together.OPEN
     return Conjunction(
         facts=tuple(facts),
-        told=int((all_conclusive & ~placed).sum()),
+        conclusive_count=int((all_conclusive & ~placed).sum()),
         drawn=drawn,
         alone=tuple(int(count) for count in alone),
         placed=later,

@@ -266,8 +266,8 @@ def _distance(fact: Fact, value: float, bound: float) -> float:
 def open_targets(met: Flags) -> list[Target]:
     """Return the sets of facts that no sample has met so far.
 
-    The sets are all facts, single facts, and pairs of facts each of which is met by some sample. If every fact and
-    every such pair is met, the sets include triples whose pairs are all met.
+    The sets are all facts, single facts, and pairs of facts that are both met, by the same or by different samples. If
+    every fact and every such pair is met, the sets include triples whose pairs are all met.
 
     Args:
         met: whether each sample met each fact, (samples, facts).

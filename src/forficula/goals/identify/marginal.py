@@ -41,7 +41,7 @@ class Marginal:
     chance: float
 
     @property
-    def told(self) -> bool:
+    def significant(self) -> bool:
         """Whether the facts give information on this unknown."""
         return self.chance < _SIGNIFICANT
 

@@ -48,14 +48,14 @@ class _Numbers:
         values: SI, (conditions,); the absent number where there is none.
         low: smallest value over all possible outcomes of inconclusive runs, (conditions,).
         high: largest such value, (conditions,).
-        there: whether there is a number, (conditions,).
+        known: whether there is a number, (conditions,).
         untold: number of inconclusive runs.
     """
 
     values: Array
     low: Array
     high: Array
-    there: Flags
+    known: Flags
     untold: int
 
     @property
@@ -217,7 +217,7 @@ def _numbers(term: Term, found_rows: Sequence[Row | None]) -> _Numbers:
         values=values,
         low=np.where(open_, -np.inf, values),
         high=np.where(open_, np.inf, values),
-        there=np.array([number is not None for number in numbers]),
+        known=np.array([number is not None for number in numbers]),
         untold=int(open_.sum()),
     )
 
@@ -270,10 +270,10 @@ def _least_numbers(term: Term, least: LeastValue, ladders: Sequence[Ladder]) -> 
         numbers = _numbers(term, [ladder.rows.get(ladder.holds) for ladder in ladders])
         open_ = (lows < holds) | numbers.open
         low, high = np.where(open_, -np.inf, numbers.values), np.where(open_, np.inf, numbers.values)
-        return _Numbers(values=numbers.values, low=low, high=high, there=numbers.there, untold=untold)
+        return _Numbers(values=numbers.values, low=low, high=high, known=numbers.known, untold=untold)
     values = np.append(least.numbers, term.absent)
     return _Numbers(
-        values=values[holds], low=values[lows], high=values[holds], there=holds < len(least.values), untold=untold
+        values=values[holds], low=values[lows], high=values[holds], known=holds < len(least.values), untold=untold
     )
 
 
@@ -287,7 +287,7 @@ def _place(term: Term, places: Mapping[str, tuple[object, ...]], numbers: _Numbe
         (0.0 if (numbers.open & allowed).any() else value),
         (np.inf if (numbers.open & ~allowed).any() else value),
     )
-    if numbers.there.any():
+    if numbers.known.any():
         return value, low, high
     far = abs(term.absent)
     return far, 0.0 if numbers.open.any() else far, np.inf if numbers.open.any() else far
@@ -298,9 +298,9 @@ def _statistic(term: Term, numbers: _Numbers) -> tuple[float, float, float]:
     assert term.absent is not None
     value, low, high = numbers.values, numbers.low, numbers.high
     if term.where is not None:
-        may = numbers.there | numbers.open
+        may = numbers.known | numbers.open
         none = np.array([term.absent])
-        value = value[numbers.there] if numbers.there.any() else none
+        value = value[numbers.known] if numbers.known.any() else none
         low, high = (ends[may] if may.any() else none for ends in (low, high))
     match term.statistic:
         case "least":

@@ -178,7 +178,7 @@ def _pairs(seen: Evidence) -> dict[str, Any]:
     for pair in [*(conjunction((fact,), seen) for fact in range(size)), *pairs_of(seen)]:
         first, last = pair.facts[0], pair.facts[-1]
         for cell, alone in (((first, last), pair.alone[0]), ((last, first), pair.alone[-1])):
-            counts["told"][cell], counts["met"][cell], counts["alone"][cell] = pair.told, pair.drawn, alone
+            counts["told"][cell], counts["met"][cell], counts["alone"][cell] = pair.conclusive_count, pair.drawn, alone
             counts["placed"][cell], counts["tried"][cell] = pair.placed, pair.tried
             numbers["share_high"][cell], numbers["near"][cell] = pair.most, pair.near
             numbers["independent"][cell] = pair.independent
@@ -250,7 +250,7 @@ def _attributes(observations: Observations, samples: Sequence[Sample], seen: Evi
         # in files, lists have at least one entry
         "unmet": ["; ".join(names[fact] for fact in triple.facts) for triple in triples] or [""],
         "unmet_verdict": [triple.verdict.value for triple in triples] or [""],
-        "unmet_told": [triple.told for triple in triples] or [0],
+        "unmet_told": [triple.conclusive_count for triple in triples] or [0],
         "unmet_tried": [triple.tried for triple in triples] or [0],
         "unmet_near": [triple.near for triple in triples] or [0.0],
         "unmet_share_high": [triple.most for triple in triples] or [0.0],

@@ -123,20 +123,20 @@ class Candidate:
     Attributes:
         point: position in the unit cube of the parameters.
         values: values of the parameters by key, as in a design file.
-        found: result.
+        screened: result.
         neighbours: results of its neighbours; None if they were not evaluated.
     """
 
     point: Point
     values: Mapping[str, object]
-    found: Screened
+    screened: Screened
     neighbours: Neighbours | None = None
 
     def value(self, quantity: OutcomeQuantity) -> float | None:
         """Return a quantity, SI; None if it does not exist or was not computed."""
         if quantity.name == PROBABILITY:
             return None if self.neighbours is None else self.neighbours.share
-        return value_of(self.found.row, quantity, self.found.design)
+        return value_of(self.screened.row, quantity, self.screened.design)
 
 
 def axes_of(goal: Goal) -> tuple[Axis, ...]:
@@ -161,14 +161,14 @@ def costs(goal: Goal, candidate: Candidate) -> tuple[float, ...]:
     for objective in goal.objectives:
         value = candidate.value(objective.quantity)
         # the probability of a design whose neighbours were not evaluated counts as 0
-        unknown = 0.0 if objective.quantity.name == PROBABILITY and candidate.found.meets else math.nan
+        unknown = 0.0 if objective.quantity.name == PROBABILITY and candidate.screened.meets else math.nan
         values.append(objective.cost(unknown if value is None else value))
     return tuple(values)
 
 
 def trial_of(goal: Goal, candidate: Candidate) -> Trial:
     """Return a candidate as a trial of the search."""
-    result, required, neighbours = candidate.found, wanted_share(goal), candidate.neighbours
+    result, required, neighbours = candidate.screened, wanted_share(goal), candidate.neighbours
     surplus = math.nan
     if required is not None and neighbours is not None:
         surplus = neighbours.share - required.bound
@@ -212,7 +212,7 @@ def verified(goal: Goal, assess: Assessor, candidates: Sequence[Candidate], befo
         candidates: candidates that could be built.
         before: number of other candidates that failed verification before; new neighbours are drawn each time.
     """
-    designs = [candidate.found.design for candidate in candidates if isinstance(candidate.found.design, Design)]
+    designs = [candidate.screened.design for candidate in candidates if isinstance(candidate.screened.design, Design)]
     steps = [_timestep(candidate) for candidate in candidates]
     finer: list[Screened | None] = [None] * len(candidates)
     if goal.simulate:
@@ -237,7 +237,7 @@ def verified(goal: Goal, assess: Assessor, candidates: Sequence[Candidate], befo
 
 
 def _timestep(candidate: Candidate) -> float | None:
-    step = candidate.found.row.get("timestep_s")
+    step = candidate.screened.row.get("timestep_s")
     return None if step is None else float(step)
 
 

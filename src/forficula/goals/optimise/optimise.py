@@ -166,7 +166,7 @@ def _tried(goal: Goal, assess: Assessor, points: Sequence[Point], before: Sequen
     values = [goal.values(point) for point in points]
     designs = [_design(goal, point_values) for point_values in values]
     candidates = [
-        Candidate(point=point, values=value, found=result)
+        Candidate(point=point, values=value, screened=result)
         for point, value, result in zip(points, values, screened(goal, assess, designs, values), strict=True)
     ]
     if wanted_share(goal) is None and not asks_probability(goal):
@@ -192,7 +192,7 @@ def _with_neighbours(
         (
             number
             for number, candidate in enumerate(candidates)
-            if candidate.found.meets and not np.isnan(costs(goal, candidate)).any()
+            if candidate.screened.meets and not np.isnan(costs(goal, candidate)).any()
         ),
         key=lambda number: costs(goal, candidates[number]),
     )
@@ -215,7 +215,7 @@ def _evaluate_neighbours(
     """Return candidates with the results of their neighbours."""
     required = wanted_share(goal)
     least = None if required is None or asks_probability(goal) else required.bound
-    designs = [candidate.found.design for candidate in candidates if isinstance(candidate.found.design, Design)]
+    designs = [candidate.screened.design for candidate in candidates if isinstance(candidate.screened.design, Design)]
     results = neighbours_of(goal, assess, designs, offsets, least)
     return [
         replace(candidate, neighbours=neighbours) for candidate, neighbours in zip(candidates, results, strict=True)
@@ -283,12 +283,16 @@ def _spread(count: int, most: int) -> list[int]:
 def _effort(goal: Goal, candidates: Sequence[Candidate], verification_runs: int) -> Effort:
     evaluated = [candidate.neighbours for candidate in candidates if candidate.neighbours is not None]
     has_probability = wanted_share(goal) is not None or asks_probability(goal)
-    meeting = sum(candidate.found.meets for candidate in candidates) if has_probability else 0
+    meeting = sum(candidate.screened.meets for candidate in candidates) if has_probability else 0
     return Effort(
         tried=len(candidates),
-        runs=sum(goal.simulate and not candidate.found.ruled_out for candidate in candidates),
+        runs=sum(goal.simulate and not candidate.screened.ruled_out for candidate in candidates),
         ruled_out=dict(
-            sorted(Counter(candidate.found.ruled_out for candidate in candidates if candidate.found.ruled_out).items())
+            sorted(
+                Counter(
+                    candidate.screened.ruled_out for candidate in candidates if candidate.screened.ruled_out
+                ).items()
+            )
         ),
         neighbour_runs=sum(neighbours.runs for neighbours in evaluated),
         spared_neighbours=meeting * goal.neighbours - sum(neighbours.tried for neighbours in evaluated),

@@ -80,9 +80,9 @@ class Optimum(Result):
     def designs(self) -> tuple[Design, ...]:
         """The best designs."""
         return tuple(
-            verification.candidate.found.design
+            verification.candidate.screened.design
             for verification in self.best
-            if isinstance(verification.candidate.found.design, Design)
+            if isinstance(verification.candidate.screened.design, Design)
         )
 
     @property
@@ -118,7 +118,7 @@ def candidates_to_keep(optimum: Optimum, most: int = MOST_KEPT) -> list[RunToKee
     ran = table["outcome"].values != "not run"
     others = [_spread(np.flatnonzero(ran & ~best & ~front & kind), left) for kind in (feasible, ~feasible)]
     by_turns = [int(numbers[index]) for index in range(left) for numbers in others[::-1] if index < len(numbers)]
-    designs = [candidate.found.design for candidate in optimum.candidates]
+    designs = [candidate.screened.design for candidate in optimum.candidates]
     return designs_to_keep(designs, [*map(int, first), *by_turns], most)
 
 

@@ -81,7 +81,7 @@ def _margins(goal: Goal, candidates: Sequence[Candidate]) -> dict[str, Any]:
     columns: dict[str, Any] = {
         "margin": (
             _AXIS,
-            _numbers([candidate.found.least for candidate in candidates]),
+            _numbers([candidate.screened.least for candidate in candidates]),
             {"long_name": "smallest margin"},
         )
     }
@@ -89,10 +89,10 @@ def _margins(goal: Goal, candidates: Sequence[Candidate]) -> dict[str, Any]:
         meaning = f"margin of {own_limits(goal)[index]}"
         columns[name] = (
             _AXIS,
-            _numbers([candidate.found.margins[index] for candidate in candidates]),
+            _numbers([candidate.screened.margins[index] for candidate in candidates]),
             {"long_name": meaning},
         )
-    works = _numbers([candidate.found.works for candidate in candidates])
+    works = _numbers([candidate.screened.works for candidate in candidates])
     columns["margin_works"] = (_AXIS, works, {"long_name": "margin of the protocol's goals"})
     return columns
 
@@ -111,7 +111,7 @@ def _standing(
     ]
     front, verified = {trial.point for trial in pareto_front(trials)}, {candidate.point for candidate in best}
     return {
-        "works": (_AXIS, np.array([candidate.found.works > 0 for candidate in candidates])),
+        "works": (_AXIS, np.array([candidate.screened.works > 0 for candidate in candidates])),
         "feasible": (_AXIS, np.array(meets)),
         "front": (_AXIS, np.array([trial.point in front for trial in trials])),
         "best": (_AXIS, np.array([trial.point in verified for trial in trials])),
@@ -183,7 +183,7 @@ def _probabilities(candidates: Sequence[Candidate]) -> dict[str, Any]:
 
 def _words(candidate: Candidate) -> dict[str, object]:
     """Return the ending of a candidate's run, or why there was no run."""
-    result = candidate.found
+    result = candidate.screened
     if isinstance(result.design, str):
         return ending_row(Ending(verdict=Verdict.NOT_BUILT, why=result.design))
     if "verdict" in result.row:

@@ -95,10 +95,10 @@ def _missing(result: Optimum) -> list[str]:
     goal, wanted = result.goal, wanted_share(result.goal)
     limits: list[Limit | None] = [*own_limits(goal)]
     sentences: list[str] = []
-    meeting = [candidate for candidate in result.candidates if candidate.found.meets]
+    meeting = [candidate for candidate in result.candidates if candidate.screened.meets]
     named = [*limits, None] if goal.simulate else limits
     sentences += _not_built(result)
-    if all(isinstance(candidate.found.design, str) for candidate in result.candidates):
+    if all(isinstance(candidate.screened.design, str) for candidate in result.candidates):
         return sentences
     if not meeting:
         sentences += [_relaxed(result, relaxation, named[relaxation.limit]) for relaxation in result.relaxations]
@@ -123,7 +123,7 @@ def _missing(result: Optimum) -> list[str]:
 
 def _not_built(result: Optimum) -> list[str]:
     """Return how many designs cannot be built, and the most frequent reason."""
-    why = [candidate.found.design for candidate in result.candidates if isinstance(candidate.found.design, str)]
+    why = [candidate.screened.design for candidate in result.candidates if isinstance(candidate.screened.design, str)]
     if not why:
         return []
     (reason, _), *_ = Counter(why).most_common()
@@ -132,7 +132,7 @@ def _not_built(result: Optimum) -> list[str]:
 
 def _outcomes(result: Optimum) -> list[str]:
     """Return the most frequent outcome of the runs that failed."""
-    run = [candidate.found for candidate in result.candidates if isinstance(candidate.found.design, Design)]
+    run = [candidate.screened for candidate in result.candidates if isinstance(candidate.screened.design, Design)]
     failed = Counter(
         str(screened.row["outcome"]) for screened in run if screened.works <= 0 and "outcome" in screened.row
     )

@@ -22,7 +22,7 @@ def kept_plan(folder: Path, question: Question, minutes: float, seed: int) -> Pl
         content = json.loads((folder / _FILE).read_text("utf-8"))
     except (OSError, ValueError):
         return None
-    if not isinstance(content, dict) or content.get("asked") != _asked(question, minutes, seed):
+    if not isinstance(content, dict) or content.get("asked") != _request(question, minutes, seed):
         return None
     return next((plan for plan in PLANS if _plain(plan) == content.get("plan")), None)
 
@@ -38,12 +38,12 @@ def saved_plan(folder: Path, question: Question, minutes: float, seed: int, plan
     with hold_lock(folder / f".{_FILE}.lock"):
         if (kept := kept_plan(folder, question, minutes, seed)) is not None:
             return kept
-        content = {"asked": _asked(question, minutes, seed), "plan": _plain(plan)}
+        content = {"asked": _request(question, minutes, seed), "plan": _plain(plan)}
         write_text(folder / _FILE, json.dumps(content, indent=1) + "\n")
     return plan
 
 
-def _asked(question: Question, minutes: float, seed: int) -> Mapping[str, Any]:
+def _request(question: Question, minutes: float, seed: int) -> Mapping[str, Any]:
     """Return the question as JSON data."""
     return {
         "design_hash": question.design.hash,

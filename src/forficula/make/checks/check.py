@@ -37,15 +37,15 @@ class Check:
         return {"value": WithUnit(self.value, self.unit), "limit": WithUnit(self.limit, self.unit)}
 
 
-def least_check(name: str, part: str, *, found: float, least: float, text: str, mend: str = "") -> Check:
+def least_check(name: str, part: str, *, measured: float, least: float, text: str, mend: str = "") -> Check:
     """Return a check of whether a length, m, reaches its minimum; if it does not, `mend` is appended to the text."""
-    ok = bool(found >= least)
+    ok = bool(measured >= least)
     sentence = text if ok else text + mend
-    return Check(name=name, part=part, ok=ok, value=float(found), limit=least, unit="m", text=sentence)
+    return Check(name=name, part=part, ok=ok, value=float(measured), limit=least, unit="m", text=sentence)
 
 
-def count_check(name: str, part: str, *, found: int, wanted: int, held: str, missed: str) -> Check:
+def count_check(name: str, part: str, *, measured: int, wanted: int, held: str, missed: str) -> Check:
     """Return a check of whether a number is as required, with a text for either case."""
-    ok = found == wanted
+    ok = measured == wanted
     sentence = held if ok else missed
-    return Check(name=name, part=part, ok=ok, value=float(found), limit=float(wanted), unit="", text=sentence)
+    return Check(name=name, part=part, ok=ok, value=float(measured), limit=float(wanted), unit="", text=sentence)

@@ -84,7 +84,7 @@ def tendon_checks(parts: PartSet) -> Iterator[Check]:
     yield count_check(
         "straps of every tendon",
         parts.design.name,
-        found=len(straps),
+        measured=len(straps),
         wanted=len(structure.tendons),
         held="every tendon has its straps",
         missed=f"no straps are made for {'; nor for '.join(without)}; {why}",
@@ -150,7 +150,7 @@ def _closed(piece: OrientedPart) -> Check:
     """Check that the surface of a piece is closed, so that slicers know what is inside."""
     gaps = open_edges(print_mesh(*piece.parts))
     missed = f"it is open at {gaps} edges, which slicers repair in different ways; please report this"
-    return count_check("closed surface", piece.name, found=gaps, wanted=0, held="it is closed", missed=missed)
+    return count_check("closed surface", piece.name, measured=gaps, wanted=0, held="it is closed", missed=missed)
 
 
 def _apart(parts: PartSet, joint: JointLayout) -> Check:

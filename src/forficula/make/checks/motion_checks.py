@@ -81,10 +81,10 @@ def _not_checked(parts: PartSet) -> Check:
     )
 
 
-def _touch_checks(parts: PartSet, found: Sequence[Collision]) -> Iterator[Check]:
+def _touch_checks(parts: PartSet, collisions: Sequence[Collision]) -> Iterator[Check]:
     """Yield a failed check for every pair of bodies that collide, the first ones first; or one passed check."""
     by_pair: dict[tuple[str, str], list[Collision]] = {}
-    for touch in found:
+    for touch in collisions:
         by_pair.setdefault(touch.bodies, []).append(touch)
     for bodies, collisions in by_pair.items():
         first, most = collisions[0], max(collisions, key=lambda touch: touch.volume)

@@ -35,7 +35,7 @@ def printing_checks(parts: PartSet) -> Iterator[Check]:
             walls |= {"make.peg_diameter": make.peg_diameter}
         thin, wall = min(walls.items(), key=lambda item: item[1])
         text = f"{thin} is the thinnest wall; it needs two lines of make.nozzle"
-        yield least_check("thinnest wall", joint.name, found=wall, least=least, text=text)
+        yield least_check("thinnest wall", joint.name, measured=wall, least=least, text=text)
         if joint.strap is not None:
             strap = joint.strap
             yield Check(
@@ -51,7 +51,7 @@ def printing_checks(parts: PartSet) -> Iterator[Check]:
     for part in parts.parts:
         pieces = len(part.shape.decompose())
         missed = f"it falls into {pieces} pieces: make it longer or wider"
-        yield count_check("in one piece", part.name, found=pieces, wanted=1, held="it is one piece", missed=missed)
+        yield count_check("in one piece", part.name, measured=pieces, wanted=1, held="it is one piece", missed=missed)
     if parts.joints and parts.joints[0].make.process == "filament":
         yield from (_overhang(part) for part in parts.parts if part.printed)
 

@@ -56,7 +56,7 @@ def lug_checks(parts: PartSet) -> Iterator[Check]:
         yield least_check(
             "bar beyond its lugs",
             parts.structure.bodies[body].name,
-            found=length,
+            measured=length,
             least=least,
             text=f"the lugs of its hinges occupy {1e3 * least:.1f} mm of its {1e3 * length:.1f} mm",
             mend=": make it longer, or the hinge slimmer (make.hinge_wall, make.pin_diameter)",

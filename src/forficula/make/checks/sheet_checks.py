@@ -93,7 +93,7 @@ def _strips(sheet: CutSheet, parts: SheetParts) -> Check:
     return least_check(
         "strips",
         _PART,
-        found=width,
+        measured=width,
         least=LEAST_STRIP,
         text=f"the narrowest strip between a window and a border, a window or a crease is {shown} wide, and needs"
         f" {show_value(LEAST_STRIP, 'm')}",
@@ -161,7 +161,7 @@ def _bridges(make: MakeSection) -> Check:
     return least_check(
         "bridges",
         _PART,
-        found=make.crease_bridge,
+        measured=make.crease_bridge,
         least=make.kerf,
         text=f"bridges between cuts are {bridge} wide, and need at least the width of the cutter, {kerf}",
         mend="; narrower ones burn away: increase make.crease_bridge",
@@ -197,7 +197,7 @@ def _rows(make: MakeSection) -> Check:
     return least_check(
         "lattice strips",
         _PART,
-        found=strip,
+        measured=strip,
         least=make.kerf,
         text=f"strips between the rows of a lattice are {1e3 * strip:.4g} mm wide, and need at least the width of the"
         f" cutter, {show_value(make.kerf, 'm')}",
@@ -232,7 +232,7 @@ def _kept_holes(sheet: CutSheet, parts: SheetParts) -> Check:
     drawn = sum(line.closed for line in sheet.lines)
     text = f"of {nominal} outlines, holes and windows, the cutter can cut {drawn}"
     missed = f"{text}; the others are narrower than the cutter, {show_value(parts.make.kerf, 'm')}"
-    return count_check("holes and the cutter", _PART, found=drawn, wanted=nominal, held=text, missed=missed)
+    return count_check("holes and the cutter", _PART, measured=drawn, wanted=nominal, held=text, missed=missed)
 
 
 def sheet_faults(sheet: CutSheet, parts: SheetParts) -> tuple[Array, ...]:
@@ -261,7 +261,7 @@ def _one_piece(sheet: CutSheet, parts: SheetParts) -> Check:
         "the sheet stays in one piece",
         f"the sheet falls into {count} pieces; check its cuts, windows and slits",
     )
-    return count_check("one piece", _PART, found=count, wanted=1, held=passed, missed=failed)
+    return count_check("one piece", _PART, measured=count, wanted=1, held=passed, missed=failed)
 
 
 def _slot(line: CutLine, wide: float) -> Array:

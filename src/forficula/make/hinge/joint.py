@@ -116,7 +116,7 @@ def _upright(layout: JointLayout) -> Array:
 
 
 def _lug(layout: JointLayout) -> Solid:
-    """Return the block over the whole hinge with knuckles and stop faces, of which each half has its wedge."""
+    """Return the block over the whole hinge with knuckles and stop faces; each half takes its wedge of it."""
     low = 0.0 if layout.lower <= -math.pi else -layout.knuckle_diameter / 2
     corner = (layout.lug, layout.width / 2, layout.top)
     return box((-corner[0], -corner[1], low), corner, layout.origin, layout.frame)

@@ -65,7 +65,7 @@ class JointLayout:
         knuckle_diameter: knuckle diameter of the hinge, m.
         width: width of all knuckles of the hinge, along it, m.
         lug: length of the two lugs with the stops along the bars, m.
-        strap: strap of which the tendon consists; None without one.
+        strap: strap that forms the tendon; None without one.
         aside: distance of each strap's middle from the bar's axis, in the plane of the sheet, m; 0 for a single strap.
         make: how it is made.
     """

@@ -31,7 +31,7 @@ class StrapPlace:
 
     Attributes:
         tendon: index of the tendon.
-        strap: strap of which the tendon consists.
+        strap: strap that forms the tendon.
         bodies: bodies of the two pegs, proximal first.
         ends: centres of a strap's eyes on the pegs, m, (strap, 2, 3).
         across: unit vectors along the two pegs, (2, 3).

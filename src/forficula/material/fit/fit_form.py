@@ -100,7 +100,7 @@ def _left_open(keys: Sequence[str], problem: FitProblem) -> str:
     kinds = {key.partition(".")[0] for key in keys}
     listed = ", ".join(keys)
     if kinds == {"viscosity"} and rates is not None:
-        return f"{listed}: one rate only, {rates:.3g} 1/s, cannot tell them apart; test at another rate"
+        return f"{listed}: one rate only, {rates:.3g} 1/s, cannot distinguish them; test at another rate"
     if any("softening" in key for key in keys):
         return f"{listed}: the data do not determine them; unload and stretch further, to several strains"
     return f"{listed}: the data do not determine them; add unloading, holds or other rates"

@@ -10,7 +10,7 @@ import scipy
 from forficula.arrays import Array
 from forficula.material.law.tendon_law import TendonLaw
 
-# number of logarithmically spaced steps of a wait, in each of which a slack tendon shortens linearly
+# number of logarithmically spaced steps of a wait; a slack tendon shortens linearly in each step
 _STEPS = 128
 _FIRST = 1 / 64  # end of the first step, as a share of the shortest relaxation time, or of a shorter wait
 

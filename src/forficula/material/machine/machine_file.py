@@ -55,7 +55,7 @@ def read_tensile_test(
 def read_tensile_tests(
     paths: Sequence[str | os.PathLike[str]], *, length: float | None = None, area: float | None = None
 ) -> tuple[TensileTest, ...]:
-    """Read the tensile tests of several specimens in the order of the files, each of which may contain several tests.
+    """Read the tensile tests of several specimens in the order of the files. A file may contain several tests.
 
     Args:
         paths: paths of the files.

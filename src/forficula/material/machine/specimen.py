@@ -39,30 +39,30 @@ class _Size:
     source: str
 
 
-def specimen_length(properties: Sequence[Property], given: float | None) -> float:
+def specimen_length(properties: Sequence[Property], size: float | None) -> float:
     """Return the length of a specimen before the test, m.
 
     Args:
         properties: properties in the file.
-        given: length from the user, m.
+        size: length from the user, m.
 
     Raises:
         InputError: file and user disagree beyond rounding, neither gives a length, or the length is impossible.
     """
-    return _agreed("length", _first(properties, _LENGTHS, LENGTH, needed=given is None), given)
+    return _agreed("length", _first(properties, _LENGTHS, LENGTH, needed=size is None), size)
 
 
-def specimen_area(properties: Sequence[Property], given: float | None) -> float:
+def specimen_area(properties: Sequence[Property], size: float | None) -> float:
     """Return the cross-section of a specimen before the test, m2: from the file, or computed from edges or diameter.
 
     Args:
         properties: properties in the file.
-        given: area from the user, m2.
+        size: area from the user, m2.
 
     Raises:
         InputError: file and user disagree beyond rounding, neither gives an area, or the area is impossible.
     """
-    needed = given is None
+    needed = size is None
     area = _first(properties, _AREAS, AREA, needed=needed)
     if area is None:
         width = _first(properties, _WIDTHS, LENGTH, needed=needed)
@@ -72,7 +72,7 @@ def specimen_area(properties: Sequence[Property], given: float | None) -> float:
             area = _product(width, thickness, 1.0)
         elif diameter:
             area = _product(diameter, diameter, math.pi / 4)
-    return _agreed("area", area, given)
+    return _agreed("area", area, size)
 
 
 def _first(properties: Sequence[Property], labels: Sequence[str], kind: ColumnKind, *, needed: bool) -> _Size | None:
@@ -99,20 +99,20 @@ def _product(a: _Size, b: _Size, factor: float) -> _Size:
     return _Size(value=factor * a.value * b.value, rounding=rounding, source=source)
 
 
-def _agreed(key: str, from_file: _Size | None, given: float | None) -> float:
+def _agreed(key: str, from_file: _Size | None, size: float | None) -> float:
     """Return the size from the file or from the user; refuse two sizes that disagree."""
     unit = UNITS[key]
-    if given is None:
+    if size is None:
         if from_file is None:
             raise InputError(f"{key}: is not in the file; give the specimen's {key}, such as {unit.example}")
         if rule := size_rule(key, from_file.value):
             raise InputError(f"{from_file.source}: {rule}")
         return from_file.value
-    if rule := size_rule(key, given):
+    if rule := size_rule(key, size):
         raise InputError(f"{key}: {rule}")
     if from_file is not None:
         allowed = min(from_file.rounding, _MOST_ROUNDING * abs(from_file.value)) + 1e-9 * abs(from_file.value)
-        if abs(from_file.value - given) > allowed:
+        if abs(from_file.value - size) > allowed:
             other = f"{show_quantity(from_file.value, unit)} ({from_file.source})"
-            raise InputError(f"{key}: {format_quantity(given, unit)} was given, but the file has {other}")
-    return given
+            raise InputError(f"{key}: {format_quantity(size, unit)} was given, but the file has {other}")
+    return size

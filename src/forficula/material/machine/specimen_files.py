@@ -72,7 +72,7 @@ def _expanded(pattern: str) -> list[str]:
     """Return the files of a pattern, sorted; the path of an existing file is not a pattern."""
     if not glob.has_magic(pattern) or Path(pattern).exists():
         return [pattern]
-    files = sorted(glob.glob(pattern))  # noqa: PTH207, Path.glob takes no pattern with a drive or a root
+    files = sorted(glob.glob(pattern))  # noqa: PTH207, Path.glob rejects patterns with a drive or a root
     if not files:
         raise InputError(f"{as_written(pattern)}: no file has such a name")
     return files

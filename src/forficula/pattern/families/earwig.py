@@ -152,7 +152,7 @@ def _check_ring_folds(fan: EarwigFan) -> None:
         turns = np.cross(sides, np.roll(sides, -1, axis=0))[: 4 if line else 2, :, 2]
         if (turns <= 0).any():
             raise InputError(
-                "pattern.pitch: the ring folds tilt so much that a panel bends inwards: need a smaller pitch, fewer"
+                "pattern.pitch: the ring folds tilt so steeply that a panel bends inwards: need a smaller pitch, fewer"
                 f" pattern.units or a larger pattern.sector_angle, got {_centimetres(fan.pitch)}"
             )
 

@@ -54,7 +54,7 @@ def vertex_pattern(
         InputError: there are fewer than three sectors, or one is outside 0 to 180 deg; a length is not > 0; there is
             another letter, or not one letter per crease; the sectors or the fold do not close around the vertex.
     """
-    total, each = _checked(sectors, lengths, assignment)
+    total, crease_lengths = _checked(sectors, lengths, assignment)
     count, flat = len(sectors), abs(total - 2 * math.pi) <= _ROUNDING
     letters = assignment or "U" * count
     if fold is None or (flat and fold == 0):
@@ -63,7 +63,7 @@ def vertex_pattern(
         directions = _folded_four(sectors, letters, fold)
     creases: Creases = {frozenset((0, k + 1)): (letter, "crease") for k, letter in enumerate(letters)}
     drawn = sheet_of_facets(
-        np.concatenate([np.zeros((1, 3)), np.array(each)[:, None] * directions]),
+        np.concatenate([np.zeros((1, 3)), np.array(crease_lengths)[:, None] * directions]),
         [(0, k + 1, (k + 1) % count + 1) for k in range(count)],
         creases,
         f"vertex of {count} creases, sectors of {math.degrees(total):.6g} deg",
@@ -84,15 +84,15 @@ def _checked(
     if not 2 * max(sectors) < total:
         largest, others = (f"{math.degrees(angle):.6g} deg" for angle in (max(sectors), total - max(sectors)))
         raise InputError(f"pattern.sectors: need none as large as all others together, {others}, got {largest}")
-    each = [lengths] * count if isinstance(lengths, int | float) else lengths
-    if len(each) != count:
-        raise InputError(f"pattern.lengths: need one for each of the {count} creases, got {len(each)}")
-    check_lengths({f"lengths.{crease}": length for crease, length in enumerate(each)})
+    crease_lengths = [lengths] * count if isinstance(lengths, int | float) else lengths
+    if len(crease_lengths) != count:
+        raise InputError(f"pattern.lengths: need one for each of the {count} creases, got {len(crease_lengths)}")
+    check_lengths({f"lengths.{crease}": length for crease, length in enumerate(crease_lengths)})
     if assignment and (len(assignment) != count or set(assignment) - set(_LETTERS)):
         raise InputError(
             f'pattern.assignment: need "M", "V", "F" or "U" for each of the {count} creases, got "{assignment}"'
         )
-    return total, each
+    return total, crease_lengths
 
 
 def _senses(letters: str, surplus: float) -> Array:

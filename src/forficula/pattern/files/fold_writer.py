@@ -26,7 +26,7 @@ def write_fold(
     path: str | os.PathLike[str],
     *,
     frames: Sequence[Frame] = (),
-    own: Mapping[str, Sequence[object]] | None = None,
+    extra: Mapping[str, Sequence[object]] | None = None,
 ) -> None:
     """Write a pattern, and folded states of it, to a FOLD 1.2 file.
 
@@ -40,11 +40,11 @@ def write_fold(
         path: path of the file; an existing file is replaced.
         frames: folded states: title, positions of the vertices in m, shape (N, 3), and fold angles in rad, shape (E,),
             nan where there is none.
-        own: further values of the vertices, edges or faces, numbers, text or None, by key, such as "edges_stiffness".
+        extra: further values of the vertices, edges or faces, numbers, text or None, by key, such as "edges_stiffness".
             In the file the keys are in the namespace "forficula:", which other programs ignore.
 
     Raises:
-        InputError: a folded state has another shape or positions that are not finite, `own` has another number of
+        InputError: a folded state has another shape or positions that are not finite, `extra` has another number of
             values, or the file cannot be written.
     """
     document: dict[str, object] = {
@@ -62,7 +62,7 @@ def write_fold(
         "faces_vertices": [list(face) for face in pattern.faces_vertices],
         ROLES: list(pattern.edges_role),
     }
-    for key, values in (own or {}).items():
+    for key, values in (extra or {}).items():
         document[f"forficula:{key}"] = _own_values(pattern, key, values)
     if frames:
         document["file_frames"] = [_folded_frame(pattern, number, *frame) for number, frame in enumerate(frames)]

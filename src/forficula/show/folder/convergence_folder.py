@@ -76,7 +76,7 @@ def convergence_summary(convergence: Convergence) -> ConvergenceSummary:
         verdict=convergence.verdict,
         fine=convergence.fine,
         tolerance=convergence.tolerance,
-        own=rows[int(np.argmax(convergence.values == convergence.own))],
+        own=rows[int(np.argmax(convergence.values == convergence.design_value))],
         runs=rows,
         times={f"{name}_time": fit for name, fit in convergence.orders.items()},
         versions=versions(),

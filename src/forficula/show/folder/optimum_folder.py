@@ -125,18 +125,18 @@ def optimum_summary(optimum: Optimum) -> OptimumSummary:
     )
 
 
-def _verified(optimum: Optimum, each: Verification) -> VerifiedDesign:
-    candidate = each.candidate
+def _verified(optimum: Optimum, verification: Verification) -> VerifiedDesign:
+    candidate = verification.candidate
     return VerifiedDesign(
         values=candidate.values,
         quantities={quantity.name: candidate.value(quantity) for quantity in optimum.goal.quantities},
-        least_margin=candidate.found.least,
+        least_margin=candidate.screened.least,
         neighbours=candidate.neighbours,
-        fresh_neighbours=each.fresh,
-        timestep=each.timestep,
-        margin_at_quarter_timestep=None if each.finer is None else each.finer.least,
-        residual_at_quarter_timestep=each.residual,
-        holds=each.holds,
+        fresh_neighbours=verification.fresh,
+        timestep=verification.timestep,
+        margin_at_quarter_timestep=None if verification.finer is None else verification.finer.least,
+        residual_at_quarter_timestep=verification.residual,
+        holds=verification.holds,
     )
 
 

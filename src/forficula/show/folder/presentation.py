@@ -189,8 +189,8 @@ def _copy(folder: Path, kind: str, path: Path, width: float | None, why: str) ->
     """Copy a figure from its folder."""
     kept = {file.stem for file in (folder / COPIES).glob("*.svg")}
     name = _known(kind, kept, folder)
-    own = PAGE_WIDTH if path.suffix == ".png" else COLUMN_WIDTH
-    if width is not None and width != own:
+    usual = PAGE_WIDTH if path.suffix == ".png" else COLUMN_WIDTH
+    if width is not None and width != usual:
         format_width = "page" if path.suffix == ".png" else "column"
         raise InputError(f"--width: the figures of {why}: its {path.suffix} is as wide as a {format_width}")
     source = folder / f"{name}.png" if path.suffix == ".png" else folder / COPIES / f"{name}{path.suffix}"

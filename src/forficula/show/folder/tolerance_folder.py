@@ -99,10 +99,10 @@ def _verdict_cells(tolerance: Tolerance) -> VerdictGrid | None:
     if tolerance.map is None:
         return None
     question, factors = tolerance.question, (tolerance.map.first, tolerance.map.second)
-    own = [float(key_value(question.design, question.keys[factor])) for factor in factors]
+    nominal = [float(key_value(question.design, question.keys[factor])) for factor in factors]
     widths = deviation_widths(question.design, [question.deviations[factor] for factor in factors])
     across, upwards = (
-        value + steps * width for value, steps, width in zip(own, tolerance.map.steps, widths, strict=True)
+        value + steps * width for value, steps, width in zip(nominal, tolerance.map.steps, widths, strict=True)
     )
     works = (tolerance.map.samples.answers == Answer.WORKS).reshape(len(across), len(upwards))
     first, second = (question.keys[factor] for factor in factors)

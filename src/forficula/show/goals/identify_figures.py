@@ -196,7 +196,7 @@ def draw_unknowns(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             bins = _bins(result[item.name])
             weights = np.full(int(agrees.sum()), (len(bins) - 1) / max(int(agrees.sum()), 1))
             axes.axhspan(0, 1, color=_PALE, lw=0)
-            axes.hist(shares[agrees], bins=bins, weights=weights, color=BLUE, alpha=1.0 if item.told else 0.45)
+            axes.hist(shares[agrees], bins=bins, weights=weights, color=BLUE, alpha=1.0 if item.significant else 0.45)
             axes.set_title(_label(result[item.name], 18 if is_narrow(width) else 22), fontsize=6.5, loc="left", pad=2)
             _share_axis(axes.xaxis, result, item.name)
             axes.set_xlim(0, 1)
@@ -213,7 +213,7 @@ def draw_unknowns(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             Patch(color=BLUE, alpha=0.45, label="samples that agree, difference may be chance"),
         ]
         fit_legend(figure, handles, 3, loc="outside lower center")
-        narrowed = [item.key for item in marked if item.told]
+        narrowed = [item.key for item in marked if item.significant]
         what = f"The facts narrow {', '.join(narrowed)}." if narrowed else "The facts narrow none of them."
         return describe(figure, f"Distribution of each unknown: samples that agree before the prior. {what}")
 

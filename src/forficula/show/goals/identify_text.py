@@ -242,7 +242,7 @@ def unknowns_table(result: Dataset) -> Table:
     for heading in ("unknown", "prior", "agrees", "narrowed"):
         table.add_column(heading)
     for marginal in marginals(result):
-        narrowed = f"yes (by chance in {100 * marginal.chance:.2g} %)" if marginal.told else ""
+        narrowed = f"yes (by chance in {100 * marginal.chance:.2g} %)" if marginal.significant else ""
         table.add_row(
             plain_name(result[marginal.name]),
             _range(result, marginal, marginal.believed),

@@ -45,7 +45,7 @@ def _designs(optimum: Optimum, shown: tuple[Verification, ...]) -> Table:
     for quantity in goal.quantities:
         if quantity.name != PROBABILITY:
             table.add_row(quantity.name, *(_value(one, quantity) for one in shown))
-    table.add_row("least margin", *(f"{100 * one.candidate.found.least:.3g} %" for one in shown))
+    table.add_row("least margin", *(f"{100 * one.candidate.screened.least:.3g} %" for one in shown))
     if goal.deviations:
         table.add_row("neighbours that work", *(_neighbours(one) for one in shown))
     if goal.simulate:

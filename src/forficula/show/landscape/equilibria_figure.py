@@ -66,18 +66,18 @@ def draw_equilibria(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fi
         return describe(figure, _text(landscape, measures))
 
 
-def _plot_bar(axes: Axes, place: int, each: Rest, factor: float) -> None:
+def _plot_bar(axes: Axes, place: int, rest: Rest, factor: float) -> None:
     """Draw stacked energies, negative ones downwards, and their sum as a line; hatched if the state is not stable."""
     up = down = 0.0
-    hatch = None if each.stable else "/////"
-    for part, energy in each.stored.items():
+    hatch = None if rest.stable else "/////"
+    for part, energy in rest.stored.items():
         height, colour = factor * energy, _COLOURS[part]
         base = up if height >= 0 else down
-        face = colour if each.stable else "white"
+        face = colour if rest.stable else "white"
         axes.bar(place, height, _WIDTH, base, color=face, edgecolor=colour, hatch=hatch, lw=0.4, alpha=0.75)
         up, down = up + max(height, 0.0), down + min(height, 0.0)
-    total = factor * each.energy
-    axes.plot([place - 0.36, place + 0.36], [total, total], color=BLACK if each.stable else "0.45", lw=1.6)
+    total = factor * rest.energy
+    axes.plot([place - 0.36, place + 0.36], [total, total], color=BLACK if rest.stable else "0.45", lw=1.6)
     axes.annotate(
         f"{total:.3g}", (place, up), xytext=(0, 3), textcoords="offset points", ha="center", va="bottom", fontsize=7
     )

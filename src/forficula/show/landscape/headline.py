@@ -70,7 +70,9 @@ def _holds(landscape: EnergyLandscape) -> str:
             lost = f"holds beyond {value}" if weakest.kind == "none" else f"is lost at {value}"
             texts.append(f"{state.name} {lost} ({weakest.load})")
     if not texts and landscape.fold_path is None and landscape.net is None:
-        held = [stop.holding_torque for hinge in landscape.hinges for stop in hinge.own.states if stop.holding_torque]
+        held = [
+            stop.holding_torque for hinge in landscape.hinges for stop in hinge.actual.states if stop.holding_torque
+        ]
         if held:
             texts.append(f"a hinge is held by {show_value(min(held), 'N m')}")
     return listed(texts[:2])

@@ -136,8 +136,8 @@ def _hinges(landscape: EnergyLandscape, shown: CrossedHinge | None) -> list[tupl
     """Return the shown hinge by name, with its ideal counterpart first if there is one."""
     if shown is None:
         return []
-    own = f"{hinge_name(landscape.structure, shown.tendon)} of the {landscape.structure.appearance.whole}"
-    return [*([] if shown.ideal is None else [("ideal hinge", shown.ideal)]), (own, shown.own)]
+    actual = f"{hinge_name(landscape.structure, shown.tendon)} of the {landscape.structure.appearance.whole}"
+    return [*([] if shown.ideal is None else [("ideal hinge", shown.ideal)]), (actual, shown.actual)]
 
 
 def _net_row(structure: Structure, state: NetState) -> Row:
@@ -272,9 +272,9 @@ def _snap(landscape: EnergyLandscape, record: Record | None, shown: CrossedHinge
     folded, limit = folded_angle(structure, shown.hinge), fold_limit(structure, shown.hinge)
     snap = None if record is None else simulated_snap(record, shown)
     name = hinge_name(structure, shown.tendon)
-    alone = {"ideal hinge": shown.ideal, name: shown.own}
+    alone = {"ideal hinge": shown.ideal, name: shown.actual}
     hinges = {of: item for of, item in alone.items() if item is not None and item.spring is None}
-    top = "its top" if shown.own.hinge.offset_angle else "straight"
+    top = "its top" if shown.actual.hinge.offset_angle else "straight"
     start, simulated = f"from {show_angle(FOLD_START)} past {top}", f"in the simulated {structure.appearance.whole}"
     rows = list[Row]()
     if hinges:
@@ -311,7 +311,7 @@ def _simulation_remarks(record: Record | None, shown: CrossedHinge | None) -> It
     if snap is None or shown is None:
         return
     sampled = f"its {hinge_name(structure, shown.tendon)} is sampled every {_time(snap.sample_interval)}"
-    if shown.own.spring is not None:
+    if shown.actual.spring is not None:
         yield sampled
         return
     folding = folding_transition(structure, shown.hinge)

@@ -76,7 +76,7 @@ def draw_tendon(
     shown = inner_hinge(landscape, tendon)
     if shown is None:
         raise InputError(f"{landscape.design.name}: no tendon lies across one hinge")
-    own, curves = shown.own, list(tendon_curves(landscape, shown))
+    actual, curves = shown.actual, list(tendon_curves(landscape, shown))
     energy_unit, energy_factor = reading_unit("J", max(float(energy.max()) for _, energy, _, _, _ in curves))
     torque_unit, torque_factor = reading_unit("N m", max(float(np.abs(moment).max()) for *_, moment, _, _ in curves))
     with figure_style():
@@ -85,30 +85,30 @@ def draw_tendon(
         for hinge, energy, moment, name, style in curves:
             top.plot(_place(hinge, hinge.angle), energy_factor * energy, label=name, **style)
             bottom.plot(_place(hinge, hinge.angle), torque_factor * moment, **style)
-        stored = own.stored_energy(own.angle)
-        for state in own.states:
-            band = _between(own, state.angle, state.far_angle)
-            ends = _place(own, own.angle[band]), energy_factor * stored[band]
-            mark_state(top, state.kind, float(_place(own, state.angle)), energy_factor * state.energy, *ends)
+        stored = actual.stored_energy(actual.angle)
+        for state in actual.states:
+            band = _between(actual, state.angle, state.far_angle)
+            ends = _place(actual, actual.angle[band]), energy_factor * stored[band]
+            mark_state(top, state.kind, float(_place(actual, state.angle)), energy_factor * state.energy, *ends)
         if record is not None:
             _plot_simulation(top, record, shown, energy_factor)
-        others = [hinge for hinge, *_ in curves if hinge is not own]
-        _mark_moments(bottom, own, others, torque_unit, torque_factor)
+        others = [hinge for hinge, *_ in curves if hinge is not actual]
+        _mark_moments(bottom, actual, others, torque_unit, torque_factor)
         _close_up(top, landscape, shown)
-        _shade_stops(own, top, bottom)
+        _shade_stops(actual, top, bottom)
         title = title_of(hinge_measure(landscape.structure, shown.hinge))
-        top.set_ylabel(f"{'tendon' if own.spring is None else 'stored'} energy ({energy_unit})")
+        top.set_ylabel(f"{'tendon' if actual.spring is None else 'stored'} energy ({energy_unit})")
         bottom.set_ylabel(f"moment about the hinge,\npositive opens ({torque_unit})")
         overbend = landscape.structure.appearance.overbend
         meaning = f"{overbend} > 0, straight 0, folding < 0"
-        if own.sense < 0:
+        if actual.sense < 0:
             meaning = f"folding > 0, straight 0, {overbend} < 0"
         bottom.set_xlabel(f"{title} (deg){':' if not is_narrow(width) else chr(10)} {meaning}")
         handles, _ = top.get_legend_handles_labels()
         simulated = [handle for handle in handles if handle.get_label().startswith("simulated")]
         lines = [handle for handle in handles if handle not in simulated]
         stops = Patch(color=_STOP, label="beyond the stops")
-        handles = [*lines, stops, *simulated, *state_handles({state.kind for state in own.states})]
+        handles = [*lines, stops, *simulated, *state_handles({state.kind for state in actual.states})]
         fit_legend(figure, handles, 3, loc="outside upper center")
         return describe(figure, _text(landscape, shown, title))
 
@@ -132,7 +132,7 @@ def tendon_curves(
     structure = landscape.structure
     labels = parts_of([label_of(structure.tendons[hinge.tendon]) for hinge in landscape.hinges])
     crease = "" if shown.ideal is None else f", its {structure.hinges[shown.hinge].role} crease"
-    whose = f"hinge of the {landscape.structure.appearance.whole}{crease}" if shown.own.spring is None else "tendon"
+    whose = f"hinge of the {landscape.structure.appearance.whole}{crease}" if shown.actual.spring is None else "tendon"
     for number, (group, names) in enumerate(_groups(landscape.tendons, labels.names)):
         if len(names) < len(labels.names):
             which = f"{labels.heading} {', '.join(names)}".strip()
@@ -143,10 +143,16 @@ def tendon_curves(
         line = LINE_STYLES[number // len(_COLOURS) % len(LINE_STYLES)]
         style = {"color": _COLOURS[number % len(_COLOURS)], "ls": line, "zorder": 2}
         yield group, group.energy, group.moment, f"{whose} ({which})", style
-    own = shown.own
-    if own.spring is not None:
-        yield own, own.spring_energy, own.spring_moment, "spring of the hinge", _SPRING
-        yield own, own.stored_energy(own.angle), own.moment + own.spring_moment, "tendon and spring", _BOTH
+    actual = shown.actual
+    if actual.spring is not None:
+        yield actual, actual.spring_energy, actual.spring_moment, "spring of the hinge", _SPRING
+        yield (
+            actual,
+            actual.stored_energy(actual.angle),
+            actual.moment + actual.spring_moment,
+            "tendon and spring",
+            _BOTH,
+        )
 
 
 def _groups(hinges: tuple[HingeLandscape, ...], names: tuple[str, ...]) -> list[tuple[HingeLandscape, list[str]]]:
@@ -174,7 +180,7 @@ def _plot_simulation(axes: Axes, record: Record, shown: CrossedHinge, factor: fl
     folding = folding_rows(record, shown.hinge)
     angle = np.degrees(record.series["hinge_angle"][:, shown.hinge])
     energy = factor * record.series["tendon_energy"][:, shown.tendon]
-    if shown.own.spring is not None:
+    if shown.actual.spring is not None:
         energy = energy + factor * record.series["hinge_energy"][:, shown.hinge]
     for part, marker, colour, name, shift in (
         (folding, "v", VERMILION, "simulated, folding", 0.0),
@@ -248,38 +254,38 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, others: list[HingeLandscape
 
 def _close_up(axes: Axes, landscape: EnergyLandscape, shown: CrossedHinge) -> None:
     """Draw an inset of the barrier, relative to the overbend stop; a note if there is no barrier or no close-up."""
-    own = shown.own
+    actual = shown.actual
     left, low, width, height = _INSET
-    if own.barrier is None or own.barrier_angle is None:
-        if own.remarks:
-            write_note(axes, (left + width / 2, low + height / 2), own.remarks[0])
+    if actual.barrier is None or actual.barrier_angle is None:
+        if actual.remarks:
+            write_note(axes, (left + width / 2, low + height / 2), actual.remarks[0])
         return
     curves = [(hinge, style) for hinge, _, _, _, style in tendon_curves(landscape, shown)]
-    if own.spring is not None:
-        curves = [(own, _BOTH)]
-    overbend = own.hinge.overbend
-    unit, factor = reading_unit("J", own.barrier)
+    if actual.spring is not None:
+        curves = [(actual, _BOTH)]
+    overbend = actual.hinge.overbend
+    unit, factor = reading_unit("J", actual.barrier)
     tops = [hinge.barrier_angle for hinge, _ in curves if hinge.barrier_angle is not None]
     reach = overbend - min(tops)
     if reach > WIDEST:
-        at = show_angle(own.sense * own.barrier_angle)
-        write_note(axes, (left + width / 2, low + height / 2), f"barrier {factor * own.barrier:.4g} {unit} at {at}")
+        at = show_angle(actual.sense * actual.barrier_angle)
+        write_note(axes, (left + width / 2, low + height / 2), f"barrier {factor * actual.barrier:.4g} {unit} at {at}")
         return
     near = axes.inset_axes(_INSET)
-    last = max(overbend - 2.5 * reach, -own.hinge.fold_limit)
+    last = max(overbend - 2.5 * reach, -actual.hinge.fold_limit)
     for hinge, style in curves:
         angle = np.linspace(overbend, last, 121)
         above = hinge.stored_energy(angle) - hinge.stored_energy(overbend)
         near.plot(_place(hinge, angle), factor * above, **style)
     top = factor * max(hinge.barrier or 0.0 for hinge, _ in curves)
     near.set_ylim(-0.75 * top, 1.25 * top)
-    near.set_xlim(float(_place(own, overbend + 0.12 * reach)), float(_place(own, last)))
-    place = float(_place(own, own.barrier_angle))
-    mark_barrier(near, place, factor * own.barrier, f"barrier {factor * own.barrier:.4g} {unit}")
+    near.set_xlim(float(_place(actual, overbend + 0.12 * reach)), float(_place(actual, last)))
+    place = float(_place(actual, actual.barrier_angle))
+    mark_barrier(near, place, factor * actual.barrier, f"barrier {factor * actual.barrier:.4g} {unit}")
     near.set_ylabel(f"above the stop ({unit})", fontsize=7, labelpad=2)
     near.set_xlabel(f"{title_of(hinge_measure(landscape.structure, shown.hinge))} (deg)", fontsize=7, labelpad=1)
     near.tick_params(labelsize=6)
-    if own.hinge.offset_angle:
+    if actual.hinge.offset_angle:
         near.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
 
 
@@ -300,7 +306,7 @@ def _shade_stops(hinge: HingeLandscape, *rows: Axes) -> None:
 
 def _text(landscape: EnergyLandscape, shown: CrossedHinge, title: str) -> str:
     """Describe the energy of one tendon."""
-    hinge, sprung = shown.own, shown.own.spring is not None
+    hinge, sprung = shown.actual, shown.actual.spring is not None
     facts = [f"it stores up to {show_value(float(hinge.stored_energy(hinge.angle).max()), 'J')}"]
     if hinge.barrier is not None and hinge.barrier_angle is not None:
         at = show_angle(hinge.sense * hinge.barrier_angle) if hinge.barrier_angle else "straight"

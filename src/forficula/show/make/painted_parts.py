@@ -69,13 +69,13 @@ def paint_parts(placed: list[PlacedPart], colours: list[str], view: Viewpoint) -
         corners = item.mesh.points[item.mesh.triangles]
         normals = triangle_normals(corners)
         normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
-        own = np.tile(to_rgb(colours[item.look]), (len(corners), 1))
-        own[: item.mesh.stops] = to_rgb(STOP_COLOUR)
+        colour = np.tile(to_rgb(colours[item.look]), (len(corners), 1))
+        colour[: item.mesh.stops] = to_rgb(STOP_COLOUR)
         axes = np.column_stack([view.right, view.up, view.towards])
         facing = np.maximum(normals @ axes @ lamp, 0.0)
         visible = normals @ view.towards > 0
         triangles.append(_on_picture(corners[visible], view))
-        shades.append(np.clip(own * (_DARK + _LIGHT * facing)[:, None], 0, 1)[visible])
+        shades.append(np.clip(colour * (_DARK + _LIGHT * facing)[:, None], 0, 1)[visible])
         quads, dark = ribbons(item.mesh.points[item.mesh.edges], view, _EDGE, _THIN, _NEARER)
         triangles.append(_on_picture(quads[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3), view))
         shades.append(np.repeat(dark, 2, axis=0))

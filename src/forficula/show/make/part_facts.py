@@ -48,8 +48,8 @@ def material_text(part: Part) -> str:
 
 def total_mass(parts: PartSet) -> float | None:
     """Return the mass of all parts except the sheet, as in the bill, kg; None if a density is not known."""
-    own = part_masses(parts)
-    masses = [part.count * mass for part in parts.parts if (mass := own[part.name]) is not None]
+    mass_by_name = part_masses(parts)
+    masses = [part.count * mass for part in parts.parts if (mass := mass_by_name[part.name]) is not None]
     return sum(masses) if len(masses) == len(parts.parts) else None
 
 

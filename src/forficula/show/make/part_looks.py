@@ -39,15 +39,15 @@ def part_looks(parts: PartSet) -> tuple[tuple[PartLook, ...], tuple[int, ...]]:
     (['proximal bar', 'distal bar', 'pin', 'strap'], (0, 1, 2, 3))
     """
     looks: dict[str, PartLook] = {}
-    own = []
+    numbers = []
     for part in parts.parts:
         name = _name(parts, part)
         if name not in looks:
             bars = sum(look.kind == "bar" for look in looks.values())
             colour = _BARS[bars % len(_BARS)] if part.kind == "bar" else _KINDS.get(part.kind, _OTHERS)
             looks[name] = PartLook(name=name, kind=part.kind, colour=colour)
-        own.append(list(looks).index(name))
-    return tuple(looks.values()), tuple(own)
+        numbers.append(list(looks).index(name))
+    return tuple(looks.values()), tuple(numbers)
 
 
 def _name(parts: PartSet, part: Part) -> str:

@@ -71,11 +71,11 @@ def sharp_edges(mesh: Mesh) -> Indices:
     """Return the sides at which triangles meet at an angle, indices of points, (edge, 2)."""
     triangles, normals = mesh.triangles, _normals(mesh)
     sides = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
-    own = np.repeat(np.arange(len(triangles)), 3)
+    owners = np.repeat(np.arange(len(triangles)), 3)
     ends = np.sort(sides, axis=1)
     order = np.lexsort(ends.T[::-1])
-    ends, own = ends[order], own[order]
+    ends, owners = ends[order], owners[order]
     # in a closed mesh every side occurs twice, once from either triangle
-    pairs, first, second = ends[::2], own[::2], own[1::2]
+    pairs, first, second = ends[::2], owners[::2], owners[1::2]
     sharp = np.sum(normals[first] * normals[second], axis=1) < _EDGE
     return np.asarray(pairs[sharp])

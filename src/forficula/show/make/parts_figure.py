@@ -71,9 +71,9 @@ def _panels(
     width: float, pictures: Sequence[PaintedShape], apart: PaintedShape, columns: int
 ) -> tuple[Figure, list[Axes], Axes]:
     """Return a figure with pictures at one scale above the exploded view, each as high as its contents."""
-    each = width / columns
+    column_width = width / columns
     sizes = [np.ptp(picture.corners, axis=0) * _ROOM for picture in pictures]
-    scale = max(size[0] for size in sizes) / each  # m per inch, the same for all
+    scale = max(size[0] for size in sizes) / column_width  # m per inch, the same for all
     rows = [sizes[start : start + columns] for start in range(0, len(sizes), columns)]
     heights = [max(size[1] for size in row) / scale for row in rows]
     size = np.ptp(apart.corners, axis=0) * _ROOM
@@ -88,8 +88,8 @@ def _panels(
         bottom = top - sum(titled[: row + 1])
         box = (column / columns, bottom / total, 1 / columns, heights[row] / total)
         panel = figure.add_axes(box)
-        half = np.array([each, heights[row]]) * scale / 2
-        show_painted(panel, picture, _around(picture, half), each)
+        half = np.array([column_width, heights[row]]) * scale / 2
+        show_painted(panel, picture, _around(picture, half), column_width)
         axes.append(panel)
     below = figure.add_axes((0, 2.2 * _LINE / total, 1, last / total))
     show_painted(below, apart, _around(apart, size / 2), width)
@@ -120,12 +120,12 @@ def _name(
     """Write the names of parts above and below their picture, each with a line to one of them."""
     named = []
     for number, look in enumerate(looks):
-        own = [item for item in taken if item.look == number]
-        count = sum(item.part.count for item in own)
+        same_look = [item for item in taken if item.look == number]
+        count = sum(item.part.count for item in same_look)
         text = f"{look.name}, {count}" if count > 1 else look.name
-        masses = masses_text([known[item.part.name] for item in own])
+        masses = masses_text([known[item.part.name] for item in same_look])
         text += f"\n{masses}{' each' * (count > 1)}" if masses else ""
-        named.append((text, _anchor(view.project(own[-1].mesh.points))))
+        named.append((text, _anchor(view.project(same_look[-1].mesh.points))))
     stop = _best_stop(taken, view)
     if stop is not None:
         named.append(("face of\na stop", stop))
@@ -193,9 +193,10 @@ def _degrees(angle: float) -> str:
 
 def _text(parts: PartSet, posed: Sequence[tuple[str, float]]) -> str:
     """Describe the figure."""
-    looks, own = part_looks(parts)
+    looks, look_numbers = part_looks(parts)
     counts = [
-        sum(part.count for part, item in zip(parts.parts, own, strict=True) if item == n) for n in range(len(looks))
+        sum(part.count for part, item in zip(parts.parts, look_numbers, strict=True) if item == n)
+        for n in range(len(looks))
     ]
     names = ", ".join(f"{count} × {look.name}" for look, count in zip(looks, counts, strict=True))
     mass = total_mass(parts)

@@ -165,20 +165,20 @@ def _word(optimum: Optimum, results: Dataset, number: int) -> str:
     candidate, outcome = optimum.candidates[number], str(results["outcome"].values[number])
     if candidate.point in {item.candidate.point for item in optimum.discarded}:
         return _LOST
-    if candidate.found.meets:
+    if candidate.screened.meets:
         return _UNASKED if candidate.neighbours is None else _FEW
     if outcome == _NOT_RUN:
         return _RULED_OUT if optimum.goal.simulate else _MISSES_PLAINLY
-    return _MISSES if candidate.found.works > 0 else outcome
+    return _MISSES if candidate.screened.works > 0 else outcome
 
 
 def _numbers(goal: Goal, results: Dataset) -> tuple[PointQuantity, ...]:
     """Return the quantities with their limits, the least margin, and the margin of each limit."""
     numbers = []
     aims = {objective.quantity.name: objective.kind for objective in goal.objectives}
-    own = {parameter.factor.dimension for parameter in goal.parameters}
+    varied = {parameter.factor.dimension for parameter in goal.parameters}
     for quantity in goal.quantities:
-        if quantity.dimension in results and quantity.dimension not in own:
+        if quantity.dimension in results and quantity.dimension not in varied:
             bounds = tuple((limit.kind, limit.bound) for limit in goal.limits if limit.quantity.name == quantity.name)
             aim = aims.get(quantity.name, "")
             numbers.append(PointQuantity(variable=quantity.dimension, title=title_of(quantity), aim=aim, bounds=bounds))

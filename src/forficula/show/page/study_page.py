@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 # bytes that runs leave to the engine on a page that contains it; the engine takes 3.5 MB
 _ENGINE = 2_900_000
-_AGREES = {True: "yes", False: "no", None: "undecided"}
+_AGREES = {True: "yes", False: "no", None: "unknown"}
 
 
 def write_study_page(

@@ -194,7 +194,7 @@ def _data(design: Design, deviations: Sequence[Deviation], results: Dataset) -> 
                 for word, outcome in zip(words, outcomes, strict=True)
             ],
             built=[word != verdict_word(Verdict.NOT_BUILT, None) for word in words],
-            own={name: float(key_value(design, key)) for key, name in names.items()},
+            nominal={name: float(key_value(design, key)) for key, name in names.items()},
         )
     )
 

@@ -59,7 +59,7 @@ _COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
 _LEAST_SEEN = 0.05  # deg, least half range of an axis: smaller changes are rounding errors
 # range of an axis of angles to one side, deg, if hinges exceed a right angle; its least; its ratio to the stops
 _HALF_TURN, _LEAST_ROOM, _ROOM = 200.0, 25.0, 1.2
-_SHORTEST = 7  # letters of a label, four of which fit into a row of a column
+_SHORTEST = 7  # letters of a label; four labels of this length fit into a row of a column
 _STEPS, _MOST_STEPS = (5, 10, 15, 30, 45, 90), 6
 
 
@@ -156,8 +156,8 @@ def _draw_many(axes: Axes, time: Array, record: Record, measure: Measure) -> Non
     for number, (role, indices) in enumerate(groups.items()):
         look, role_values = _look(number, len(groups)), values[:, indices]
         # one line with gaps draws faster than many lines
-        each = np.vstack([role_values, np.full(len(indices), np.nan)]).T.ravel()
-        axes.plot(np.tile([*time, np.nan], len(indices)), each, color=look["color"], lw=0.5, alpha=0.35)
+        lines = np.vstack([role_values, np.full(len(indices), np.nan)]).T.ravel()
+        axes.plot(np.tile([*time, np.nan], len(indices)), lines, color=look["color"], lw=0.5, alpha=0.35)
         axes.plot(time, median(role_values), **look, lw=1.6, label=f"{role} ({len(indices)}), median")
 
 

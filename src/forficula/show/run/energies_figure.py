@@ -26,7 +26,7 @@ from forficula.show.style import (
 )
 from forficula.structure import hinge_groups, springs_name
 
-_SHORT = 12  # letters of a label, three of which fit into a row of a column
+_SHORT = 12  # letters of a label; three labels of this length fit into a row of a column
 
 
 def draw_energies(record: Record, width: float = PAGE_WIDTH) -> Figure:

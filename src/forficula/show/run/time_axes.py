@@ -109,7 +109,7 @@ def shade_stages(axes: Axes, record: Record, start: float, scale: float) -> None
 
 
 def mark_waits(axes: Axes, record: Record, start: float, scale: float) -> None:
-    """Draw hatched bands over waits, of which the axis shows only the simulated part, with their duration."""
+    """Draw hatched bands with durations over waits; the axis shows only the simulated part of a wait."""
     for end in record.stages:
         left, right = ((moment - start) * scale for moment in (end.start, end.end))
         low, high = axes.get_xlim()

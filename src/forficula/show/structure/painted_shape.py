@@ -194,12 +194,12 @@ def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, 
     return handles
 
 
-def _faces(surface: DrawnSurface, view: Viewpoint, own: Array | None) -> tuple[Array, Array]:
+def _faces(surface: DrawnSurface, view: Viewpoint, textures: Array | None) -> tuple[Array, Array]:
     """Return corners and colours of the cells of sheets and plates."""
     if not len(surface.faces):
         return np.zeros((0, 4, 3)), np.zeros((0, 3))
-    if own is not None:
-        return surface.faces, own
+    if textures is not None:
+        return surface.faces, textures
     tints = np.array([to_rgb(tint(region)) for region in surface.regions.tolist()])
     first, second, third, fourth = surface.faces.swapaxes(0, 1)
     out_of_plane = np.abs(np.sum(np.cross(second - first, third - first) * (fourth - first), axis=1))

@@ -86,10 +86,10 @@ def _value(run: AssumptionRun, name: str, kind: str) -> float | None:
 
 def _draw_panel(axes: Axes, results: Assumptions, name: str, kind: str) -> None:
     """Draw a dot for every run that has the value, and a triangle if the transition fails."""
-    own = _value(results.own, name, kind)
-    assert own
+    as_designed = _value(results.own, name, kind)
+    assert as_designed
     axes.set_xscale("symlog", linthresh=_EVEN)
-    half = 100 * results.uncertainty.get(f"{name}.{kind}", 0.0) / abs(own)
+    half = 100 * results.uncertainty.get(f"{name}.{kind}", 0.0) / abs(as_designed)
     axes.axvspan(-half, half, color=_BAND, lw=0)
     axes.axvline(0, color=BLACK, lw=0.6)
     changes: list[float] = []
@@ -101,7 +101,7 @@ def _draw_panel(axes: Axes, results: Assumptions, name: str, kind: str) -> None:
             at_edge = {"color": VERMILION, **_MISSED} if run.verdict.conclusive else _LOOKS[Effect.UNKNOWN][1]
             axes.plot([0.98], [row], transform=axes.get_yaxis_transform(), ls="", clip_on=False, **at_edge)
             continue
-        changes.append(100 * (value - own) / abs(own))
+        changes.append(100 * (value - as_designed) / abs(as_designed))
         axes.plot([0, changes[-1]], [row, row], color=look.get("color", BLUE), lw=0.9)
         axes.plot([changes[-1]], [row], ls="", **look)
     least, most = min(changes, default=0.0), max(changes, default=0.0)

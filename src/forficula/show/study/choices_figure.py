@@ -233,11 +233,11 @@ def choice_rows(table: Dataset) -> tuple[list[str], list[list[str]]]:
     rows = []
     for group in choice_groups(table):
         for place in group.places:
-            own = "" if place else f", as in {table.attrs['design']}"
+            suffix = "" if place else f", as in {table.attrs['design']}"
             counts = [str(item[place]) for item in (first, every) if item is not None]
             if unsure := sum(int(numbers[place]) for numbers in unknown.values()):
                 counts[0] += f" to {first[place] + unsure}"
-            rows.append([value_text(table[group.factor], place) + own, *counts])
+            rows.append([value_text(table[group.factor], place) + suffix, *counts])
     count = table["status"].size // table.sizes[CHOICE]
     verbs = studied_verbs(table)
     return ["choice", f"{verbs[0]}, of {count}", *([f"{verbs[-1]} again"] if every is not None else [])], rows

@@ -102,9 +102,16 @@ def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) 
         ):
             style = "o" if fit is not None else "o-"
             axes.plot(places, 1e3 * times, style, color=BLUE, ms=5, lw=0.8, label="simulated", zorder=3)
-            own = (convergence.values == convergence.own) & np.isfinite(times)
+            at_design = (convergence.values == convergence.design_value) & np.isfinite(times)
             axes.plot(
-                places[own], 1e3 * times[own], "o", mfc="none", mec="black", ms=10, ls="none", label="design value"
+                places[at_design],
+                1e3 * times[at_design],
+                "o",
+                mfc="none",
+                mec="black",
+                ms=10,
+                ls="none",
+                label="design value",
             )
             if fit is not None:
                 _plot_law(axes, fit, convergence, factor)

@@ -49,9 +49,9 @@ def convergence_table(convergence: Convergence) -> RenderableType:
         zip(convergence.values, convergence.rows, convergence.statuses, strict=True)
     ):
         name = str(rows) if convergence.key == MESH else value_text(convergence.key, float(value))
-        own = " (value of the design)" if value == convergence.own else ""
+        suffix = " (value of the design)" if value == convergence.design_value else ""
         times = (f"{1e3 * time:.5g} ms" if math.isfinite(time) else "" for time in _times_of(convergence, run))
-        table.add_row(name, *times, status + own)
+        table.add_row(name, *times, status + suffix)
     limits = [
         Text(f"limit of the {label}: {1e3 * fit.limit:.5g} ms, {order_text(fit)}")
         for name, label in time_labels(convergence).items()

@@ -46,7 +46,8 @@ def shape_at(net: Net, positions: Array, near: Array | None = None) -> NetShape:
     Args:
         net: the net.
         positions: m, (node, 3).
-        near: angles within half a turn of which the creases' angles are chosen, rad, (crease,); None for 0.
+        near: reference angles, rad, (crease,); None for 0. The angle of a crease is chosen within half a turn of its
+            reference.
     """
     near = np.zeros(len(net.creases.points)) if near is None else near
     return NetShape(positions=positions, angles=fold_angles(sides_of(net, positions)[2], near))

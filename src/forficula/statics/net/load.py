@@ -80,7 +80,7 @@ def pressure(net: Net, shape: NetShape, triangles: Indices) -> Load:
 
     Args:
         net: the net.
-        shape: shape of which areas and normals are taken; the forces do not follow later rotations.
+        shape: shape that defines areas and normals; the forces do not follow later rotations.
         triangles: points at their corners, counterclockwise seen from their fronts, (triangle, 3).
     """
     forces = triangle_normals((net.points @ shape.positions)[triangles]) / 6

@@ -152,10 +152,12 @@ def _rests(
     return tuple(result)
 
 
-def _landscape_rests(structure: Structure, net: Net, found: Sequence[tuple[str, NetRest, bool]]) -> tuple[Rest, ...]:
+def _landscape_rests(
+    structure: Structure, net: Net, named_rests: Sequence[tuple[str, NetRest, bool]]
+) -> tuple[Rest, ...]:
     """Return the rests of the protocol with their stored energies, and which of them are equal."""
     rests = list[Rest]()
-    for name, rest, within in found:
+    for name, rest, within in named_rests:
         angles = own_angles(structure, rest.shape)
         rests.append(
             Rest(

@@ -81,7 +81,7 @@ def panels(structure: Structure) -> Indices:
 
 
 def start_shape(structure: Structure, net: Net) -> NetShape:
-    """Return the shape as built, with the start angles telling apart panels that lie on one another."""
+    """Return the shape as built, with start angles that distinguish panels that lie on one another."""
     start = np.array([hinge.start for hinge in structure.hinges])
     return shape_at(net, net.nodes, _senses(structure) * start)
 

@@ -79,7 +79,7 @@ class NetState:
         extension: largest extension of a tendon divided by its resting length.
         withstands: largest loads, for states that a protocol names.
         passing: whether panels pass through one another.
-        found: how often the search reached this state.
+        hits: how often the search reached this state.
     """
 
     name: str
@@ -95,14 +95,14 @@ class NetState:
     extension: float
     withstands: tuple[Withstood, ...]
     passing: bool
-    found: int
+    hits: int
 
     def __repr__(self) -> str:
         """Name and energy."""
         return f"<NetState {self.name}: {show_value(self.energy, 'J')}>"
 
 
-def net_state(structure: Structure, net: Net, rest: NetRest, name: str, found: int, *, loads: bool) -> NetState:
+def net_state(structure: Structure, net: Net, rest: NetRest, name: str, hits: int, *, loads: bool) -> NetState:
     """Compute the properties of a stable state.
 
     Args:
@@ -110,7 +110,7 @@ def net_state(structure: Structure, net: Net, rest: NetRest, name: str, found: i
         net: net of the structure.
         rest: the equilibrium.
         name: of the state.
-        found: how often the search reached the state.
+        hits: how often the search reached the state.
         loads: whether to compute the loads that the state withstands.
     """
     strained = strength(net, rest.shape)
@@ -132,7 +132,7 @@ def net_state(structure: Structure, net: Net, rest: NetRest, name: str, found: i
         extension=float(strained.extensions.max(initial=0.0)),
         withstands=tuple(_tried_loads(structure, net, rest)) if loads else (),
         passing=panels_cross(net, rest.shape, panels(structure)),
-        found=found,
+        hits=hits,
     )
 
 

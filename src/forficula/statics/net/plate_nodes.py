@@ -1,4 +1,4 @@
-"""Rigid plates as parts of a net: four nodes each, of which every position on the plate is a weighted sum."""
+"""Rigid plates as parts of a net: every position on a plate is a weighted sum of its four nodes."""
 
 from __future__ import annotations
 

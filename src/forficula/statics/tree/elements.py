@@ -132,11 +132,11 @@ def _group(
         turn[np.arange(len(selected)), :, hinges] = side[:, columns].T
     flat = points.ravel()
     every = span(flat)
-    own = isinstance(every, slice) and every.step == 1
+    whole = isinstance(every, slice) and every.step == 1
     return ElementGroup(
         pieces=span(numbers),
         points=every,
-        gathers=None if own else np.asarray(flat[:, None] == np.arange(len(carried.bodies)), dtype=np.float64),
+        gathers=None if whole else np.asarray(flat[:, None] == np.arange(len(carried.bodies)), dtype=np.float64),
         sides=sides,
         pairs=span(np.concatenate(pairs)),
         turns=turns.reshape(len(numbers), len(pairs[0]), sides.shape[1] * size),

@@ -195,7 +195,7 @@ def tendon_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
 
 
 def hinges_in_own_senses(structure: Structure) -> tuple[TendonHinge, ...]:
-    """Return the hinges of `tendon_hinges` with angles in the hinges' own senses, whichever way they fold."""
+    """Return the hinges of `tendon_hinges` with angles in the hinges' own senses, not in those of folding."""
     return tuple(hinge if hinge.sense > 0 else _reversed(hinge) for hinge in tendon_hinges(structure))
 
 

@@ -247,10 +247,10 @@ def _places(path: _Path) -> tuple[PathState, ...]:
     return states_along(path, folds, force=_ROUNDING * largest, wide=0.0)
 
 
-def _first_maximum(found: tuple[PathState, ...]) -> PathState | None:
+def _first_maximum(states: tuple[PathState, ...]) -> PathState | None:
     """Return the first maximum that a hinge climbs to; else the one at its start, if its overbend is 0."""
-    tops = [place for place in found if not place.stable]
-    return next((top for top in tops if top is not found[0]), next(iter(tops), None))
+    tops = [place for place in states if not place.stable]
+    return next((top for top in tops if top is not states[0]), next(iter(tops), None))
 
 
 def _holding_torque(hinge: TendonHinge, first: PathState) -> float | None:
@@ -259,15 +259,15 @@ def _holding_torque(hinge: TendonHinge, first: PathState) -> float | None:
     return first.press if at_stop and (first.kind == "stop" or hinge.pulls) else None
 
 
-def _peak(path: _Path, top: PathState | None, found: tuple[PathState, ...]) -> PeakTorque | None:
+def _peak(path: _Path, top: PathState | None, states: tuple[PathState, ...]) -> PeakTorque | None:
     """Return the largest folding moment between the top, or the overbend stop if the top is beyond it, and the state.
 
     It is at the zero of the energy's second derivative (Brent 1973), or at the fold limit if the moment still grows
     there.
     """
-    hinge, places = path.hinge, [place.coordinate for place in found]
-    if top is not None and top is not found[-1]:
-        start, end = top.coordinate, places[found.index(top) + 1]
+    hinge, places = path.hinge, [place.coordinate for place in states]
+    if top is not None and top is not states[-1]:
+        start, end = top.coordinate, places[states.index(top) + 1]
     elif path.spring is None and hinge.pulls and hinge.top_to_overbend < 0:
         start, end = -hinge.overbend, places[0]
     else:
@@ -309,13 +309,13 @@ class CrossedHinge:
     Attributes:
         tendon: number of the tendon.
         hinge: number of the hinge.
-        own: about its true axis.
+        actual: about its true axis.
         ideal: with both bars perpendicular to the axis; None without bars.
     """
 
     tendon: int
     hinge: int
-    own: HingeLandscape
+    actual: HingeLandscape
     ideal: HingeLandscape | None
 
 
@@ -333,12 +333,14 @@ def crossed_hinges(structure: Structure, points: int = 181) -> tuple[CrossedHing
     for number, tendon in enumerate(structure.tendons):
         if tendon.crossing is None:
             continue
-        crossed, own = structure.hinges[tendon.crossing.hinge], tendon_hinge(structure, tendon, tendon.crossing)
+        crossed, actual = structure.hinges[tendon.crossing.hinge], tendon_hinge(structure, tendon, tendon.crossing)
         spring = None
         if crossed.stiffness:
-            spring = HingeSpring(stiffness=crossed.stiffness, rest_angle=own.sense * crossed.rest_angle)
+            spring = HingeSpring(stiffness=crossed.stiffness, rest_angle=actual.sense * crossed.rest_angle)
         ideal = None if tendon.ideal is None else survey(tendon_hinge(structure, tendon, tendon.ideal), spring)
-        result.append(CrossedHinge(tendon=number, hinge=tendon.crossing.hinge, own=survey(own, spring), ideal=ideal))
+        result.append(
+            CrossedHinge(tendon=number, hinge=tendon.crossing.hinge, actual=survey(actual, spring), ideal=ideal)
+        )
     return tuple(result)
 
 

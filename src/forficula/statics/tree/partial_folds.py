@@ -19,7 +19,7 @@ from forficula.statics.tree.potential import Ensemble, potential, rest, sheet_to
 from forficula.statics.tree.sheet import sheet_energy
 from forficula.structure import Structure, hinges_between
 
-# largest number of hinges of which every combination is tried; more hinges are folded only one after another
+# largest number of hinges for which every combination is tried; more hinges are folded only one after another
 _EVERY_COMBINATION = 5
 # angle past straight at which a hinge starts, so that its tendon pulls it on as far as neighbours and limits allow
 _START = math.radians(30)

@@ -120,17 +120,17 @@ def span(numbers: Sequence[int] | Indices) -> Span:
 
 def tree_of(structure: Structure) -> Tree:
     """Return the tree of a structure."""
-    own: list[list[int]] = [[] for _ in structure.bodies]
+    hinges_of: list[list[int]] = [[] for _ in structure.bodies]
     for number, hinge in enumerate(structure.hinges):
-        own[hinge.body].append(number)
+        hinges_of[hinge.body].append(number)
     chains: list[tuple[int, ...]] = []
     depths: list[int] = []
     groups: dict[tuple[int, int], list[int]] = {}
     for number, body in enumerate(structure.bodies):
         grounded = body.parent == GROUND
-        chains.append((*(() if grounded else chains[body.parent]), *own[number]))
+        chains.append((*(() if grounded else chains[body.parent]), *hinges_of[number]))
         depths.append(0 if grounded else depths[body.parent] + 1)
-        groups.setdefault((depths[number], len(own[number])), []).append(number)
+        groups.setdefault((depths[number], len(hinges_of[number])), []).append(number)
     axes = np.array([hinge.sense * hinge.axis for hinge in structure.hinges]).reshape(-1, 3)
     spins = np.cross(np.eye(3), axes[:, None, :])
     outer = np.zeros((len(axes), len(axes)))
@@ -138,7 +138,7 @@ def tree_of(structure: Structure) -> Tree:
         for place, inner in enumerate(chain):
             outer[list(chain[: place + 1]), inner] = 1.0
     return Tree(
-        levels=tuple(_level(structure, groups[key], own) for key in sorted(groups)),
+        levels=tuple(_level(structure, groups[key], hinges_of) for key in sorted(groups)),
         chains=tuple(chains),
         carriers=np.array([hinge.body for hinge in structure.hinges], dtype=np.int64),
         axes=axes,
@@ -150,14 +150,14 @@ def tree_of(structure: Structure) -> Tree:
     )
 
 
-def _level(structure: Structure, numbers: list[int], own: list[list[int]]) -> Level:
+def _level(structure: Structure, numbers: list[int], hinges_of: list[list[int]]) -> Level:
     bodies = [structure.bodies[number] for number in numbers]
     frames = np.array([body.frame for body in bodies])
     grounded = bodies[0].parent == GROUND
     return Level(
         bodies=span(numbers),
         parents=None if grounded else span([body.parent for body in bodies]),
-        hinges=tuple(span(column) for column in zip(*(own[number] for number in numbers), strict=True)),
+        hinges=tuple(span(column) for column in zip(*(hinges_of[number] for number in numbers), strict=True)),
         positions=np.array([body.position for body in bodies]),
         frames=frames if grounded or not np.array_equal(frames, np.broadcast_to(np.eye(3), frames.shape)) else None,
     )

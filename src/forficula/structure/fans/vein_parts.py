@@ -81,7 +81,7 @@ def bare_veins(
 
 
 def _distal_angle(hinges: Sequence[Hinge], folds: int) -> Measure:
-    """Return the measure of the distal hinge angles, each of which is the sum over the ring folds of a vein."""
+    """Return the measure of the distal hinge angles; the angle of a vein is the sum over its ring folds."""
     rings = tuple(number for number, hinge in enumerate(hinges) if hinge.role == "ring")
     return Measure(
         name="distal_angle",

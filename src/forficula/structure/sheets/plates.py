@@ -137,7 +137,7 @@ def _bodies(
 def _closures(
     links: Sequence[FacetLink], number: Mapping[int, int], origins: Sequence[Array], points: Sequence[Point]
 ) -> tuple[Closure, ...]:
-    """Return the closures of loops: each copy moves with the plate of which it is a copy."""
+    """Return the closures of loops: each copy of a plate moves with the original."""
     named = {point.name: number for number, point in enumerate(points)}
     return tuple(
         Closure(

@@ -265,19 +265,19 @@ def run_assumptions(
     )
 
 
-def effect_of(run: AssumptionRun, own: AssumptionRun, uncertainty: Mapping[str, float]) -> Effect:
+def effect_of(run: AssumptionRun, as_designed: AssumptionRun, uncertainty: Mapping[str, float]) -> Effect:
     """Return the effect of a changed assumption, given the numerical uncertainty of the unchanged design's run.
 
     Args:
         run: run with the change.
-        own: run of the unchanged design.
+        as_designed: run of the unchanged design.
         uncertainty: see `Assumptions`.
     """
-    if not (run.verdict.conclusive and own.verdict.conclusive):
+    if not (run.verdict.conclusive and as_designed.verdict.conclusive):
         return Effect.UNKNOWN
-    if (run.verdict, run.goal) != (own.verdict, own.goal):
+    if (run.verdict, run.goal) != (as_designed.verdict, as_designed.goal):
         return Effect.VERDICT
-    for kind, values, others in (("time", run.times, own.times), ("work", run.works, own.works)):
+    for kind, values, others in (("time", run.times, as_designed.times), ("work", run.works, as_designed.works)):
         for name, value in values.items():
             other = others[name]
             if value is None or other is None:
@@ -350,12 +350,12 @@ def _reliable(records: dict[str, Record], counting: _Counting) -> dict[str, tupl
 
 
 def _confirmed(
-    outcomes: Mapping[str, tuple[Outcome, Record]], own: Outcome, counting: _Counting
+    outcomes: Mapping[str, tuple[Outcome, Record]], as_designed: Outcome, counting: _Counting
 ) -> dict[str, tuple[Outcome, Record]]:
     """Return the same outcomes, with changed verdicts checked by a run at half the timestep."""
-    if not own.verdict.conclusive:
+    if not as_designed.verdict.conclusive:
         return dict(outcomes)
-    ending = (own.verdict, own.ending.goal)
+    ending = (as_designed.verdict, as_designed.ending.goal)
     halves = {
         name: half_step(record.design)
         for name, (outcome, record) in outcomes.items()

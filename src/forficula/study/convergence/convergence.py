@@ -50,7 +50,7 @@ class Convergence(Result):
         design: the design.
         key: `TIMESTEP`, `YOUNGS_MODULUS` or `MESH`.
         values: timesteps in s, moduli in Pa, or refinement factors of the mesh, (run,).
-        own: the design's own value, one of `values`.
+        design_value: the design's own value, one of `values`.
         rows: rows of the membrane's mesh, by run.
         statuses: outcome of each run, in a few words.
         verdicts: verdict of each run.
@@ -70,7 +70,7 @@ class Convergence(Result):
     design: Design
     key: str
     values: Array
-    own: float
+    design_value: float
     rows: tuple[int, ...]
     statuses: tuple[str, ...]
     verdicts: tuple[Verdict, ...]
@@ -99,7 +99,7 @@ class Convergence(Result):
     @property
     def own_verdict(self) -> Verdict:
         """Verdict of the run at the design's own value."""
-        return self.verdicts[int(np.flatnonzero(self.values == self.own)[0])]
+        return self.verdicts[int(np.flatnonzero(self.values == self.design_value)[0])]
 
 
 def converge(
@@ -132,11 +132,13 @@ def converge(
         raise InputError(f"key: need {TIMESTEP}, {YOUNGS_MODULUS} or {MESH}, got {as_written(key)}")
     check_values(key, values)
     design = resolved(design) if key == TIMESTEP else design
-    own = own_value(design, key)
+    design_value = own_value(design, key)
     # timesteps are ordered from coarse to fine, the other settings from soft or coarse to stiff or fine
-    ordered = sorted([own, *(value for value in values if not same(value, own))], reverse=key == TIMESTEP)
+    ordered = sorted(
+        [design_value, *(value for value in values if not same(value, design_value))], reverse=key == TIMESTEP
+    )
     models = [compile_model(_with_dense_record(resolved(with_value(design, key, value)))) for value in ordered]
-    compared = compare_models(models, key, ordered, own, tolerance=tolerance, hinge=hinge, progress=progress)
+    compared = compare_models(models, key, ordered, design_value, tolerance=tolerance, hinge=hinge, progress=progress)
     return replace(compared, design=design)
 
 
@@ -144,7 +146,7 @@ def compare_models(
     models: Sequence[Model],
     key: str,
     values: Sequence[float],
-    own: float,
+    design_value: float,
     *,
     tolerance: float = 0.02,
     hinge: int | None = None,
@@ -152,7 +154,7 @@ def compare_models(
 ) -> Convergence:
     """Do the same as `converge` with compiled models, one for each value, in the order of the values."""
     runs, rows = _run_all(models, hinge, progress), tuple(_row_count(model) for model in models)
-    own_index = list(values).index(own)
+    own_index = list(values).index(design_value)
     transitions = models[own_index].structure.transitions
     times = {
         transition.name: np.array([run.transition_times[transition.name] for run in runs]) for transition in transitions
@@ -174,7 +176,7 @@ def compare_models(
         design=models[own_index].design,
         key=key,
         values=steps,
-        own=own,
+        design_value=design_value,
         rows=rows,
         statuses=tuple(run.status for run in runs),
         verdicts=tuple(run.verdict for run in runs),

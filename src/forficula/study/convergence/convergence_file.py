@@ -51,7 +51,7 @@ def save_convergence(convergence: Convergence, path: Path) -> None:
     data.attrs = {
         "design": design_text(convergence.design),
         "key": convergence.key,
-        "own": convergence.own,
+        "own": convergence.design_value,
         "hinge": convergence.hinge,
         "tolerance": convergence.tolerance,
         "fine": json.dumps(convergence.fine),
@@ -81,7 +81,7 @@ def load_convergence(path: Path) -> Convergence:
         return Convergence(
             design=design_from_text(kept["design"]),
             key=kept["key"],
-            own=float(kept["own"]),
+            design_value=float(kept["own"]),
             rows=tuple(int(count) for count in data["rows"].values),
             statuses=tuple(str(status) for status in data["status"].values),
             verdicts=tuple(Verdict(str(verdict)) for verdict in data["verdict"].values),

@@ -154,12 +154,12 @@ def _tenths(torque: float) -> list[str]:
     return [format_quantity(value, TORQUE) for value in torques]
 
 
-def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, ...]:
+def _rising(key: str, entry: object, unit: Unit, *, none: bool) -> tuple[float, ...]:
     """Read a list or a range: torques rise from 0 or more; values of other keys rise or fall."""
     what = "torques" if unit is TORQUE else "values"
-    values = range_values(f"search.{key}", given) if isinstance(given, str) else given
+    values = range_values(f"search.{key}", entry) if isinstance(entry, str) else entry
     if not isinstance(values, list | tuple) or not (values or none):
-        raise InputError(f'search.{key}: need {what} such as "0..50 {unit.display} step 10", got {given!r}')
+        raise InputError(f'search.{key}: need {what} such as "0..50 {unit.display} step 10", got {entry!r}')
     if len(values) > _MOST_TORQUES:
         raise InputError(f"search.{key}: need at most {_MOST_TORQUES} {what}, got {len(values)}")
     with error_prefix(f"search.{key}: "):
@@ -167,9 +167,9 @@ def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, 
     rising = sorted(set(numbers))
     if key == "values":
         if list(numbers) not in (rising, rising[::-1]):
-            raise InputError(f"search.{key}: need values that rise, or that fall, got {as_written(given)}")
+            raise InputError(f"search.{key}: need values that rise, or that fall, got {as_written(entry)}")
     elif list(numbers) != rising or min(numbers, default=0.0) < 0:
         raise InputError(
-            f"search.{key}: need rising torques >= 0, whose sign is that of the drive, got {as_written(given)}"
+            f"search.{key}: need rising torques >= 0, whose sign is that of the drive, got {as_written(entry)}"
         )
     return numbers

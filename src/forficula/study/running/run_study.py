@@ -206,7 +206,7 @@ class RunCount:
     """
 
     def __init__(self, done: int, later: int = 0, last_state: str = "") -> None:
-        """Start with completed runs and with later points, each of which counts as one run for now.
+        """Start with completed runs and with later points; a later point counts as one run for now.
 
         Args:
             done: number of completed runs.

@@ -27,7 +27,7 @@ from forficula.errors import InputError
 from forficula.quantities import show_duration, show_value
 from forficula.structure import Structure, drive_keys, structure_of, with_protocol
 
-# Allowed relative difference of times between two timesteps, of which the shorter is used.
+# Allowed relative difference of times between two timesteps; the shorter one is used.
 _TIME_TOLERANCE = 0.02
 # Number of successive timesteps that must agree. It is smaller for sheets of nodes, because their bars require a
 # timestep far below the one that resolves their folding.

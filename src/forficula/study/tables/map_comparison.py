@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from forficula.analysis import Ending, Verdict, ending_word
+from forficula.analysis import FORMER_WORDS, Ending, Verdict, ending_word
 from forficula.errors import InputError
 from forficula.study.tables.outcome_kinds import TableTransition, table_transitions
 
@@ -89,6 +89,9 @@ def _tried(simulated: xarray.Dataset, name: str, first: TableTransition) -> xarr
 
 
 def _conclusive(outcomes: xarray.DataArray) -> np.ndarray:
-    """Return where outcomes are conclusive."""
-    inconclusive = [ending_word(Ending(verdict=verdict)) for verdict in Verdict if not verdict.conclusive]
+    """Return where outcomes are conclusive; tables of earlier versions have former words for verdicts."""
+    inconclusive = [
+        *FORMER_WORDS,
+        *(ending_word(Ending(verdict=verdict)) for verdict in Verdict if not verdict.conclusive),
+    ]
     return np.asarray(~np.isin(outcomes.values.astype(str), inconclusive))

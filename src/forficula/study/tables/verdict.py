@@ -32,15 +32,17 @@ def judge_timestep(
     timestep.
     """
     names = [value_text(TIMESTEP, float(step)) for step in steps]
-    own, status = names[own_index], runs[own_index].status
+    present, status = names[own_index], runs[own_index].status
     if runs[own_index].outcome.diverged:
         sound = [name for name, run in zip(names, runs, strict=True) if not run.outcome.diverged]
         remedy = f"the run at {sound[0]} does not diverge" if sound else "all other runs diverge, too"
-        return False, f"{own} is too long: the run {status}; {remedy}."
+        return False, f"{present} is too long: the run {status}; {remedy}."
     otherwise = [f'"{run.status}" at {name}' for name, run, same in zip(names, runs, alike, strict=True) if not same]
-    changes = f'the outcome changes with the timestep: "{status}" at {own}, {", ".join(otherwise)}' if otherwise else ""
+    changes = (
+        f'the outcome changes with the timestep: "{status}" at {present}, {", ".join(otherwise)}' if otherwise else ""
+    )
     if not alike[own_index:].all():
-        return False, f"{own} is too long, or the design lies on a boundary between outcomes: {changes}."
+        return False, f"{present} is too long, or the design lies on a boundary between outcomes: {changes}."
     after = f"; {changes}" if changes else ""
     known = [
         (name, transition_times, fit)
@@ -48,7 +50,7 @@ def judge_timestep(
         if fit is not None
     ]
     if not known:
-        return None, f'{own} cannot be judged: there are no two times to compare among runs with "{status}"{after}.'
+        return None, f'{present} cannot be judged: there are no two times to compare among runs with "{status}"{after}.'
     errors = [_error(transition_times, own_index, alike, fit) for _, transition_times, fit in known]
     differs = " and ".join(
         f"the {name} differs by {_range(error)}" for (name, *_), error in zip(known, errors, strict=True)
@@ -58,11 +60,11 @@ def judge_timestep(
     least, most = (max(ends) for ends in zip(*errors, strict=True))
     allowed = f"{differs} from the limit h -> 0 ({100 * tolerance:g} % allowed)"
     if most <= tolerance:
-        return True, f"{own} is short enough: {allowed}{assumed}{after}."
+        return True, f"{present} is short enough: {allowed}{assumed}{after}."
     if least <= tolerance:
-        return None, f"{own} is borderline: {allowed}; shorter timesteps may decide{assumed}{after}."
+        return None, f"{present} is borderline: {allowed}; shorter timesteps may decide{assumed}{after}."
     remedy = _remedy(float(steps[own_index]), [error for _, error in errors], [fit for *_, fit in known], tolerance)
-    return False, f"{own} is too long: {allowed}{remedy}{assumed}{after}."
+    return False, f"{present} is too long: {allowed}{remedy}{assumed}{after}."
 
 
 def _error(times: Array, own_index: int, alike: Flags, fit: OrderFit) -> tuple[float, float]:
@@ -82,11 +84,11 @@ def _range(error: tuple[float, float]) -> str:
     return f"{most} %" if least == most else f"{least} to {most} %"
 
 
-def _remedy(own: float, errors: Sequence[float], fits: Sequence[OrderFit], tolerance: float) -> str:
+def _remedy(present: float, errors: Sequence[float], fits: Sequence[OrderFit], tolerance: float) -> str:
     """Return a text with the timestep at which the laws meet the tolerance."""
     if not all(fit.observed for fit in fits):
         return ""
-    needed = min(own * (tolerance / error) ** (1 / fit.order) for error, fit in zip(errors, fits, strict=True))
+    needed = min(present * (tolerance / error) ** (1 / fit.order) for error, fit in zip(errors, fits, strict=True))
     digit = 10.0 ** math.floor(math.log10(needed))
     return f"; {value_text(TIMESTEP, math.floor(needed / digit) * digit)} would be short enough"
 

@@ -92,9 +92,9 @@ def curve_data(curve: EnergyPlot) -> dict[str, Any]:
     """Return a curve as data for JSON, in degrees and in one unit of energy."""
     unit, factor = reading_unit("J", max(float(line.energy.max()) for line in curve.lines))
 
-    def course(each: EnergyLine) -> dict[str, Any]:
-        places, values = packed(np.degrees(each.angle), "f4"), packed(factor * each.energy, "f4")
-        return {"name": each.name, "places": places, "values": values}
+    def course(line: EnergyLine) -> dict[str, Any]:
+        places, values = packed(np.degrees(line.angle), "f4"), packed(factor * line.energy, "f4")
+        return {"name": line.name, "places": places, "values": values}
 
     first = curve.lines[0]
     return {
@@ -116,36 +116,39 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
     shown, structure = inner_hinge(landscape, tendon), landscape.structure
     if shown is None:
         return None
-    own, title = shown.own, title_of(hinge_measure(structure, shown.hinge))
+    actual, title = shown.actual, title_of(hinge_measure(structure, shown.hinge))
     *drawn, last = tendon_curves(landscape, shown)
     ideal = drawn[:1] if shown.ideal is not None and drawn else []
     # the curve of the hinge comes first: with a spring it is the sum of both, which is last in the list
-    drawn = [last, *drawn[len(ideal) :]] if own.spring is not None else [*drawn[len(ideal) :], last]
+    drawn = [last, *drawn[len(ideal) :]] if actual.spring is not None else [*drawn[len(ideal) :], last]
     drawn += ideal
     names = parts_of([label_of(structure.tendons[hinge.tendon]) for hinge in landscape.hinges]).names
     balls = []
     for name, crossed in zip(names, landscape.hinges, strict=True):
-        if record is None or not _has_same_curve(crossed.own, own):
+        if record is None or not _has_same_curve(crossed.actual, actual):
             continue
         energy = record.series["tendon_energy"][rows, crossed.tendon]
-        if own.spring is not None:
+        if actual.spring is not None:
             energy = energy + record.series["hinge_energy"][rows, crossed.hinge]
         balls.append(EnergyLine(name=name, angle=record.series["hinge_angle"][rows, crossed.hinge], energy=energy))
     barrier, top = "", None
-    if own.barrier is not None and own.barrier_angle is not None:
-        start, reach = own.hinge.overbend, own.hinge.overbend - own.barrier_angle
-        barrier = f" The barrier is {readable(own.barrier, 'J')}."
+    if actual.barrier is not None and actual.barrier_angle is not None:
+        start, reach = actual.hinge.overbend, actual.hinge.overbend - actual.barrier_angle
+        barrier = f" The barrier is {readable(actual.barrier, 'J')}."
         if reach < WIDEST:
-            top = own.sense * (start + 0.15 * reach), own.sense * max(start - 2.5 * reach, -own.hinge.fold_limit)
+            top = (
+                actual.sense * (start + 0.15 * reach),
+                actual.sense * max(start - 2.5 * reach, -actual.hinge.fold_limit),
+            )
     lines = [_smooth(name, hinge, energy, moment) for hinge, energy, moment, name, _ in drawn]
-    sprung = own.spring is not None
+    sprung = actual.spring is not None
     return EnergyPlot(
         title="tendon and spring of one hinge" if sprung else "energy of one tendon",
         axis=title,
         lines=tuple(lines),
         marks=tuple(
-            _mark("", (own.sense * state.angle, own.sense * state.far_angle), state.energy, lines[0])
-            for state in own.states
+            _mark("", (actual.sense * state.angle, actual.sense * state.far_angle), state.energy, lines[0])
+            for state in actual.states
         ),
         balls=tuple(balls),
         top=top,
@@ -163,12 +166,12 @@ def _smooth(name: str, hinge: HingeLandscape, energy: Array, moment: Array) -> E
     return EnergyLine(name=name, angle=hinge.sense * angle, energy=spline(angle))
 
 
-def _has_same_curve(hinge: HingeLandscape, own: HingeLandscape) -> bool:
+def _has_same_curve(hinge: HingeLandscape, actual: HingeLandscape) -> bool:
     """Return whether two hinges have the same energy curve."""
-    if hinge.spring is None or own.spring is None:
-        return hinge.sense == own.sense and hinge.spring is own.spring
-    both = own.stored_energy(own.angle), hinge.stored_energy(own.angle)
-    return hinge.sense == own.sense and bool(np.allclose(*both, rtol=0, atol=1e-6 * float(both[0].max())))
+    if hinge.spring is None or actual.spring is None:
+        return hinge.sense == actual.sense and hinge.spring is actual.spring
+    both = actual.stored_energy(actual.angle), hinge.stored_energy(actual.angle)
+    return hinge.sense == actual.sense and bool(np.allclose(*both, rtol=0, atol=1e-6 * float(both[0].max())))
 
 
 def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -> EnergyPlot | None:

@@ -55,7 +55,7 @@ def poses_of(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Landscap
     if shown is None or _is_tied(structure):
         return None
     angles = np.tile([hinge.start for hinge in structure.hinges], (_TURNS, 1))
-    turned = shown.own.sense * shown.own.angle
+    turned = shown.actual.sense * shown.actual.angle
     angles[:, shown.hinge] = np.linspace(turned.min(), turned.max(), _TURNS)
     return LandscapePoses(
         structure=structure, angles=angles, why="This hinge turns alone; all others keep their starting angles."

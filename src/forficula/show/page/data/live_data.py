@@ -124,7 +124,7 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
         "brakeWays": [
             {"control": control, "motor": int(model.brakes[control])}
             | {"way": [[dof, float(direction[dof])] for dof in np.flatnonzero(direction).tolist()]}
-            for control, direction in enumerate(model.ways)
+            for control, direction in enumerate(model.jacobian)
             if model.brakes[control] >= 0
         ],
         "motors": [
@@ -258,14 +258,14 @@ def _drive_knobs(model: Model, protocol: SteppedProtocol) -> list[dict[str, Any]
     used = {number for stage in protocol.stages for number in stage.drives}
     sliders: list[dict[str, Any] | None] = []
     for number in sorted(used):
-        each = protocol.drives[number]
-        strength, quantity = each.drive.strength, key_quantity(each.drive.key, type(model.design))
+        driven = protocol.drives[number]
+        strength, quantity = driven.drive.strength, key_quantity(driven.drive.key, type(model.design))
         if quantity is None or not strength:
             continue
         most = _MOST_STRENGTH * strength
         low, high = sorted((0.0, most))
-        data = _slider(model.design, each.drive.key, quantity.unit, strength, low, high)
-        sliders.append(data and data | {"drive": number, "title": f"strength of {each.drive.name}"})
+        data = _slider(model.design, driven.drive.key, quantity.unit, strength, low, high)
+        sliders.append(data and data | {"drive": number, "title": f"strength of {driven.drive.name}"})
     return sliders
 
 
@@ -328,13 +328,13 @@ def _line_of(design: Design, key: str, other: float) -> dict[str, Any] | None:
         texts = [design_text(item).splitlines() for item in (design, with_values(design, {key: other}))]
     except ValueError:
         return None
-    own, changed = ([line for line in text if not line.startswith("source = ")] for text in texts)
-    if len(own) != len(changed):
+    lines, changed_lines = ([line for line in text if not line.startswith("source = ")] for text in texts)
+    if len(lines) != len(changed_lines):
         return None
-    differing = [number for number, lines in enumerate(zip(own, changed, strict=True)) if lines[0] != lines[1]]
+    differing = [number for number, pair in enumerate(zip(lines, changed_lines, strict=True)) if pair[0] != pair[1]]
     if len(differing) != 1:
         return None
-    line, twin = own[differing[0]], changed[differing[0]]
+    line, twin = lines[differing[0]], changed_lines[differing[0]]
     same = next(place for place, letters in enumerate(zip(line, twin, strict=False)) if letters[0] != letters[1])
     before = line.rfind('"', 0, same)
     after = line.find('"', before + 1)

@@ -25,7 +25,7 @@ from forficula.show.page.data.time_spans import run_spans, span_data
 from forficula.show.page.playback import clip_data, make_clip
 from forficula.structure import built_hinges
 
-_BUDGET = 2_000_000  # bytes of the frames of a motion, of which the page keeps only the angles
+_BUDGET = 2_000_000  # bytes of the frames of a motion; the page keeps only their angles
 # shapes of a slack strap, from straight to ends that coincide, and points along each shape
 _BOWS, _POINTS = 33, 33
 
@@ -41,12 +41,12 @@ def parts_data(parts: PartSet, record: Record | None) -> dict[str, Any]:
         InputError: the record has another structure.
     """
     arrays = PackedArrays()
-    looks, own = part_looks(parts)
+    looks, look_numbers = part_looks(parts)
     shifts = apart(parts)
     same: dict[str, int] = {}
     data = []
     masses = part_masses(parts)
-    for part, look, shift in zip(parts.parts, own, shifts, strict=True):
+    for part, look, shift in zip(parts.parts, look_numbers, shifts, strict=True):
         place = same.get(part.kind, 0)
         same[part.kind] = place + 1
         data.append(_part_data(parts, part, masses[part.name], arrays, place) | {"look": look, "apart": shift.tolist()})

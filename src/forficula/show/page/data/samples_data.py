@@ -52,7 +52,7 @@ class ShownSamples:
         signs: signs of these words, the best outcome first.
         statuses: full outcome texts, (point,).
         built: whether each point could run, (point,).
-        own: values of the nominal design, SI, by factor.
+        nominal: values of the nominal design, SI, by factor.
     """
 
     name: str
@@ -66,7 +66,7 @@ class ShownSamples:
     signs: OutcomeSigns
     statuses: Sequence[str]
     built: Sequence[bool]
-    own: dict[str, float] = field(default_factory=dict)
+    nominal: dict[str, float] = field(default_factory=dict)
 
 
 def samples_data(samples: ShownSamples) -> dict[str, Any]:
@@ -106,8 +106,8 @@ def samples_data(samples: ShownSamples) -> dict[str, Any]:
 
 def _factor(samples: ShownSamples, name: str) -> dict[str, Any]:
     coordinate = samples.table[name]
-    own = samples.own.get(name)
-    return factor_data(coordinate) | {"own": None if own is None else rounded(own * scale_of(coordinate))}
+    nominal = samples.nominal.get(name)
+    return factor_data(coordinate) | {"own": None if nominal is None else rounded(nominal * scale_of(coordinate))}
 
 
 def _number_data(variable: DataArray, number: PointQuantity, verdicts: Sequence[int]) -> dict[str, Any]:

@@ -104,14 +104,14 @@ class OutcomeSigns:
         return self.signs.get(word) or (_WITH_TORQUE if " with " in word else _OTHER)
 
 
-def signs_of(table: Dataset, own: Mapping[str, str] | None = None) -> OutcomeSigns:
+def signs_of(table: Dataset, additional: Mapping[str, str] | None = None) -> OutcomeSigns:
     """Return the signs of the words that a table may contain.
 
     Args:
         table: results, with or without the attribute that names the transitions.
-        own: additional words with their signs, placed before the others.
+        additional: additional words with their signs, placed before the others.
     """
     kinds = outcome_kinds(table)
     by_kind = {word: sign for kind, sign in _SIGNS.items() for word, its in kinds.items() if its is kind}
-    others = {word: sign for word, sign in {**by_kind, NOT_SIMULATED: "·"}.items() if word not in (own or {})}
-    return OutcomeSigns(signs={**(own or {}), **others})
+    others = {word: sign for word, sign in {**by_kind, NOT_SIMULATED: "·"}.items() if word not in (additional or {})}
+    return OutcomeSigns(signs={**(additional or {}), **others})
