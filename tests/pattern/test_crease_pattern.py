@@ -140,6 +140,10 @@ def test_a_bent_sheet_has_no_sectors():
         ({"vertices_coords": np.zeros((5, 2))}, r"vertices_coords: need shape \(vertices, 3\), got \(5, 2\)"),
         ({"vertices_coords": np.full((5, 3), np.nan)}, r"vertices_coords\[0\]: need finite numbers"),
         ({"vertices_coords": np.zeros((5, 3))}, r"edges_vertices\[0\]: need two vertices apart"),
+        (
+            {"vertices_coords": np.array([[1e-300, 0, 0], [0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])},
+            r"edges_vertices\[0\]: need two vertices apart",
+        ),
         ({"vertices_coords": "here"}, "vertices_coords: need an array of numbers, got str"),
         ({"edges_assignment": tuple("MMXVBBBB")}, r"edges_assignment\[2\]: need one of B \(border\).*, got 'X'"),
         ({"edges_assignment": tuple("MMM")}, "edges_assignment: need one letter for each of the 8 edges, got 3"),

@@ -14,6 +14,7 @@ from forficula.errors import InputError
 
 ASSIGNMENTS = {"B": "border", "M": "mountain", "V": "valley", "F": "flat", "U": "unassigned", "C": "cut"}
 _EQUAL_SECTORS = 1e-9  # rad; sectors closer than this count as equal, far above rounding and below any real design
+_SHORTEST_EDGE = 1e-12  # of the sheet's size; shorter edges are lost in the rounding of its coordinates
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -96,7 +97,7 @@ def check_edges(values: object, coords: Array) -> Indices:
         The checked edges, shape (E, 2).
 
     Raises:
-        InputError: a vertex that does not exist, an edge without length, a repeated edge.
+        InputError: a vertex that does not exist, an edge shorter than 1e-12 of the sheet's size, a repeated edge.
     """
     array = np.asarray(values)
     if array.ndim != 2 or array.shape[1] != 2 or len(array) == 0:
@@ -104,11 +105,12 @@ def check_edges(values: object, coords: Array) -> Indices:
     if array.dtype.kind not in "iu":
         raise InputError(f"edges_vertices: need whole numbers, got {array.dtype}")
     edges = array.astype(np.int64)
+    shortest = _SHORTEST_EDGE * float(np.ptp(coords, axis=0).max(initial=0)) if len(coords) else 0.0
     seen: dict[tuple[int, int], int] = {}
     for edge, (tail, head) in enumerate(edges.tolist()):
         for vertex in (tail, head):
             check_vertex(f"edges_vertices[{edge}]", vertex, len(coords))
-        if tail == head or not np.any(coords[tail] != coords[head]):
+        if tail == head or np.abs(coords[tail] - coords[head]).max() <= shortest:
             raise InputError(f"edges_vertices[{edge}]: need two vertices apart, got {tail} and {head} at one place")
         first = seen.setdefault((min(tail, head), max(tail, head)), edge)
         if first != edge:
