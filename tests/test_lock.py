@@ -10,8 +10,8 @@ from forficula.lock import hold_lock
 HOLD = """
 import sys, time
 from pathlib import Path
-from forficula.lock import held
-with held(Path(sys.argv[1])) as taken:
+from forficula.lock import hold_lock
+with hold_lock(Path(sys.argv[1])) as taken:
     print(taken, flush=True)
     time.sleep(float(sys.argv[2]))
 """
@@ -53,10 +53,10 @@ def test_waiting_acquires_the_lock_and_reports_a_long_wait(tmp_path, capsys, mon
 
 def test_only_one_holds_a_lock_at_a_time(tmp_path):
     script = (
-        "import sys\nfrom pathlib import Path\nfrom forficula.lock import held\n"
+        "import sys\nfrom pathlib import Path\nfrom forficula.lock import hold_lock\n"
         "number = Path(sys.argv[1], 'number')\n"
         "for _ in range(200):\n"
-        "    with held(Path(sys.argv[1], 'lock')):\n"
+        "    with hold_lock(Path(sys.argv[1], 'lock')):\n"
         "        number.write_text(str(int(number.read_text()) + 1))\n"
     )
     (tmp_path / "number").write_text("0")

@@ -42,9 +42,9 @@ def lock_of_windows(monkeypatch):
 
 
 def test_a_lock_on_windows_is_given_to_one_and_its_file_is_removed_after_it_is_closed(lock_of_windows, tmp_path):
-    with lock_of_windows.held(tmp_path / "lock") as first:
+    with lock_of_windows.hold_lock(tmp_path / "lock") as first:
         assert first is True
-        with lock_of_windows.held(tmp_path / "lock", wait=False) as second:
+        with lock_of_windows.hold_lock(tmp_path / "lock", wait=False) as second:
             assert second is False
     assert list(tmp_path.iterdir()) == []
 
@@ -60,7 +60,7 @@ def test_a_lock_file_that_another_process_is_removing_is_waited_for(lock_of_wind
         return opened(*arguments, **options)
 
     monkeypatch.setattr(os, "open", open_later)
-    with lock_of_windows.held(tmp_path / "lock") as taken:
+    with lock_of_windows.hold_lock(tmp_path / "lock") as taken:
         assert taken is True
     assert len(refused) == 3
 
@@ -71,7 +71,7 @@ def test_a_folder_that_cannot_be_written_is_an_error_on_windows_too(lock_of_wind
 
     monkeypatch.setattr(lock_of_windows, "_REMOVED_SECONDS", 0.05)
     monkeypatch.setattr(os, "open", refuse)
-    with pytest.raises(PermissionError), lock_of_windows.held(tmp_path / "lock"):
+    with pytest.raises(PermissionError), lock_of_windows.hold_lock(tmp_path / "lock"):
         pass
 
 
@@ -82,7 +82,7 @@ def test_files_are_read_and_written_where_flags_of_unix_are_missing(monkeypatch,
     with open_to_append(path) as file:
         file.write(b"one\n")
     assert read_bytes(path) == b"one\n"
-    with forficula.lock.held(tmp_path / "lock") as taken:
+    with forficula.lock.hold_lock(tmp_path / "lock") as taken:
         assert taken is True
 
 
@@ -123,7 +123,7 @@ def test_files_of_parts_have_names_that_differ_without_regard_to_case_and_name_n
 
 def test_the_workbench_works_where_signals_cannot_be_handled(monkeypatch):
     """Event loops of Windows handle none; Ctrl-C still ends the workbench."""
-    from forficula.workbench.server import _told_to_end
+    from forficula.workbench.server import _end_signals
 
     monkeypatch.delattr(signal, "SIGHUP", raising=False)
 
@@ -132,7 +132,7 @@ def test_the_workbench_works_where_signals_cannot_be_handled(monkeypatch):
             raise NotImplementedError
 
         monkeypatch.setattr(asyncio.get_running_loop(), "add_signal_handler", refuse, raising=False)
-        return _told_to_end()
+        return _end_signals()
 
     assert not asyncio.run(end()).is_set()
 

@@ -99,7 +99,7 @@ def test_a_result_shows_itself_in_a_notebook(results, name, parts):
 
 
 def test_a_name_that_looks_like_a_script_stays_text(design):
-    named = design.with_values({"name": "<script>alert(1)<script>", "shows": "<b>"})
+    named = design.with_values({"source": "<script>alert(1)<script>", "shows": "<script>alert(2)<script>"})
     assert "<script>alert" not in named._repr_html_()
 
 

@@ -99,7 +99,7 @@ def test_a_vein_without_a_tendon_is_skipped(surveyed):
 def test_no_barrier_leads_from_a_state_in_which_the_wing_does_not_rest(surveyed):
     text = printed(surveyed("folds by itself"))
     assert text.startswith("binder2025: monostable (partly folded); 1 of 8 combinations ")
-    for barrier in ("flat until its easiest hinge folds alone", "flat to folded, all hinges together"):
+    for barrier in ("flat until its weakest hinge folds alone", "flat to folded, all hinges together"):
         assert line(text, f"wing, {barrier}").split()[-1] == "none"
     assert landscape_summary(surveyed("folds by itself"))["wing"]["single_hinge_barriers_J"] is None
 

@@ -50,7 +50,7 @@ def test_barriers_are_left_out_where_there_is_one_state():
 
 def test_the_table_has_states_barriers_drives_and_loads(landscape):
     text = printed(landscape)
-    assert "pyramid: 2 stable states were found: up, down" in text
+    assert "pyramid: bistable, as far as the search found (up, down); barrier 0.4179 mJ from up to" in text
     assert "up to down" in text
     for words in ("push, on vertex 0", "snaps at 86.09 mN", "force push", "supports accelerated along −z"):
         assert words in text
