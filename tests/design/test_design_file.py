@@ -58,7 +58,8 @@ def designs(draw):
         REFERENCE,
         lengths
         | {
-            "name": draw(st.text(st.characters(exclude_categories=["C"], exclude_characters='/\\<>:"|?*'), min_size=1)) + "x",
+            "name": draw(st.text(st.characters(exclude_categories=["C"], exclude_characters='/\\<>:"|?*'), min_size=1))
+            + "x",
             "source": draw(st.text(st.characters(exclude_categories=["Cs"]))),
             "pattern.sector_angle": angle,
             "pattern.hub_radius": hub,
