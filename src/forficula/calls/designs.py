@@ -35,7 +35,7 @@ def examples(kind: Literal["designs", "studies", "goals", "observations", "laws"
         InputError: another kind.
 
     >>> ff.examples()["letter-fold"]
-    'rigid panels that tendons over the creases hold in two states'
+    'rigid panels that tendons across the creases hold in two states'
     """
     kinds: dict[str, Callable[[], dict[str, str]]] = {
         "designs": _designs,

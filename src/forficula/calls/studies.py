@@ -111,7 +111,7 @@ def run_cycles(design: AnyDesign, last: int, progress: ProgressOption = None) ->
     >>> ff.run_cycles(design, 2)
     Traceback (most recent call last):
     ...
-    forficula.errors.InputError: cycles: the design has no tendon.law, ... every cycle is the first
+    forficula.errors.InputError: cycles: the design has no tendon.law ... every cycle is like the first
     """
     from forficula.study.cycling import run_cycles as run_all
 
