@@ -229,6 +229,12 @@ def test_one_folder_is_no_list_of_them(tmp_path, folders):
         ff.compare(folders, tmp_path / "both.html")
 
 
+@pytest.mark.parametrize("name", ["a\0b", "\ud800"])
+def test_a_figure_of_a_folder_that_cannot_exist_is_refused(name):
+    with pytest.raises(ff.InputError, match="need a folder that forficula wrote, got no such folder"):
+        ff.figure(name, "energy")
+
+
 def test_a_wait_that_would_never_end_is_refused():
     with pytest.raises(ff.InputError, match=r"stages\.2\.wait: need <= 1e\+09 d, got 1e300 d"):
         ff.load_design("binder2025-stored", {"protocol.stages.2.wait": "1e300 d"})

@@ -10,6 +10,7 @@ import pytest
 import forficula as ff
 from forficula.calls.journals import journal_folder, seed_of
 from forficula.calls.progress import reporting, runs_done, simulated
+from forficula.errors import InputError
 from tests.letters import QUICK
 
 
@@ -112,6 +113,10 @@ def test_a_seed_is_a_number_a_generator_or_nothing(design):
     assert seed_of(None, None) != seed_of(None, None)
     with pytest.warns(DeprecationWarning, match="seed: use rng"):
         assert seed_of(0, 5) == 5
+    with pytest.raises(InputError, match="seed: need either rng or seed, got both: rng = 1, seed = 2"):
+        seed_of(1, 2)
+    with pytest.raises(InputError, match="rng: need a whole number >= 0, got -1"):
+        seed_of(-1, None)
     drawn = {"tendon.left.stiffness": {"distribution": "uniform", "low": "0.4 N/cm", "high": "0.5 N/cm"}}
     sampling = {"count": 4}
     one, other = (ff.new_study(design, drawn, rng=rng, sampling=sampling).points for rng in (1, np.int64(1)))

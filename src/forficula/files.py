@@ -17,6 +17,7 @@ from typing import IO, Any
 from forficula.allowed_files import check_may_read
 from forficula.errors import InputError, error_prefix
 from forficula.lock import hold_lock
+from forficula.names import folder_name
 from forficula.quantities import as_written
 from forficula.toml_text import parse_toml
 
@@ -281,10 +282,13 @@ def check_new(path: Path, ending: str) -> None:
     """Refuse a path at which a new file of a kind cannot be created.
 
     Raises:
-        InputError: the name has another ending, the file exists already, or the path is not valid.
+        InputError: the name has another ending or cannot name results, the file exists already, or the path is not
+            valid.
     """
     if path.suffix != ending:
         raise InputError(f"{path}: need a name that ends with {ending}")
+    with error_prefix(f"{path}: "):
+        folder_name(path.stem)
     try:
         exists = path.exists()
     except OSError as error:

@@ -49,6 +49,13 @@ def test_a_new_study_is_not_written_over_a_file(tmp_path):
         write_new_file(tmp_path / "other.toml", STUDY, "wing")
 
 
+@pytest.mark.parametrize("name", ["aux.toml", "a:b.toml"])
+def test_a_new_file_whose_name_results_cannot_have_is_not_written(tmp_path, name):
+    with pytest.raises(ff.InputError, match=f"{name}: need a name that a folder can have on every system"):
+        write_new_file(tmp_path / name, STUDY)
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.parametrize("name", named_studies())
 def test_every_key_of_a_study_is_listed(name):
     from importlib import resources

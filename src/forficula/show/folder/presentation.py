@@ -72,8 +72,10 @@ def drawings_of(result: object) -> dict[str, Drawing]:
         InputError: it is neither a result of forficula nor a folder of one.
     """
     if isinstance(result, str | os.PathLike):
-        clear_leftovers(Path(result))
-        return folder_drawings(Path(result))
+        folder = Path(result)
+        if folder.is_dir():  # a name that no folder can have is refused below
+            clear_leftovers(folder)
+        return folder_drawings(folder)
     return presentation(result_kind(result)).drawings(result)
 
 
