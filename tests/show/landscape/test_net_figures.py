@@ -77,6 +77,6 @@ def test_a_folder_holds_figures_numbers_and_a_page(landscape, record, tmp_path):
     assert page.count("<img ") == len(KINDS)
     # above them the page plays the run
     assert '"kind":"run"' in page
-    assert "bistable, as far as the search found" in " ".join(page.split())
+    assert "Bistable, as far as the search found (up, down)" in page
     assert "http" not in page.replace("http-equiv", "").replace("http://www.w3.org", "")
     assert list(folder_drawings(folder)) == KINDS
