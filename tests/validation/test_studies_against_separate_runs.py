@@ -51,7 +51,7 @@ def assert_study_is_separate_runs(agree, path, out, **options):
     ours, theirs = [], []
     for number, value in enumerate(factor.values):
         row = table.isel({factor.dimension: number})
-        confirmed = row["verdict"].item() is ff.Verdict.UNDECIDED
+        confirmed = ff.Verdict(row["verdict"].item()) is ff.Verdict.UNDECIDED
         numbers, verdict = by_hand(with_values(study.base, {factor.key: value}), confirmed=confirmed)
         assert tuple(row[name].item() for name in ("status", "verdict", "folded", "opened")) == verdict
         for name, expected in numbers.items():

@@ -14,7 +14,7 @@ from forficula.errors import InputError
 
 ASSIGNMENTS = {"B": "border", "M": "mountain", "V": "valley", "F": "flat", "U": "unassigned", "C": "cut"}
 _EQUAL_SECTORS = 1e-9  # rad; sectors closer than this count as equal, far above rounding and below any real design
-_SHORTEST_EDGE = 1e-12  # of the sheet's size; shorter edges are lost in the rounding of its coordinates
+_SHORTEST_EDGE = 1e-100  # of the size of the sheet; the squares of shorter edges are lost in rounding
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -97,7 +97,7 @@ def check_edges(values: object, coords: Array) -> Indices:
         The checked edges, shape (E, 2).
 
     Raises:
-        InputError: a vertex that does not exist, an edge shorter than 1e-12 of the sheet's size, a repeated edge.
+        InputError: a vertex that does not exist, an edge shorter than 1e-100 of the sheet's size, a repeated edge.
     """
     array = np.asarray(values)
     if array.ndim != 2 or array.shape[1] != 2 or len(array) == 0:
