@@ -118,3 +118,8 @@ def test_the_summary_has_units_in_its_keys(landscape):
     assert result["wing"]["barrier_J"] == pytest.approx(landscape.barrier("flat", "folded"))
     assert len(result["tendons"]) == 3
     assert len(result["wing"]["pleat_angle_deg"]) == len(result["wing"]["energy_J"])
+
+
+def test_the_table_of_a_hinge_without_a_fold_path_lists_its_stable_states(landscape_of):
+    landscape = landscape_of(ff.load_design("binder2025-joint"))
+    assert landscape.to_dataframe().index.tolist() == ["flat", "folded"]

@@ -180,10 +180,14 @@ class EnergyLandscape(Result):
         return barrier(self, start, end)
 
     def to_dataframe(self) -> DataFrame:
-        """Return the stable states as a pandas table: name and energy, J."""
+        """Return the stable states as a pandas table: name and energy, J.
+
+        For a tree without a single folding path, these are the different stable states among the `rests`.
+        """
         pandas = pandas_module()
 
-        rows = [(state.name, state.energy) for state in self.states]
+        stable = self.states or tuple(rest for rest in self.rests if rest.stable and not rest.same_as)
+        rows = [(state.name, state.energy) for state in stable]
         return pandas.DataFrame(rows, columns=["state", "energy_J"]).set_index("state")
 
     @property
