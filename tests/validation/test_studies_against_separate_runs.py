@@ -38,7 +38,8 @@ def by_hand(design, *, confirmed):
         "fold_work": fold and fold.work,
         "unfold_work": unfold and unfold.work,
     } | {f"{name}_energy": state and float(np.sum(state.tendon_energy)) for name, state in outcome.states.items()}
-    if not outcome.verdict.conclusive:
+    # an undecided run has numbers, those of its first timestep
+    if not outcome.verdict.conclusive and outcome.verdict is not ff.Verdict.UNDECIDED:
         numbers = dict.fromkeys(numbers)
     # a table does not contain a third value
     return numbers, (outcome.status, outcome.verdict, bool(outcome.holds["folded"]), bool(outcome.holds["opened"]))
