@@ -38,8 +38,9 @@ def by_hand(design, *, confirmed):
         "fold_work": fold and fold.work,
         "unfold_work": unfold and unfold.work,
     } | {f"{name}_energy": state and float(np.sum(state.tendon_energy)) for name, state in outcome.states.items()}
-    # an undecided run has numbers, those of its first timestep
-    if not outcome.verdict.conclusive and outcome.verdict is not ff.Verdict.UNDECIDED:
+    if outcome.verdict is ff.Verdict.UNDECIDED:
+        numbers = {}  # a table has some of them, those on which both timesteps agree; here the verdict is compared
+    elif not outcome.verdict.conclusive:
         numbers = dict.fromkeys(numbers)
     # a table does not contain a third value
     return numbers, (outcome.status, outcome.verdict, bool(outcome.holds["folded"]), bool(outcome.holds["opened"]))
