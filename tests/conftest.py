@@ -42,12 +42,18 @@ def pytest_xdist_auto_num_workers():
     return (os.cpu_count() or 1) + 1
 
 
-# how long an example takes says more of the machine than of the code
-settings.register_profile("forficula", deadline=None)
-# What lands is checked by the same examples everywhere. Fewer do, because they are never new; who develops looks for
-# more.
+# No deadline: how long an example takes depends more on the machine than on the code. A run of all tests tries 30 new
+# examples of every property. FORFICULA_THOROUGH tries 300, before a release. In CI the examples are always the same.
+settings.register_profile("usual", deadline=None, max_examples=30)
+settings.register_profile("thorough", deadline=None, max_examples=300)
 settings.register_profile("repeatable", deadline=None, derandomize=True, max_examples=30)
-settings.load_profile("repeatable" if os.environ.get("FORFICULA_REPEATABLE") else "forficula")
+settings.load_profile(
+    "repeatable"
+    if os.environ.get("FORFICULA_REPEATABLE")
+    else "thorough"
+    if os.environ.get("FORFICULA_THOROUGH")
+    else "usual"
+)
 
 
 @pytest.fixture(scope="session")

@@ -186,7 +186,9 @@ class EnergyLandscape(Result):
         """
         pandas = pandas_module()
 
-        stable = self.states or tuple(rest for rest in self.rests if rest.stable and not rest.same_as)
+        stable: tuple[StableState | NetState | Rest, ...] = self.states
+        if not stable:
+            stable = tuple(rest for rest in self.rests if rest.stable and not rest.same_as)
         rows = [(state.name, state.energy) for state in stable]
         return pandas.DataFrame(rows, columns=["state", "energy_J"]).set_index("state")
 
