@@ -158,7 +158,8 @@ stage = {"name": "s", "drive": "none", "until": "time", "hold": "0 s", "time_lim
 design = ff.load_design("binder2025", {"pattern.units": 100, "pattern.sector_angle": "1.7 deg", "vein.diameter":
     "0.01 mm", "guard.stretch": 2.0,
     "membrane.margin": "0.01 mm", "protocol.timestep": "0.1 ms", "protocol.stages": [stage]})
-compile_model(ff.load_design("binder2025"))
+# threads and libraries that a simulation starts have their memory before the limit
+simulate([compile_model(ff.load_design("binder2025", {"protocol.stages": [stage]}))], threads=1)
 used = next(int(line.split()[1]) for line in open("/proc/self/status") if line.startswith("VmSize"))
 for left in sys.argv[1:]:
     resource.setrlimit(resource.RLIMIT_AS, (1024 * used + int(left), resource.RLIM_INFINITY))

@@ -358,7 +358,7 @@ def _fit_remarks(fit: LawFit | None, refusal: str) -> Iterator[str]:
         )
     refused = [candidate.refused for candidate in fit.candidates if candidate.refused]
     # the longest reason names all values
-    for what in ("apart", "viscosity.linear from"):
+    for what in ("distinguish them", "viscosity.linear from"):
         reasons = [reason for reason in refused if "one rate only" in reason and what in reason]
         if reasons:
             yield max(reasons, key=len)
