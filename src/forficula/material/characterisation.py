@@ -12,6 +12,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.fit.fit import LawFit, fit_law
+from forficula.material.fit.fit_form import DAMPER_OR_BRANCH, ONE_RATE_ONLY, UNDISTINGUISHED
 from forficula.material.law.drift import Drift, fit_drift
 from forficula.material.law.law_form import LawForm
 from forficula.material.law.law_summary import LawSummary, law_summary
@@ -358,8 +359,8 @@ def _fit_remarks(fit: LawFit | None, refusal: str) -> Iterator[str]:
         )
     refused = [candidate.refused for candidate in fit.candidates if candidate.refused]
     # the longest reason names all values
-    for what in ("distinguish them", "viscosity.linear from"):
-        reasons = [reason for reason in refused if "one rate only" in reason and what in reason]
+    for what in (UNDISTINGUISHED, DAMPER_OR_BRANCH):
+        reasons = [reason for reason in refused if ONE_RATE_ONLY in reason and what in reason]
         if reasons:
             yield max(reasons, key=len)
     if refused:

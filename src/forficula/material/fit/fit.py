@@ -11,7 +11,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.material.fit.fit_form import FLOOR, FittedForm, fit_form, one_rate
+from forficula.material.fit.fit_form import DAMPER_OR_BRANCH, FLOOR, ONE_RATE_ONLY, FittedForm, fit_form, one_rate
 from forficula.material.fit.fit_problem import FitProblem, LawModel, problem_of
 from forficula.material.fit.fit_start import Starter, pulling_solution
 from forficula.material.fit.uncertainty import effective_points
@@ -264,7 +264,7 @@ def _ambiguous(fitted: Sequence[FittedForm], tried: Sequence[LawForm], problem: 
     if settled or min(rivals) > _SAME_FIT:
         return {}
     reason = (
-        f"one rate only, {rate:.3g} 1/s, cannot distinguish viscosity.linear from branches.0.modulus;"
+        f"{ONE_RATE_ONLY}, {rate:.3g} 1/s, {DAMPER_OR_BRANCH} branches.0.modulus;"
         " test at another rate, or hold the strain"
     )
     return {id(fit): reason for fit in (*dampers, *branched)}

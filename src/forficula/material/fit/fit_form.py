@@ -25,6 +25,10 @@ _POINTS_BY_VALUE = 5
 _EVALUATIONS = 100
 _TOLERANCE = 1e-7  # relative, of the sum of squares and of the values: far below their intervals
 FLOOR = 1e-9  # share of the peak stress: smaller misfits are rounding
+# words of refusals by which the remarks of a material find the refusals that another test would settle
+ONE_RATE_ONLY = "one rate only"
+UNDISTINGUISHED = "cannot distinguish them"
+DAMPER_OR_BRANCH = "cannot distinguish viscosity.linear from"
 _ONE_RATE = 1.5  # largest ratio of two strain rates that count as one
 _HOLD = 0.05  # largest share of samples below a twentieth of the fastest rate, for a test without holds
 
@@ -100,7 +104,7 @@ def _left_open(keys: Sequence[str], problem: FitProblem) -> str:
     kinds = {key.partition(".")[0] for key in keys}
     listed = ", ".join(keys)
     if kinds == {"viscosity"} and rates is not None:
-        return f"{listed}: one rate only, {rates:.3g} 1/s, cannot distinguish them; test at another rate"
+        return f"{listed}: {ONE_RATE_ONLY}, {rates:.3g} 1/s, {UNDISTINGUISHED}; test at another rate"
     if any("softening" in key for key in keys):
         return f"{listed}: the data do not determine them; unload and stretch further, to several strains"
     return f"{listed}: the data do not determine them; add unloading, holds or other rates"
