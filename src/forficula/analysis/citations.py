@@ -252,7 +252,7 @@ def _bends(structure: Structure) -> bool:
     return any(hinge.flaps is not None for hinge in structure.hinges)
 
 
-# what a structure has, whatever its pattern, and what is taken from which publication for it
+# key of a publication, its use, and whether a structure has the feature that uses it; independent of the pattern
 _FEATURES: tuple[tuple[str, str, Callable[[Structure], bool]], ...] = (
     ("liu2017", "statics of creases between flaps and of elastic bars", _bends),
     ("filipov2017", "stiffness of the elastic bars that stand for facets", lambda structure: bool(structure.springs)),

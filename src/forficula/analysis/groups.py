@@ -21,9 +21,9 @@ from forficula.pattern.geometry import polygon_normal, triangle_areas
 from forficula.serial import Key, Written
 from forficula.structure import Structure, built_frames, built_points, hinge_groups, springs_name
 
-# m/s^2, for the group that a run without gravity leaves out
+# m/s^2, for the group of gravity if the run has none
 _GRAVITY = 9.81
-# air at 20 deg C, kg/m^3 and Pa s, for the groups that a run without a medium leaves out
+# air at 20 deg C, kg/m^3 and Pa s, for the groups of the medium if the run has none
 _AIR = (1.2, 1.8e-5)
 _SAME = 1e-9  # share of a group; smaller differences are rounding errors
 

@@ -20,7 +20,7 @@ class Progress:
     """Progress of a computation, as every call reports it.
 
     Attributes:
-        task: what is being computed, such as "stage fold" or "runs".
+        task: name of the running task, such as "stage fold" or "runs".
         done: amount that is done, in `unit`.
         total: largest amount that may be needed, in `unit`; None if it is not known.
         unit: "s" of simulated time, "runs", "samples" or "designs".

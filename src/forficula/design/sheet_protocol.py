@@ -1,4 +1,4 @@
-"""The protocol of a sheet by names: its drives with what they act on, its states and its transitions."""
+"""The protocol of a sheet by names: drives and their targets, states and transitions."""
 
 from __future__ import annotations
 

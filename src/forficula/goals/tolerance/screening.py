@@ -112,7 +112,7 @@ def deciding_factors(points: Values, values: Values, seed: int) -> tuple[Values,
 
 
 def _bases(cosines: Values, known: Values) -> Values:
-    """Return an orthonormal basis of each factor's cosines, orthogonal to what is known, (factors, rows, cosines)."""
+    """Return an orthonormal basis of each factor's cosines, orthogonal to `known`, (factors, rows, cosines)."""
     columns = np.moveaxis(cosines, 1, 0)
     return np.linalg.qr(columns - known @ (known.T @ columns))[0]
 

@@ -23,7 +23,7 @@ from forficula.show.structure.painted_shape import PaintedShape, Viewpoint, ribb
 _EDGE = "#2A2F35"
 # m, half the width of an edge, and the distance by which edges are moved towards the eye
 _THIN, _NEARER = 1.1e-4, 2e-4
-_DARK, _LIGHT = 0.5, 0.55  # brightness of a face turned away from the light, and what is added towards the light
+_DARK, _LIGHT = 0.5, 0.55  # brightness of a face away from the light; increase towards it
 _LAMP = np.array([-0.35, 0.55, 0.75])  # direction of the light: right, up and towards the eye
 
 

@@ -183,7 +183,7 @@ def _check_table(checks: Sequence[Check]) -> str:
 
 
 def _scope_of_checks() -> list[str]:
-    """Return paragraphs on what the checks include and what they leave out."""
+    """Return paragraphs on the scope of the checks."""
     return [
         paragraph("Checked by computation:"),
         remarks(_CHECKED),

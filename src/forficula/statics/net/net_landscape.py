@@ -81,7 +81,7 @@ def slow_courses(structure: Structure) -> tuple[Course, ...]:
 
 
 def _settled(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
-    """Return where a net comes to rest when released, pushed off unstable equilibria, and a remark on such pushes."""
+    """Return the rest states of a net after its release, pushed off unstable equilibria, and a remark on the pushes."""
     rest, off = minimum(net, built), 0
     while rest.settled and rest.index and off < _RIDGES:
         held, _ = supported(net)

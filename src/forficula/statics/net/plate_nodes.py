@@ -67,7 +67,7 @@ def plate_nodes(structure: Structure) -> PlateNodes:
 
 
 def place_weights(structure: Structure, plates: PlateNodes, body: int, place: Array) -> dict[int, float]:
-    """Return the weights of nodes, by number, for a position in the axes of a body."""
+    """Return the weight of each node, by the number of the node, for a position in the axes of a body."""
     closure = next((entry for entry in structure.closures if entry.bodies[1] == body), None)
     if closure is not None:
         place = closure.position + closure.frame @ place

@@ -64,7 +64,7 @@ class Vein:
         return self.axes[bar] if self.bars > 2 and bar < len(self.axes) else None
 
     def body(self, index: int, bar: int) -> int:
-        """Return the number of a bar's body, for the vein with this index among veins with equally many bars."""
+        """Return the number of a bar's body for the vein with this index, if all veins have the same number of bars."""
         return self.bars * index + bar
 
 
