@@ -68,6 +68,22 @@ _USUAL = {
 }
 
 
+# exponents of length, mass and time in the SI units of which `Unit.si` consists
+_DIMENSIONS = {
+    "1": (0, 0, 0),
+    "dimensionless": (0, 0, 0),
+    "J": (2, 1, -2),
+    "N": (1, 1, -2),
+    "Pa": (-1, 1, -2),
+    "kg": (0, 1, 0),
+    "m": (1, 0, 0),
+    "rad": (0, 0, 0),
+    "s": (0, 0, 1),
+}
+# a factor of a unit, such as "/m^3" in "kg/m^3"
+_SI_FACTOR = re.compile(r"\s*(/?)\s*([^\W\d_]+|1)(?:\^(-?\d))?")
+
+
 @dataclass(frozen=True)
 class Unit:
     """The units of one kind of quantity.
@@ -155,9 +171,15 @@ def format_quantity(value: float, unit: Unit) -> str:
 
 @cache
 def dimension(unit: Unit) -> tuple[int, int, int]:
-    """Return the exponents of length, mass and time in a unit; angles count as numbers."""
-    powers = _registry().parse_units(unit.si).dimensionality
-    length, mass, time = (round(float(str(powers.get(name, 0)))) for name in ("[length]", "[mass]", "[time]"))
+    """Return the exponents of length, mass and time in a unit that consists of SI units; angles count as numbers.
+
+    Every simulation needs them. Loading pint for them would take a quarter of the main command's time.
+    """
+    length = mass = time = 0
+    for divided, name, power in _SI_FACTOR.findall(unit.si):
+        of_length, of_mass, of_time = _DIMENSIONS[name]
+        exponent = int(power or 1) * (-1 if divided else 1)
+        length, mass, time = length + exponent * of_length, mass + exponent * of_mass, time + exponent * of_time
     return length, mass, time
 
 
