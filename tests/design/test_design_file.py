@@ -92,7 +92,7 @@ def designs(draw):
 def test_a_saved_design_is_loaded_with_the_same_bits_and_hash(tmp_path_factory, design):
     path = tmp_path_factory.mktemp("saved", numbered=True) / "wing.toml"
     save_design(design, path)
-    assert load_design(path) == design
+    assert load_design(path) == design.settled()  # with the section of contact that a design with contact may leave out
     assert load_design(path).hash == design.hash
     assert repr(design_from_text(design_text(design))) == repr(design)  # repr distinguishes -0.0 from 0.0
 

@@ -260,6 +260,18 @@ def test_bars_touch_their_neighbours_from_the_membrane_on_without_friction():
     assert {(item.dim, item.friction[0]) for item in data.contact} == {(3, 0.3)}
 
 
+def test_a_contact_without_a_section_has_the_documented_time_constant_in_the_units_of_the_model():
+    silent = ff.load_design("binder2025", {"protocol.contact": True})
+    stated = silent.with_values({"contact.time_constant": "0.4 ms"})
+    assert silent.hash == stated.hash
+    for design in (silent, stated):
+        model = compile_model(design)
+        for kinds, solref in (("geom_contype", "geom_solref"), ("flex_contype", "flex_solref")):
+            touching = getattr(model.engine, kinds) != 0
+            assert touching.any()
+            assert getattr(model.engine, solref)[touching, 0] * model.units.time == pytest.approx(4e-4)
+
+
 @pytest.mark.parametrize("units", [1, 3])
 def test_panels_that_contact_would_push_apart_as_built_are_refused(units):
     """Nothing touches in the flat fan up to the thickness in the message; beyond, contact would add energy."""

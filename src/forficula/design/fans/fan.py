@@ -274,9 +274,17 @@ class FanDesign(Design):
             tables["tendon"] = {str(vein): entry for vein, entry in enumerate(tables["tendon"]) if entry is not None}
         return tables
 
+    def settled(self) -> Self:
+        """Return the design with the section of contact filled in where it acts, so that other units apply to it."""
+        return self.model_copy(update={"contact": ContactSection()}) if self._default_contact else self
+
+    @property
+    def _default_contact(self) -> bool:
+        return self.protocol.contact and self.contact is None
+
     def hash_values(self) -> dict[str, Any]:
         """Return the values that enter the hash; a list of identical tendons counts as one table."""
-        values = super().hash_values()
+        values = super(FanDesign, self.settled()).hash_values()
         if isinstance(self.tendon, tuple):
             by_vein = [None if tendon is None else tendon.hash_values() for tendon in self.tendons]
             identical = by_vein[0] is not None and all(tendon == by_vein[0] for tendon in by_vein)

@@ -10,7 +10,6 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.design import FanDesign
-from forficula.design.fans.fan_sections import ContactSection
 from forficula.design.places import margin_edge, row_bars
 from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, ring_directions, vein_gaps, vein_roles
 from forficula.quantities import show_value
@@ -275,9 +274,9 @@ def _remarks(design: FanDesign, camber: float | None) -> tuple[str, ...]:
 
 def fan_contact(design: FanDesign) -> Contact | None:
     """Return the contact of the panels and bars of a fan; None without contact."""
-    if not design.protocol.contact:
+    section = design.settled().contact
+    if not design.protocol.contact or section is None:
         return None
-    section = design.contact or ContactSection()
     return Contact(
         thickness=design.membrane.thickness if section.thickness is None else section.thickness,
         friction=section.friction,
