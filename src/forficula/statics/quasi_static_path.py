@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -17,6 +18,8 @@ from forficula.structure.sheets.facets import springs_name
 
 Flags = NDArray[np.bool_]
 
+_MORE = 1.25  # ratio of the numbers of points from one display of a growing path to the next
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class QuasiStaticPoint:
@@ -27,7 +30,8 @@ class QuasiStaticPoint:
         resting: whether the structure is at rest under this drive; False during a snap.
         angles: of all hinges in their own senses, rad, (hinge,).
         positions: of the structure's points, then of the nodes of its membranes, m, (place, 3).
-        coordinates: what the solver moves, (coordinate,): angles of hinges, or positions of a net's nodes.
+        coordinates: what the solver moves, (coordinate,): angles of hinges, rad, or displacements of a net's nodes from
+            the built shape, m.
         energy: stored by part, J; parts that the structure does not have are left out.
         force: total force along the displacement of the drive, N; 0 for other drives.
     """
@@ -238,6 +242,37 @@ def spring_moments(structure: Structure, angles: Array, further: Array | float =
     linear = law.rest_moment(angles, further)
     # the stops of joints bound their angles and have no stiffness
     return np.where(creases, law.moment(angles, further), linear)
+
+
+class GrowingPath:
+    """Points of a path while it is computed, which are shown to a caller whenever there are noticeably more.
+
+    Attributes:
+        stopped: whether the caller wants to stop.
+    """
+
+    def __init__(
+        self, structure: Structure, name: str, drive: Drive, follow: Callable[[QuasiStaticPath], bool] | None
+    ) -> None:
+        self.stopped = False
+        self._show = lambda points: follow is None or follow(
+            path_of(structure, name, drive, points, (), reached=False, complete=False)
+        )
+        self._following = follow is not None
+        self._points, self._due = list[QuasiStaticPoint](), 2
+
+    def add(self, point: Callable[[], QuasiStaticPoint]) -> None:
+        """Add a point, which is computed only if a caller follows the path."""
+        if self._following and not self.stopped:
+            self._points.append(point())
+            if len(self._points) >= self._due:
+                self.show(self._points)
+
+    def show(self, points: Sequence[QuasiStaticPoint]) -> None:
+        """Show all points of the path so far."""
+        if not self.stopped:
+            self._points, self._due = list(points), math.ceil(_MORE * len(points))
+            self.stopped = not self._show(self._points)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.kept_frames import kept_frames
+from forficula.statics.net.energy import shape_at
+from forficula.statics.net.load import Load
+from forficula.statics.net.load_path import PathPoint, intermediate_point, load_path
+from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_course import (
     MOST,
@@ -17,8 +27,9 @@ from forficula.statics.net.net_course import (
 )
 from forficula.statics.net.net_of import motor_load, net_of, own_angles, point_positions, start_shape, valley_angles
 from forficula.statics.net.net_state import stored_parts
-from forficula.statics.net.slow_path import Snap, SlowPath, slow_path
+from forficula.statics.net.slow_path import SlowPath, Snap, slow_path
 from forficula.statics.quasi_static_path import (
+    GrowingPath,
     NumberedEvent,
     QuasiStaticPath,
     QuasiStaticPoint,
@@ -26,52 +37,343 @@ from forficula.statics.quasi_static_path import (
     path_of,
     rest_changes,
 )
-from forficula.structure import Drive, Structure, Transition, drive_of, goal_of
+from forficula.structure import Drive, StageGoal, Structure, Transition, drive_of, goal_of
 
-_INCREMENTS = 120
+_STEP, _INCREMENTS = 0.06, 200  # first increment, of the net's size, and number of increments of each path
+_SWEEPS = 6  # halvings of the interval between two points
+_HALVINGS = 20  # of the last interval, to locate the goal
+_ARRIVED = 1e-9  # rad or m, distance from the goal
+_SAME = 1e-3  # of the net's size: distance of two shapes that count as one
+_MOST_POINTS = 1000  # of a snap
+_LOOSE = "a part can move without any force: a crease has no spring, or a support is missing"
 
 
-def net_path(structure: Structure, drive: Drive, transition: Transition | None) -> QuasiStaticPath:
-    """Follow a net under a slowly growing drive; see `forficula.statics.survey.quasi_static_path`."""
+@dataclass(frozen=True, kw_only=True, eq=False)
+class DrivenNet:
+    """A net with one of its drives.
+
+    Attributes:
+        structure: the structure.
+        drive: the drive; its strength is the load factor 1.
+        transition: that the drive makes; None for none.
+        free: net of the structure.
+        net: the same net, with the coordinates held that the drive displaces.
+        load: of the drive.
+        goal: of the transition; None for none.
+    """
+
+    structure: Structure
+    drive: Drive
+    transition: Transition | None
+    free: Net
+    net: Net
+    load: Load
+    goal: StageGoal | None
+
+    @property
+    def name(self) -> str:
+        """Return the name of the transition, or of the drive if it makes none."""
+        return self.drive.name if self.transition is None else self.transition.name
+
+    @property
+    def end(self) -> float:
+        """Return the largest load factor."""
+        return 1.0 if self.goal is None else MOST
+
+    def short_of_goal(self, shape: NetShape) -> float:
+        """Return by how much a shape is outside the goal's bounds, rad or m; <= 0 within them; inf without a goal."""
+        return math.inf if self.goal is None else short_of(self.structure, self.net, self.goal, shape)
+
+    def point(self, shape: NetShape, factor: float, *, resting: bool = True) -> QuasiStaticPoint:
+        """Return a shape under the drive as a point of a quasi-static path."""
+        structure, drive, strength = self.structure, self.drive, factor * self.drive.strength
+        further = valley_angles(structure, strength * rest_changes(structure, drive))
+        displaced = prescribes_displacement(structure, drive)
+        return QuasiStaticPoint(
+            strength=float(strength),
+            resting=resting,
+            angles=own_angles(structure, shape),
+            positions=place_positions(structure, self.net, shape),
+            coordinates=(shape.positions - self.net.nodes).ravel(),
+            energy=stored_parts(structure, self.net, shape, further),
+            force=reaction(structure, self.net, drive, shape) if displaced else 0.0,
+        )
+
+
+def driven_net(structure: Structure, drive: Drive, transition: Transition | None) -> DrivenNet:
+    """Return the net of a structure with one of its drives.
+
+    Raises:
+        InputError: as for `net_of` and `displaced_net`.
+    """
     free = net_of(structure)
+    net = displaced_net(structure, free, drive)
+    return DrivenNet(
+        structure=structure,
+        drive=drive,
+        transition=transition,
+        free=free,
+        net=net,
+        load=motor_load(structure, net, drive.strengths),
+        goal=None if transition is None else goal_of(structure, transition.goal),
+    )
+
+
+def net_path(
+    structure: Structure,
+    drive: Drive,
+    transition: Transition | None,
+    *,
+    error: float,
+    near: QuasiStaticPoint | None = None,
+    follow: Callable[[QuasiStaticPath], bool] | None = None,
+) -> QuasiStaticPath:
+    """Follow a net under a slowly growing drive; see `forficula.statics.survey.quasi_static_path`."""
+    driven = driven_net(structure, drive, transition)
+    start, remarks = _start(driven)
+    if not start.stable:
+        points = [driven.point(start.shape, 0.0)]
+        lost = [last_event(points, reached=False)]
+        return path_of(structure, driven.name, drive, points, lost, reached=False, remarks=(*remarks, _LOOSE))
+    growing = GrowingPath(structure, driven.name, drive, follow)
+    near_rest = None if near is None else _near_rest(driven, near)
+    slow = None if near is None or near_rest is None else _continued(driven, start, near, near_rest, growing)
+    if slow is None:
+        slow = _followed(driven, start.shape, growing)
+    stretches = _Stretches(driven, slow)
+    bound = error * structure.span
+    for _ in range(_SWEEPS):
+        if growing.stopped or not stretches.refine(bound, growing):
+            break
+        growing.show(stretches.points(bound)[0])
+    points, events = stretches.points(bound)
+    reached = slow.ended == ("target" if driven.goal is None else "stop") and not growing.stopped
+    events.append(last_event(points, reached=reached))
+    return path_of(
+        structure,
+        driven.name,
+        drive,
+        points,
+        events,
+        reached=reached,
+        complete=not growing.stopped,
+        error=stretches.error() / structure.span,
+        at=None if near_rest is None else _nearest(points, driven.point(near_rest.shape, 0.0)),
+        remarks=(*remarks, *_path_remarks(driven, slow, events, reached=reached)),
+    )
+
+
+def _start(driven: DrivenNet) -> tuple[NetRest, tuple[str, ...]]:
+    """Return where a net rests before the transition, and a remark on unstable equilibria on the way."""
+    structure, free = driven.structure, driven.free
     start, remarks = released(free, start_shape(structure, free))
     for before in structure.transitions:
-        if before is transition or transition is None:
+        if before is driven.transition or driven.transition is None or not start.stable:
             break
-        start = drive_course(structure, free, start, drive_of(structure, before.drive), before).rest
-    name = drive.name if transition is None else transition.name
-    net = displaced_net(structure, free, drive)
-    load = motor_load(structure, net, drive.strengths)
-    goal = None if transition is None else goal_of(structure, transition.goal)
-
-    def at_goal(shape: NetShape) -> bool:
-        return goal is not None and short_of(structure, net, goal, shape) <= 0
-
-    end = 1.0 if goal is None else MOST
-    slow = slow_path(net, start.shape, load, end=end, increments=_INCREMENTS, stop=at_goal, finish_snaps=True)
-    points, events = _points(structure, net, drive, slow)
-    reached = slow.ended == ("target" if goal is None else "stop")
-    events.append(last_event(points, reached=reached))
-    return path_of(structure, name, drive, points, events, reached=reached, remarks=remarks)
+        drive = drive_of(structure, before.drive)
+        start = drive_course(structure, free, start, drive, before, through_snaps=False).rest
+    return start, remarks
 
 
-def _points(
-    structure: Structure, net: Net, drive: Drive, slow: SlowPath
-) -> tuple[list[QuasiStaticPoint], list[NumberedEvent]]:
-    """Return the points of consecutive paths and of the snaps between them, and the snaps as events."""
-    points, events = list[QuasiStaticPoint](), list[NumberedEvent]()
-    for number, path in enumerate(slow.paths):
-        points += [net_point(structure, net, drive, point.shape, point.factor) for point in path.points]
-        if number >= len(slow.snaps):
-            continue
-        snap, first = slow.snaps[number], len(points) - 1
-        points += [net_point(structure, net, drive, shape, snap.factor, resting=False) for shape in snap.descent]
-        if number == len(slow.paths) - 1:
-            points.append(net_point(structure, net, drive, snap.after.shape, snap.factor))
-            events.append(_event(drive, snap, first, len(points) - 1))
-        else:
-            events.append(_event(drive, snap, first, len(points)))
-    return points, events
+def _followed(driven: DrivenNet, start: NetShape, growing: GrowingPath, begin: float = 0.0) -> SlowPath:
+    """Follow the path from a shape at rest onwards."""
+    return slow_path(
+        driven.net,
+        start,
+        driven.load,
+        begin=begin,
+        end=driven.end,
+        step=_STEP * driven.net.size,
+        increments=_INCREMENTS,
+        stop=lambda shape: growing.stopped or driven.short_of_goal(shape) <= 0,
+        stop_snaps=lambda _: growing.stopped,
+        watch=lambda shape, factor, resting: growing.add(lambda: driven.point(shape, factor, resting=resting)),
+    )
+
+
+def _near_rest(driven: DrivenNet, near: QuasiStaticPoint) -> NetRest | None:
+    """Return the equilibrium that is reached downhill from a shape of another path, at the same strength of the drive.
+
+    It is None if the shape has other parts, if there is no such equilibrium, or if it is already at the goal.
+    """
+    net, drive = driven.net, driven.drive
+    if near.coordinates.size != net.nodes.size or len(near.angles) != len(driven.structure.hinges):
+        return None
+    factor = near.strength / drive.strength
+    held = net.nodes + factor * driven.load.displacements
+    positions = np.where(net.free, net.nodes + near.coordinates.reshape(-1, 3), held)
+    shape = shape_at(net, positions, valley_angles(driven.structure, near.angles))
+    rest = minimum(net, shape, driven.load, factor)
+    return rest if rest.stable and driven.short_of_goal(rest.shape) > 0 else None
+
+
+def _continued(
+    driven: DrivenNet, start: NetRest, near: QuasiStaticPoint, rest: NetRest, growing: GrowingPath
+) -> SlowPath | None:
+    """Follow the path from an equilibrium onwards to its end, then back to its start.
+
+    It is None if the way back meets an event or ends elsewhere, because the path to the start is then another one.
+    """
+    factor = near.strength / driven.drive.strength
+    onwards = _followed(driven, rest.shape, growing, begin=factor)
+    if growing.stopped or factor <= 0:
+        return onwards if growing.stopped else None
+    back = load_path(
+        driven.net,
+        rest.shape,
+        driven.load,
+        step=_STEP * driven.net.size,
+        increments=_INCREMENTS,
+        factor=factor,
+        target=0.0,
+        events=1,
+        rising=False,
+    )
+    apart = np.abs(back.points[-1].shape.positions - start.shape.positions).max()
+    if back.ended != "target" or back.events or apart > _SAME * driven.net.size:
+        return None
+    before = tuple(replace(point, rising=True) for point in back.points[:0:-1])
+    first = replace(onwards.paths[0], points=(*before, *onwards.paths[0].points))
+    return replace(onwards, paths=(first, *onwards.paths[1:]))
+
+
+def _nearest(points: Sequence[QuasiStaticPoint], point: QuasiStaticPoint) -> int:
+    """Return the number of the point that is nearest to a shape."""
+    return int(np.argmin([np.abs(other.positions - point.positions).max() for other in points]))
+
+
+class _Stretches:
+    """Stretches of equilibria between the snaps of a path, to which points are added."""
+
+    def __init__(self, driven: DrivenNet, slow: SlowPath) -> None:
+        self._driven, self._slow = driven, slow
+        self._stretches = [list(path.points) for path in slow.paths]
+        self._known = dict[int, tuple[NetShape, QuasiStaticPoint]]()
+        self._skipped = set[tuple[int, int]]()
+        if slow.ended == "stop" and driven.goal is not None and len(slow.snaps) < len(slow.paths):
+            self._stretches[-1] = self._up_to_goal(self._stretches[-1])
+
+    def _up_to_goal(self, points: list[PathPoint]) -> list[PathPoint]:
+        """Replace the last point by the one at which the goal is reached (regula falsi with halved weights)."""
+        driven = self._driven
+        if len(points) < 2:
+            return points
+        before, after = points[-2:]
+        low, high = driven.short_of_goal(before.shape), driven.short_of_goal(after.shape)
+        for _ in range(_HALVINGS):
+            if not (math.isfinite(low) and low > 0 >= high) or -high <= _ARRIVED:
+                break
+            share = float(np.clip(low / (low - high), 0.05, 1 - 1e-6))
+            positions = (1 - share) * before.shape.positions + share * after.shape.positions
+            factor = (1 - share) * before.factor + share * after.factor
+            middle = intermediate_point(driven.net, driven.load, before, after, positions, factor)
+            if middle is None:
+                break
+            value = driven.short_of_goal(middle.shape)
+            if value > 0:
+                before, low = middle, value
+            else:
+                after, high = middle, value
+        return [*points[:-1], after]
+
+    def refine(self, bound: float, growing: GrowingPath) -> bool:
+        """Add a point in the middle of every interval whose error exceeds a bound, m; return whether any was added."""
+        added = False
+        for number, points in enumerate(self._stretches):
+            errors, result = interval_errors(points), points[:1]
+            for place, (before, after) in enumerate(pairwise(points)):
+                ends = (id(before), id(after))
+                if errors[place] > bound and ends not in self._skipped and not growing.stopped:
+                    middle = self._middle(points, place)
+                    if middle is None:
+                        self._skipped.add(ends)
+                    else:
+                        result.append(middle)
+                        added = True
+                result.append(after)
+            self._stretches[number] = result
+        return added
+
+    def _middle(self, points: Sequence[PathPoint], place: int) -> PathPoint | None:
+        """Find the equilibrium in the middle of an interval, from the cubic through its neighbours."""
+        first = max(0, min(place - 1, len(points) - 4))
+        near = points[first : first + 4]
+        shapes = np.array([point.shape.positions for point in near])
+        along = _lengths_along(near)
+        at = (along[place - first] + along[place - first + 1]) / 2
+        weights = np.array(
+            [
+                np.prod([(at - along[other]) / (along[one] - along[other]) for other in range(len(near)) if other != one])
+                for one in range(len(near))
+            ]
+        )
+        factor = float(weights @ [point.factor for point in near])
+        positions = np.tensordot(weights, shapes, axes=1)
+        driven, (before, after) = self._driven, points[place : place + 2]
+        return intermediate_point(driven.net, driven.load, before, after, positions, factor)
+
+    def error(self) -> float:
+        """Return the largest estimated error of linear interpolation between equilibria, m."""
+        return max(float(interval_errors(points).max(initial=0.0)) for points in self._stretches)
+
+    def points(self, bound: float) -> tuple[list[QuasiStaticPoint], list[NumberedEvent]]:
+        """Return all points, and the snaps between stretches as events.
+
+        Args:
+            bound: largest error of linear interpolation within a snap, m.
+        """
+        points, events, drive = list[QuasiStaticPoint](), list[NumberedEvent](), self._driven.drive
+        for number, stretch in enumerate(self._stretches):
+            points += [self._point(point.shape, point.factor) for point in stretch]
+            if number >= len(self._slow.snaps):
+                continue
+            snap, first = self._slow.snaps[number], len(points) - 1
+            points += self._descent(snap, bound)
+            if number == len(self._stretches) - 1:
+                points.append(self._point(snap.after.shape, snap.factor))
+            last = len(points) - (number == len(self._stretches) - 1)
+            events.append(_event(drive, snap, first, last))
+        return points, events
+
+    def _descent(self, snap: Snap, bound: float) -> list[QuasiStaticPoint]:
+        """Return the shapes of a snap between which linear interpolation is accurate."""
+        shapes = [snap.before, *snap.descent, snap.after.shape]
+        positions = np.array([shape.positions for shape in shapes])
+        steps = np.linalg.norm(np.diff(positions, axis=0).reshape(len(shapes) - 1, -1), axis=1)
+        moved = np.concatenate([[True], steps > 0])
+        time, rows = np.concatenate([[0.0], np.cumsum(steps)]), np.flatnonzero(moved)
+        kept = kept_frames(time[rows], positions[rows], (), most=_MOST_POINTS, tolerance=bound)
+        return [self._point(shapes[row], snap.factor, resting=False) for row in rows[kept[1:-1]].tolist()]
+
+    def _point(self, shape: NetShape, factor: float, *, resting: bool = True) -> QuasiStaticPoint:
+        if id(shape) not in self._known:
+            self._known[id(shape)] = shape, self._driven.point(shape, factor, resting=resting)
+        return self._known[id(shape)][1]
+
+
+def _lengths_along(points: Sequence[PathPoint]) -> Array:
+    positions = np.array([point.shape.positions for point in points])
+    steps = np.linalg.norm(np.diff(positions, axis=0).reshape(len(points) - 1, -1), axis=1)
+    return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def interval_errors(points: Sequence[PathPoint]) -> Array:
+    """Estimate the largest distance of a node from its linear interpolation in each interval, m, (interval,).
+
+    The distance is length^2 / 8 times the curvature of the path, from the differences at both ends of the interval.
+    """
+    if len(points) < 2:
+        return np.zeros(0)
+    positions = np.array([point.shape.positions for point in points])
+    moved = np.diff(positions, axis=0)
+    if len(points) == 2:
+        # a curved path would deviate at most by as much as it moves
+        return np.linalg.norm(moved, axis=2).max(axis=1)
+    steps = np.maximum(np.diff(_lengths_along(points)), 1e-300)
+    rates = moved / steps[:, None, None]
+    curvature = 2 * np.linalg.norm(np.diff(rates, axis=0), axis=2).max(axis=1) / (steps[1:] + steps[:-1])
+    at_ends = np.concatenate([curvature[:1], curvature, curvature[-1:]])
+    return np.asarray(steps**2 / 8 * np.maximum(at_ends[1:], at_ends[:-1]))
 
 
 def _event(drive: Drive, snap: Snap, first: int, last: int) -> NumberedEvent:
@@ -81,35 +383,25 @@ def _event(drive: Drive, snap: Snap, first: int, last: int) -> NumberedEvent:
         kind="branch" if branch else "snap",
         first=first,
         last=last,
-        strength=snap.factor * drive.strength,
+        strength=float(snap.factor * drive.strength),
         released=0.0 if branch else float(snap.released),
     )
 
 
-def net_point(
-    structure: Structure, net: Net, drive: Drive, shape: NetShape, factor: float, *, resting: bool = True
-) -> QuasiStaticPoint:
-    """Return a shape of a net as a point of a quasi-static path.
-
-    Args:
-        structure: the structure.
-        net: net of the structure, with the coordinates held that the drive displaces.
-        drive: the drive.
-        shape: shape of the net.
-        factor: load factor.
-        resting: whether the net is at rest in this shape.
-    """
-    strength = factor * drive.strength
-    force = reaction(structure, net, drive, shape) if prescribes_displacement(structure, drive) else 0.0
-    return QuasiStaticPoint(
-        strength=strength,
-        resting=resting,
-        angles=own_angles(structure, shape),
-        positions=place_positions(structure, net, shape),
-        coordinates=shape.positions.ravel(),
-        energy=stored_parts(structure, net, shape, valley_angles(structure, strength * rest_changes(structure, drive))),
-        force=force,
-    )
+def _path_remarks(
+    driven: DrivenNet, slow: SlowPath, events: Sequence[NumberedEvent], *, reached: bool
+) -> tuple[str, ...]:
+    """Return sentences on what is unreliable on a path."""
+    remarks = list[str]()
+    if any(snap.kind != "limit" for snap in slow.snaps):
+        remarks.append(
+            f'under "{driven.name}" the path branches, and imperfections decide which branch a structure takes; the'
+            " branch of lower energy is shown"
+        )
+    if not reached and events[-1].kind == "lost":
+        reason = "was followed only as far as shown" if slow.ended == "lost" else "ends before its goal"
+        remarks.append(f'the path under "{driven.name}" {reason}')
+    return tuple(remarks)
 
 
 def place_positions(structure: Structure, net: Net, shape: NetShape) -> Array:
