@@ -87,7 +87,7 @@ def quasi_static_path(
     drive, made = _driven_transition(structure, transition)
     if is_net(structure):
         return net_path(structure, drive, made, error=error, near=near, follow=follow)
-    return tree_path(structure, drive, made)
+    return tree_path(structure, drive, made, error=error, near=near, follow=follow)
 
 
 def _driven_transition(structure: Structure, name: str | None) -> tuple[Drive, Transition | None]:

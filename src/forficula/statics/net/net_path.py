@@ -4,119 +4,41 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 
 from forficula.arrays import Array
 from forficula.kept_frames import kept_frames
+from forficula.statics.net.driven_net import INCREMENTS, DrivenNet, driven_net, follow_drive, prescribes_displacement
 from forficula.statics.net.energy import shape_at
-from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import PathPoint, intermediate_point, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_course import (
-    MOST,
-    displaced_net,
-    drive_course,
-    prescribes_displacement,
-    reaction,
-    released,
-    short_of,
-)
-from forficula.statics.net.net_of import motor_load, net_of, own_angles, point_positions, start_shape, valley_angles
+from forficula.statics.net.net_course import drive_course, reaction, released
+from forficula.statics.net.net_of import net_of, own_angles, point_positions, start_shape, valley_angles
 from forficula.statics.net.net_state import stored_parts
-from forficula.statics.net.slow_path import SlowPath, Snap, slow_path
+from forficula.statics.net.slow_path import SlowPath, Snap
 from forficula.statics.quasi_static_path import (
     GrowingPath,
     NumberedEvent,
     QuasiStaticPath,
     QuasiStaticPoint,
+    interval_errors,
     last_event,
+    lengths_along,
     path_of,
     rest_changes,
 )
-from forficula.structure import Drive, StageGoal, Structure, Transition, drive_of, goal_of
+from forficula.structure import Drive, Structure, Transition, drive_of
 
-_STEP, _INCREMENTS = 0.06, 200  # first increment, of the net's size, and number of increments of each path
 _SWEEPS = 6  # halvings of the interval between two points
 _HALVINGS = 20  # of the last interval, to locate the goal
 _ARRIVED = 1e-9  # rad or m, distance from the goal
 _SAME = 1e-3  # of the net's size: distance of two shapes that count as one
 _MOST_POINTS = 1000  # of a snap
 _LOOSE = "a part can move without any force: a crease has no spring, or a support is missing"
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class DrivenNet:
-    """A net with one of its drives.
-
-    Attributes:
-        structure: the structure.
-        drive: the drive; its strength is the load factor 1.
-        transition: that the drive makes; None for none.
-        free: net of the structure.
-        net: the same net, with the coordinates held that the drive displaces.
-        load: of the drive.
-        goal: of the transition; None for none.
-    """
-
-    structure: Structure
-    drive: Drive
-    transition: Transition | None
-    free: Net
-    net: Net
-    load: Load
-    goal: StageGoal | None
-
-    @property
-    def name(self) -> str:
-        """Return the name of the transition, or of the drive if it makes none."""
-        return self.drive.name if self.transition is None else self.transition.name
-
-    @property
-    def end(self) -> float:
-        """Return the largest load factor."""
-        return 1.0 if self.goal is None else MOST
-
-    def short_of_goal(self, shape: NetShape) -> float:
-        """Return by how much a shape is outside the goal's bounds, rad or m; <= 0 within them; inf without a goal."""
-        return math.inf if self.goal is None else short_of(self.structure, self.net, self.goal, shape)
-
-    def point(self, shape: NetShape, factor: float, *, resting: bool = True) -> QuasiStaticPoint:
-        """Return a shape under the drive as a point of a quasi-static path."""
-        structure, drive, strength = self.structure, self.drive, factor * self.drive.strength
-        further = valley_angles(structure, strength * rest_changes(structure, drive))
-        displaced = prescribes_displacement(structure, drive)
-        return QuasiStaticPoint(
-            strength=float(strength),
-            resting=resting,
-            angles=own_angles(structure, shape),
-            positions=place_positions(structure, self.net, shape),
-            coordinates=(shape.positions - self.net.nodes).ravel(),
-            energy=stored_parts(structure, self.net, shape, further),
-            force=reaction(structure, self.net, drive, shape) if displaced else 0.0,
-        )
-
-
-def driven_net(structure: Structure, drive: Drive, transition: Transition | None) -> DrivenNet:
-    """Return the net of a structure with one of its drives.
-
-    Raises:
-        InputError: as for `net_of` and `displaced_net`.
-    """
-    free = net_of(structure)
-    net = displaced_net(structure, free, drive)
-    return DrivenNet(
-        structure=structure,
-        drive=drive,
-        transition=transition,
-        free=free,
-        net=net,
-        load=motor_load(structure, net, drive.strengths),
-        goal=None if transition is None else goal_of(structure, transition.goal),
-    )
 
 
 def net_path(
@@ -129,14 +51,14 @@ def net_path(
     follow: Callable[[QuasiStaticPath], bool] | None = None,
 ) -> QuasiStaticPath:
     """Follow a net under a slowly growing drive; see `forficula.statics.survey.quasi_static_path`."""
-    driven = driven_net(structure, drive, transition)
+    driven = driven_net(structure, net_of(structure), drive, transition)
     start, remarks = _start(driven)
     if not start.stable:
-        points = [driven.point(start.shape, 0.0)]
+        points = [net_point(driven, start.shape, 0.0)]
         lost = [last_event(points, reached=False)]
         return path_of(structure, driven.name, drive, points, lost, reached=False, remarks=(*remarks, _LOOSE))
-    growing = GrowingPath(structure, driven.name, drive, follow)
     near_rest = None if near is None else _near_rest(driven, near)
+    growing = GrowingPath(structure, driven.name, drive, follow, continued=near_rest is not None)
     slow = None if near is None or near_rest is None else _continued(driven, start, near, near_rest, growing)
     if slow is None:
         slow = _followed(driven, start.shape, growing)
@@ -145,7 +67,8 @@ def net_path(
     for _ in range(_SWEEPS):
         if growing.stopped or not stretches.refine(bound, growing):
             break
-        growing.show(stretches.points(bound)[0])
+        points = stretches.points(bound)[0]
+        growing.show(points, at=None if near_rest is None else _nearest(driven, points, near_rest))
     points, events = stretches.points(bound)
     reached = slow.ended == ("target" if driven.goal is None else "stop") and not growing.stopped
     events.append(last_event(points, reached=reached))
@@ -158,7 +81,7 @@ def net_path(
         reached=reached,
         complete=not growing.stopped,
         error=stretches.error() / structure.span,
-        at=None if near_rest is None else _nearest(points, driven.point(near_rest.shape, 0.0)),
+        at=None if near_rest is None else _nearest(driven, points, near_rest),
         remarks=(*remarks, *_path_remarks(driven, slow, events, reached=reached)),
     )
 
@@ -177,17 +100,13 @@ def _start(driven: DrivenNet) -> tuple[NetRest, tuple[str, ...]]:
 
 def _followed(driven: DrivenNet, start: NetShape, growing: GrowingPath, begin: float = 0.0) -> SlowPath:
     """Follow the path from a shape at rest onwards."""
-    return slow_path(
-        driven.net,
+    return follow_drive(
+        driven,
         start,
-        driven.load,
         begin=begin,
-        end=driven.end,
-        step=_STEP * driven.net.size,
-        increments=_INCREMENTS,
-        stop=lambda shape: growing.stopped or driven.short_of_goal(shape) <= 0,
-        stop_snaps=lambda _: growing.stopped,
-        watch=lambda shape, factor, resting: growing.add(lambda: driven.point(shape, factor, resting=resting)),
+        stop=lambda: growing.stopped,
+        finish_snaps=True,
+        watch=lambda shape, factor, resting: growing.add(lambda: net_point(driven, shape, factor, resting=resting)),
     )
 
 
@@ -216,19 +135,24 @@ def _continued(
     """
     factor = near.strength / driven.drive.strength
     onwards = _followed(driven, rest.shape, growing, begin=factor)
+    growing.hold()
     if growing.stopped or factor <= 0:
         return onwards if growing.stopped else None
     back = load_path(
         driven.net,
         rest.shape,
         driven.load,
-        step=_STEP * driven.net.size,
-        increments=_INCREMENTS,
+        step=driven.step,
+        increments=INCREMENTS,
         factor=factor,
         target=0.0,
         events=1,
         rising=False,
+        stop=lambda _: growing.stopped,
+        watch=lambda point: growing.add(lambda: net_point(driven, point.shape, point.factor)),
     )
+    if growing.stopped:
+        return onwards
     apart = np.abs(back.points[-1].shape.positions - start.shape.positions).max()
     if back.ended != "target" or back.events or apart > _SAME * driven.net.size:
         return None
@@ -237,9 +161,10 @@ def _continued(
     return replace(onwards, paths=(first, *onwards.paths[1:]))
 
 
-def _nearest(points: Sequence[QuasiStaticPoint], point: QuasiStaticPoint) -> int:
+def _nearest(driven: DrivenNet, points: Sequence[QuasiStaticPoint], rest: NetRest) -> int:
     """Return the number of the point that is nearest to a shape."""
-    return int(np.argmin([np.abs(other.positions - point.positions).max() for other in points]))
+    positions = place_positions(driven.structure, driven.net, rest.shape)
+    return int(np.argmin([np.abs(point.positions - positions).max() for point in points]))
 
 
 class _Stretches:
@@ -280,7 +205,7 @@ class _Stretches:
         """Add a point in the middle of every interval whose error exceeds a bound, m; return whether any was added."""
         added = False
         for number, points in enumerate(self._stretches):
-            errors, result = interval_errors(points), points[:1]
+            errors, result = interval_errors(_positions(points)), points[:1]
             for place, (before, after) in enumerate(pairwise(points)):
                 ends = (id(before), id(after))
                 if errors[place] > bound and ends not in self._skipped and not growing.stopped:
@@ -298,15 +223,12 @@ class _Stretches:
         """Find the equilibrium in the middle of an interval, from the cubic through its neighbours."""
         first = max(0, min(place - 1, len(points) - 4))
         near = points[first : first + 4]
-        shapes = np.array([point.shape.positions for point in near])
-        along = _lengths_along(near)
+        shapes = _positions(near)
+        along = lengths_along(shapes)
         at = (along[place - first] + along[place - first + 1]) / 2
-        weights = np.array(
-            [
-                np.prod([(at - along[other]) / (along[one] - along[other]) for other in range(len(near)) if other != one])
-                for one in range(len(near))
-            ]
-        )
+        nodes = along[:, None] - along[None, :] + np.eye(len(near))
+        others = np.where(np.eye(len(near)), 1.0, at - along[None, :])
+        weights = np.prod(others / nodes, axis=1)
         factor = float(weights @ [point.factor for point in near])
         positions = np.tensordot(weights, shapes, axes=1)
         driven, (before, after) = self._driven, points[place : place + 2]
@@ -314,7 +236,7 @@ class _Stretches:
 
     def error(self) -> float:
         """Return the largest estimated error of linear interpolation between equilibria, m."""
-        return max(float(interval_errors(points).max(initial=0.0)) for points in self._stretches)
+        return max(float(interval_errors(_positions(points)).max(initial=0.0)) for points in self._stretches)
 
     def points(self, bound: float) -> tuple[list[QuasiStaticPoint], list[NumberedEvent]]:
         """Return all points, and the snaps between stretches as events.
@@ -339,41 +261,20 @@ class _Stretches:
         """Return the shapes of a snap between which linear interpolation is accurate."""
         shapes = [snap.before, *snap.descent, snap.after.shape]
         positions = np.array([shape.positions for shape in shapes])
-        steps = np.linalg.norm(np.diff(positions, axis=0).reshape(len(shapes) - 1, -1), axis=1)
-        moved = np.concatenate([[True], steps > 0])
-        time, rows = np.concatenate([[0.0], np.cumsum(steps)]), np.flatnonzero(moved)
+        time = lengths_along(positions)
+        rows = np.flatnonzero(np.diff(time, prepend=-1.0) > 0)
         kept = kept_frames(time[rows], positions[rows], (), most=_MOST_POINTS, tolerance=bound)
         return [self._point(shapes[row], snap.factor, resting=False) for row in rows[kept[1:-1]].tolist()]
 
     def _point(self, shape: NetShape, factor: float, *, resting: bool = True) -> QuasiStaticPoint:
         if id(shape) not in self._known:
-            self._known[id(shape)] = shape, self._driven.point(shape, factor, resting=resting)
+            self._known[id(shape)] = shape, net_point(self._driven, shape, factor, resting=resting)
         return self._known[id(shape)][1]
 
 
-def _lengths_along(points: Sequence[PathPoint]) -> Array:
-    positions = np.array([point.shape.positions for point in points])
-    steps = np.linalg.norm(np.diff(positions, axis=0).reshape(len(points) - 1, -1), axis=1)
-    return np.concatenate([[0.0], np.cumsum(steps)])
-
-
-def interval_errors(points: Sequence[PathPoint]) -> Array:
-    """Estimate the largest distance of a node from its linear interpolation in each interval, m, (interval,).
-
-    The distance is length^2 / 8 times the curvature of the path, from the differences at both ends of the interval.
-    """
-    if len(points) < 2:
-        return np.zeros(0)
-    positions = np.array([point.shape.positions for point in points])
-    moved = np.diff(positions, axis=0)
-    if len(points) == 2:
-        # a curved path would deviate at most by as much as it moves
-        return np.linalg.norm(moved, axis=2).max(axis=1)
-    steps = np.maximum(np.diff(_lengths_along(points)), 1e-300)
-    rates = moved / steps[:, None, None]
-    curvature = 2 * np.linalg.norm(np.diff(rates, axis=0), axis=2).max(axis=1) / (steps[1:] + steps[:-1])
-    at_ends = np.concatenate([curvature[:1], curvature, curvature[-1:]])
-    return np.asarray(steps**2 / 8 * np.maximum(at_ends[1:], at_ends[:-1]))
+def _positions(points: Sequence[PathPoint]) -> Array:
+    """Return the positions of nodes at points of a path, m, (point, node, 3)."""
+    return np.array([point.shape.positions for point in points])
 
 
 def _event(drive: Drive, snap: Snap, first: int, last: int) -> NumberedEvent:
@@ -402,6 +303,22 @@ def _path_remarks(
         reason = "was followed only as far as shown" if slow.ended == "lost" else "ends before its goal"
         remarks.append(f'the path under "{driven.name}" {reason}')
     return tuple(remarks)
+
+
+def net_point(driven: DrivenNet, shape: NetShape, factor: float, *, resting: bool = True) -> QuasiStaticPoint:
+    """Return a shape of a net under its drive as a point of a quasi-static path."""
+    structure, drive, strength = driven.structure, driven.drive, factor * driven.drive.strength
+    further = valley_angles(structure, strength * rest_changes(structure, drive))
+    displaced = prescribes_displacement(structure, drive)
+    return QuasiStaticPoint(
+        strength=float(strength),
+        resting=resting,
+        angles=own_angles(structure, shape),
+        positions=place_positions(structure, driven.net, shape),
+        coordinates=(shape.positions - driven.net.nodes).ravel(),
+        energy=stored_parts(structure, driven.net, shape, further),
+        force=reaction(structure, driven.net, drive, shape) if displaced else 0.0,
+    )
 
 
 def place_positions(structure: Structure, net: Net, shape: NetShape) -> Array:
