@@ -131,7 +131,7 @@ class QuasiStaticPath:
     @cached_property
     def stored(self) -> Array:
         """Return the stored energy of all parts, J, (point,)."""
-        return np.sum([np.zeros(len(self.share)), *self.energy.values()], axis=0)
+        return np.asarray(np.sum([np.zeros(len(self.share)), *self.energy.values()], axis=0))
 
     @cached_property
     def moments(self) -> Array:
