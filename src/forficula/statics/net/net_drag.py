@@ -10,14 +10,7 @@ from scipy.sparse import block_array, csr_array
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.drag import (
-    STIFF,
-    Drag,
-    DraggedShape,
-    checked_places,
-    drag_text,
-    least_force,
-)
+from forficula.statics.drag import STIFF, Drag, DraggedShape, Held, approach, checked_places, drag_text, least_force
 from forficula.statics.net.driven_net import DrivenNet, driven_net
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import factored

@@ -9,14 +9,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.drag import (
-    STIFF,
-    Drag,
-    DraggedShape,
-    checked_places,
-    drag_text,
-    least_force,
-)
+from forficula.statics.drag import STIFF, Drag, DraggedShape, Held, approach, checked_places, drag_text, least_force
 from forficula.statics.quasi_static_path import QuasiStaticPoint
 from forficula.statics.tree.elements import Expansion, LinePiece, elements, stretched
 from forficula.statics.tree.pose import carried_points, moves_of, places_of, pose
