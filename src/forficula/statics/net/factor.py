@@ -37,8 +37,8 @@ def factored(matrix: csc_array, shift: float = 0.0) -> Factorisation:
     """Factorise a symmetric matrix plus a multiple of the identity.
 
     A large positive definite matrix is factorised as a band by Cholesky's method, which is several times as fast as
-    SuperLU. Any other matrix is factorised by SuperLU: its pivots stay on the diagonal (minimum degree order, symmetric mode, no threshold), so that their signs give the inertia of the
-    matrix (Sylvester's law).
+    SuperLU. Any other matrix is factorised by SuperLU: its pivots stay on the diagonal (minimum degree order, symmetric
+    mode, no threshold), so that their signs give the inertia of the matrix (Sylvester's law).
     """
     if not matrix.shape[0]:
         return Factorisation(index=0, solve=np.copy)
