@@ -1,6 +1,8 @@
+from forficula.statics.drag import Drag, DraggedShape
 from forficula.statics.landscape import EnergyLandscape, Rest, barrier, stable_states
 from forficula.statics.landscape_summary import landscape_summary
-from forficula.statics.survey import energy_landscape
+from forficula.statics.quasi_static_path import PathMark, QuasiStaticPath, QuasiStaticPoint
+from forficula.statics.survey import energy_landscape, quasi_static_path, start_drag
 from forficula.statics.tree.fold_path import FoldPath, StableState
 from forficula.statics.tree.hinge import (
     TendonHinge,
@@ -25,13 +27,18 @@ from forficula.statics.tree.snap import final_speed, fold_time, time_scale
 
 __all__ = [
     "CrossedHinge",
+    "Drag",
+    "DraggedShape",
     "EnergyLandscape",
     "FoldPath",
     "HingeLandscape",
     "HingeSpring",
     "HingeState",
     "PartialFold",
+    "PathMark",
     "PeakTorque",
+    "QuasiStaticPath",
+    "QuasiStaticPoint",
     "Rest",
     "StableState",
     "TendonHinge",
@@ -46,8 +53,10 @@ __all__ = [
     "hinge_remarks",
     "ideal_hinges",
     "landscape_summary",
+    "quasi_static_path",
     "slack_angle",
     "stable_states",
+    "start_drag",
     "tendon_hinge",
     "tendon_hinges",
     "time_scale",

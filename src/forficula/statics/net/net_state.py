@@ -25,7 +25,7 @@ from forficula.structure import Measure, Motor, Structure, read_angles, springs_
 
 _MODES = 4  # reported for every state, besides rigid-body motions
 _STEPS, _INCREMENTS = (0.04, 0.01), 40  # first increments of a path to collapse, of the net's size, and their number
-_STRAINED = 0.05  # strain of a bar that ends a path to collapse, because panels tear or crumple
+STRAINED = 0.05  # strain of a bar that ends a path to collapse, because panels tear or crumple
 _ROUNDING = 1e-15
 _LARGEST = 1500  # free coordinates up to which mechanisms are counted
 
@@ -144,9 +144,16 @@ def readings(structure: Structure, net: Net, measure: Measure, shape: NetShape) 
     return read_angles(measure, own_angles(structure, shape))
 
 
-def stored_parts(structure: Structure, net: Net, shape: NetShape) -> dict[str, float]:
-    """Return the energy by the part that stores it, J; parts that the structure does not have are left out."""
-    bars, folds, tendons, membranes, weight = stored_by_part(net, shape)
+def stored_parts(structure: Structure, net: Net, shape: NetShape, further: Array | float = 0.0) -> dict[str, float]:
+    """Return the energy by the part that stores it, J; parts that the structure does not have are left out.
+
+    Args:
+        structure: the structure.
+        net: net of the structure.
+        shape: shape of the net.
+        further: changes of the rest angles of valleys, rad, (crease,).
+    """
+    bars, folds, tendons, membranes, weight = stored_by_part(net, shape, further)
     flat = bends(structure)
     parts = {
         "creases": (not flat.all(), float(folds[~flat].sum())),
@@ -200,7 +207,7 @@ def _loss_under(net: Net, rest: NetRest, load: Load) -> Collapse | None:
     """Find the loss of a state under a load; None for a rigid-body motion, and if no path is found."""
 
     def strained(point: PathPoint) -> bool:
-        return bool(np.abs(strength(net, point.shape).strains).max(initial=0.0) > _STRAINED)
+        return bool(np.abs(strength(net, point.shape).strains).max(initial=0.0) > STRAINED)
 
     for step in _STEPS:
         try:

@@ -10,7 +10,7 @@ from forficula.arrays import Array
 from forficula.show.page.data.shape_mesh import shape_mesh
 from forficula.show.page.playback import Clip
 from forficula.statics import CrossedHinge, EnergyLandscape
-from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
+from forficula.statics.tree.tree_path import place_positions
 from forficula.structure import Structure
 
 _TURNS = 91  # number of poses of a hinge that turns alone
@@ -65,15 +65,7 @@ def poses_of(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Landscap
 def pose_clip(poses: LandscapePoses, name: str) -> Clip:
     """Return poses as a clip whose times are the indices of the poses."""
     structure = poses.structure
-    mesh, tree = shape_mesh(structure), tree_of(structure)
-    at = pose(tree, poses.angles)
-    bodies = [np.array([point.body for point in structure.points], dtype=np.int64)]
-    places = [np.array([point.place for point in structure.points]).reshape(-1, 3)]
-    for membrane in structure.membranes:
-        bodies.append(membrane.bodies)
-        places.append(membrane.places)
-    carried = carried_points(tree, np.concatenate(bodies), np.concatenate(places))
-    points = np.moveaxis(places_of(carried, at), 0, -1)
+    mesh, points = shape_mesh(structure), place_positions(structure, poses.angles)
     energies = [
         tendon.law.elastic.energy(np.linalg.norm(points[:, tendon.points[1]] - points[:, tendon.points[0]], axis=1))
         for tendon in structure.tendons

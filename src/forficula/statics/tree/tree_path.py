@@ -1,0 +1,274 @@
+"""Quasi-static path of bodies on joints in a tree under one of its drives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from forficula.arrays import Array, Flags
+from forficula.kept_frames import kept_frames
+from forficula.statics.quasi_static_path import (
+    GrowingPath,
+    NumberedEvent,
+    QuasiStaticPath,
+    QuasiStaticPoint,
+    interval_errors,
+    last_event,
+    lengths_along,
+    path_of,
+)
+from forficula.statics.tree.hinge_landscape import crossed_hinges
+from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
+from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, stored_energy
+from forficula.statics.tree.quasi_static import (
+    SlowTransition,
+    TorquePath,
+    at_goal,
+    largest_torque,
+    least_slow_torque,
+    start_state,
+    state_after,
+)
+from forficula.structure import Drive, Structure, Transition, goal_of
+
+_MOST_POINTS = 2000  # of a path
+_SWEEPS = 6  # halvings of the interval between two steps
+_BESIDE = 0.01  # rad, by which a step may be outside the angles of its neighbours
+_STILL = 1e-12  # of the span: distance along the path of two steps in the same shape
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _DrivenTree:
+    """A tree with one of its drives.
+
+    Attributes:
+        structures: the tree as the only case.
+        drive: the drive.
+        transition: that the drive makes; None for none.
+        sign: of the drive.
+        most: largest torque tried, N m.
+    """
+
+    structures: Ensemble
+    drive: Drive
+    transition: Transition | None
+    sign: float
+    most: float
+
+    @property
+    def torques(self) -> Array:
+        """Return the torques of all motors per size of the drive, (motor,)."""
+        return self.sign * np.array(self.drive.shares)
+
+
+def tree_path(
+    structure: Structure,
+    drive: Drive,
+    transition: Transition | None,
+    *,
+    error: float,
+    near: QuasiStaticPoint | None = None,
+    follow: Callable[[QuasiStaticPath], bool] | None = None,
+) -> QuasiStaticPath:
+    """Follow a tree under a slowly growing drive; see `forficula.statics.survey.quasi_static_path`."""
+    driven, start = _start(structure, drive, transition)
+    name = drive.name if transition is None else transition.name
+    near_rest = None if near is None else _near_rest(driven, near)
+    growing = GrowingPath(structure, name, drive, follow, continued=near_rest is not None)
+    if near is not None and near_rest is not None:
+        _followed(driven, near_rest, growing, begin=abs(near.strength))
+        growing.hold()
+    slow = _followed(driven, start, growing)
+    # one half for the steps of the path, one half for steps that are left out
+    bound = error * structure.span / 2
+    path = slow.paths[0] if growing.stopped else _refined(driven, slow.paths[0], bound)
+    points, events, missed = _points(driven, path, bound)
+    reached = bool(np.isfinite(slow.torque[0])) if transition is not None else path.torque[-1] >= driven.most
+    reached = reached and not growing.stopped
+    events.append(last_event(points, reached=reached))
+    remark = f'no slowly growing drive up to its full strength reaches the goal of "{name}"'
+    return path_of(
+        structure,
+        name,
+        drive,
+        points,
+        events,
+        reached=reached,
+        complete=not growing.stopped,
+        error=missed / structure.span,
+        at=None if near_rest is None else _nearest(structure, points, near_rest),
+        remarks=() if reached or growing.stopped else (remark,),
+    )
+
+
+def _start(structure: Structure, drive: Drive, transition: Transition | None) -> tuple[_DrivenTree, Array]:
+    """Return a tree with its drive, and the angles at which it rests before the transition, rad, (hinge,)."""
+    structures, sign = ensemble([structure]), -1.0 if drive.strength < 0 else 1.0
+    before, hinges = start_state(structures), crossed_hinges(structure)
+    for earlier in structure.transitions if transition is not None else ():
+        most = largest_torque(structures, earlier, hinges)
+        if earlier is transition:
+            break
+        slow = least_slow_torque(structures, before.position, earlier, most)
+        before = state_after(structures, earlier, slow.torque, slow.position)
+    else:
+        most = abs(drive.strength)
+    driven = _DrivenTree(structures=structures, drive=drive, transition=transition, sign=sign, most=most)
+    return driven, before.position[0]
+
+
+def _followed(driven: _DrivenTree, start: Array, growing: GrowingPath, begin: float = 0.0) -> SlowTransition:
+    """Follow the path from angles at rest, rad, (hinge,), onwards."""
+    return least_slow_torque(
+        driven.structures,
+        start[None],
+        driven.transition,
+        driven.most,
+        driven.drive,
+        begin=begin,
+        recorded=True,
+        watch=lambda torque, angles, resting: growing.add(
+            lambda: tree_points(
+                driven.structures, np.array([driven.sign * torque]), angles[None], np.array([resting], dtype=np.bool_)
+            )[0]
+        ),
+        stop=lambda: growing.stopped,
+    )
+
+
+def _near_rest(driven: _DrivenTree, near: QuasiStaticPoint) -> Array | None:
+    """Return the angles that are reached downhill from a shape of another path, at the same strength of the drive.
+
+    It is None if the shape has other parts, if there is no such equilibrium, or if it is already at the goal.
+    """
+    structures = driven.structures
+    if near.coordinates.size != structures.size or near.strength * driven.sign < 0:
+        return None
+    rested = rest(structures, near.coordinates[None], abs(near.strength) * driven.torques)
+    if not rested.rests[0] or abs(near.strength) >= driven.most:
+        return None
+    if driven.transition is not None:
+        goal = goal_of(structures.structure, driven.transition.goal)
+        if at_goal(structures, rested.position, goal)[0]:
+            return None
+    return np.asarray(rested.position[0])
+
+
+def _nearest(structure: Structure, points: list[QuasiStaticPoint], angles: Array) -> int:
+    """Return the number of the point that is nearest to a shape."""
+    positions = place_positions(structure, angles[None])[0]
+    return int(np.argmin([np.abs(point.positions - positions).max() for point in points]))
+
+
+def _snapping(path: TorquePath) -> Flags:
+    """Return which intervals between steps of a path belong to snaps, (interval,)."""
+    snapping = np.zeros(len(path.torque) - 1, dtype=np.bool_)
+    for first, last in path.snaps:
+        snapping[first:last] = True
+    return snapping
+
+
+def _refined(driven: _DrivenTree, path: TorquePath, bound: float) -> TorquePath:
+    """Add a step in the middle of every interval between equilibria whose error exceeds a bound, m."""
+    structures = driven.structures
+    for _ in range(_SWEEPS):
+        errors = interval_errors(place_positions(structures.structure, path.position))
+        rows = np.flatnonzero((errors > bound) & ~_snapping(path) & (np.diff(path.torque) > 0))
+        if not len(rows):
+            break
+        torque = (path.torque[rows] + path.torque[rows + 1]) / 2
+        middle = (path.position[rows] + path.position[rows + 1]) / 2
+        rested = rest(structures.repeated(len(rows)), middle, torque[:, None] * driven.torques)
+        # a shape outside the interval belongs to another path
+        low, high = (bounds(path.position[rows], path.position[rows + 1]) for bounds in (np.minimum, np.maximum))
+        inside = np.all((rested.position >= low - _BESIDE) & (rested.position <= high + _BESIDE), axis=1)
+        rows, torque, position = rows[inside], torque[inside], rested.position[inside]
+        if not len(rows):
+            break
+        shift = np.searchsorted(rows, np.arange(len(path.torque)))
+        path = TorquePath(
+            torque=np.insert(path.torque, rows + 1, torque),
+            position=np.insert(path.position, rows + 1, position, axis=0),
+            snaps=tuple((int(first + shift[first]), int(last + shift[last])) for first, last in path.snaps),
+        )
+    return path
+
+
+def _points(
+    driven: _DrivenTree, path: TorquePath, bound: float
+) -> tuple[list[QuasiStaticPoint], list[NumberedEvent], float]:
+    """Return points between which linear interpolation follows a path, its snaps, and the error of interpolation, m.
+
+    Args:
+        driven: the tree with its drive.
+        path: of the tree.
+        bound: largest error of leaving out steps of the path, m.
+    """
+    resting = np.ones(len(path.torque), dtype=np.bool_)
+    for first, last in path.snaps:
+        resting[first + 1 : last] = False
+    span = driven.structures.structure.span
+    positions = place_positions(driven.structures.structure, path.position)
+    # steps that move nothing keep their order
+    time = lengths_along(positions) + _STILL * span * np.arange(len(positions))
+    ends = sorted({0, len(resting) - 1, *(end for snap in path.snaps for end in snap)})
+    kept = kept_frames(time, positions, time[ends], most=_MOST_POINTS, tolerance=bound)
+    numbers = {row: number for number, row in enumerate(kept.tolist())}
+    points = tree_points(driven.structures, driven.sign * path.torque[kept], path.position[kept], resting[kept])
+    events = list[NumberedEvent]()
+    for first, last in path.snaps:
+        torque = float(path.torque[last])
+        energy = potential(driven.structures.repeated(2), path.position[[first, last]], torque * driven.torques)[0]
+        events.append(
+            NumberedEvent(
+                kind="snap",
+                first=numbers[first],
+                last=numbers[last],
+                strength=driven.sign * torque,
+                released=float(energy[0] - energy[1]),
+            )
+        )
+    return points, events, bound + float(interval_errors(positions)[~_snapping(path)].max(initial=0.0))
+
+
+def tree_points(structures: Ensemble, strength: Array, angles: Array, resting: Flags) -> list[QuasiStaticPoint]:
+    """Return shapes of a tree as points of a quasi-static path.
+
+    Args:
+        structures: the tree as the only case.
+        strength: of the drive, N m, with its sign, (point,).
+        angles: of all hinges, rad, (point, hinge).
+        resting: whether the tree is at rest, (point,).
+    """
+    energy = stored_energy(structures.repeated(len(strength)), angles)
+    positions = place_positions(structures.structure, angles)
+    return [
+        QuasiStaticPoint(
+            strength=float(strength[number]),
+            resting=bool(resting[number]),
+            angles=angles[number],
+            positions=positions[number],
+            coordinates=angles[number],
+            energy={part: float(values[number]) for part, values in energy.items()},
+        )
+        for number in range(len(strength))
+    ]
+
+
+def place_positions(structure: Structure, angles: Array) -> Array:
+    """Return the positions of a structure's points, then of the nodes of its membranes, m, (case, place, 3).
+
+    Args:
+        structure: a tree.
+        angles: of all hinges, in their own senses, rad, (case, hinge).
+    """
+    tree = tree_of(structure)
+    bodies = [np.array([point.body for point in structure.points], dtype=np.int64)]
+    places = [np.array([point.place for point in structure.points]).reshape(-1, 3)]
+    for membrane in structure.membranes:
+        bodies.append(membrane.bodies)
+        places.append(membrane.places)
+    carried = carried_points(tree, np.concatenate(bodies), np.concatenate(places))
+    return np.moveaxis(places_of(carried, pose(tree, angles)), 0, -1)
