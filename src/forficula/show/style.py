@@ -8,7 +8,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from html import escape
 from pathlib import Path
-from string import ascii_lowercase
+from string import ascii_uppercase
 from typing import Any
 
 from matplotlib import colormaps, rc_context, rcParams, rcParamsDefault
@@ -143,14 +143,16 @@ def in_column(axes: Axes) -> bool:
 
 
 def letter_panels(panels: Sequence[Axes]) -> None:
-    """Write bold letters a, b, c .. above the upper left corners of a figure's panels; none for a single panel.
+    """Write bold letters A, B, C .. above the upper left corners of a figure's panels; none for a single panel.
+
+    Capitals, because small letters name the states of a structure.
 
     Args:
         panels: axes in the order of reading.
     """
     if len(panels) < 2:
         return
-    for letter, axes in zip(ascii_lowercase, panels, strict=False):
+    for letter, axes in zip(ascii_uppercase, panels, strict=False):
         axes.annotate(
             letter,
             (0, 1),

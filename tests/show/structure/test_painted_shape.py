@@ -7,9 +7,10 @@ import pytest
 from matplotlib.colors import to_rgba
 
 from forficula.design import load_design
-from forficula.show.structure.painted_shape import Viewpoint, paint_shape, structure_view
+from forficula.show.structure.painted_shape import paint_shape
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import DrawnSurface, surface_at
+from forficula.show.structure.viewpoint import Viewpoint, page_view
 from forficula.structure import structure_of
 
 FROM_ABOVE = Viewpoint(right=np.array([1.0, 0, 0]), up=np.array([0, 1.0, 0]), towards=np.array([0, 0, 1.0]))
@@ -70,7 +71,7 @@ def test_regions_differ_and_both_sides_look_the_same():
 
 def test_the_picture_of_a_structure_has_all_of_it(reference_run):
     structure = reference_run.structure
-    surface, view = surface_at(reference_run, shape_of(structure), 0.32), structure_view(structure)
+    surface, view = surface_at(reference_run, shape_of(structure), 0.32), page_view()
     places = view.project(np.concatenate([surface.faces.reshape(-1, 3), surface.bars.reshape(-1, 3)]))
     low, high = paint_shape(surface, view, RED).corners
     assert np.all(low <= places.min(axis=0) + 1e-12)
@@ -79,7 +80,7 @@ def test_the_picture_of_a_structure_has_all_of_it(reference_run):
 
 @pytest.mark.parametrize("settings", [{}, {"pattern.units": 5, "pattern.sector_angle": "12 deg"}])
 def test_the_eye_sees_lengths_in_the_picture_as_they_are(settings):
-    view = structure_view(structure_of(load_design("binder2025", settings)))
+    view = page_view()
     axes = np.array([view.right, view.up, view.towards])
     assert axes @ axes.T == pytest.approx(np.eye(3), abs=1e-12)
     assert np.linalg.det(axes) == pytest.approx(1)

@@ -52,7 +52,7 @@ class FilmFrame:
             strain: whether membranes are coloured by their largest strains.
         """
         self._record, self._shape = record, shape_of(record.structure)
-        self._view = structure_view(record.structure)
+        self._view = structure_view()
         self._norm = Normalize(0, _largest(record, record.series["tendon_energy"], cuts) or 1.0)
         self._strains = Normalize(0, self._largest_strain(cuts) or 1e-6) if strain else None
         with figure_style():

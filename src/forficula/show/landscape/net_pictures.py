@@ -16,10 +16,10 @@ from forficula.show.structure.painted_shape import (
     paint_shape,
     shape_handles,
     show_painted,
-    structure_view,
 )
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_of
+from forficula.show.structure.viewpoint import page_view
 from forficula.show.style import ORANGE
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import point_positions
@@ -51,7 +51,7 @@ class Pictures:
 
 def net_pictures(structure: Structure, net: Net, shapes: Sequence[NetShape]) -> Pictures:
     """Paint a structure in several shapes of its net."""
-    shape, view = shape_of(structure), structure_view(structure)
+    shape, view = shape_of(structure), page_view()
     at = {point.body: number for number, point in enumerate(structure.points)}
     nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
     painted, lines = list[PaintedShape](), list[Array]()

@@ -10,9 +10,10 @@ from forficula.analysis.package import Package, open_package, smallest_package
 from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
-from forficula.show.structure.painted_shape import Viewpoint, paint_shape, show_painted
+from forficula.show.structure.painted_shape import paint_shape, show_painted
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
+from forficula.show.structure.viewpoint import Viewpoint
 from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
 
 _ROOM = 1.15  # size of a picture, as a multiple of its larger side
