@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.patches import Patch
 
 from forficula.analysis import Outcome
@@ -41,8 +42,8 @@ from forficula.show.style import (
     is_narrow,
 )
 
-# inch, heights: of a row of the legend, and of a line of a title with its distance
-_LEGEND_ROW, _LINE = 0.2, 0.16
+# inch, heights: of a row of the legend below, of an entry of one beside pictures, and of a line of a title
+_LEGEND_ROW, _ENTRY, _LINE = 0.2, 0.166, 0.16
 _BAR_HEIGHT = 0.3  # inch, height of a scale bar with its number
 _BETWEEN = 0.1  # distance of pictures beside one another, as a share of their width
 _TORN = 10.0  # spans, size from which a structure counts as torn
@@ -155,11 +156,11 @@ def _draw_panels(panels: Sequence[_Panel], handles: Sequence[Artist], width: flo
         spans[0][0] -= room
     titles = [max(panel.title.count("\n") + 1 for panel in row) for row in rows]
     heights = [scale * float(high - low) + _LINE * lines for (low, high), lines in zip(spans, titles, strict=True)]
-    beside = len(rows) * columns - len(panels) > 0 and heights[-1] > _LEGEND_ROW * len(handles)
+    beside = len(rows) * columns - len(panels) > 0 and heights[-1] > _ENTRY * len(handles)
     wide = 2 if is_narrow(width) else len(handles)
     below = 0.0 if beside else _LEGEND_ROW * -(-len(handles) // wide) + 0.1
-    figure = Figure(figsize=(width, sum(heights) + below + 0.08 * len(rows)), layout="constrained")
-    figure.get_layout_engine().set(w_pad=0.0, h_pad=0.03, wspace=0.0, hspace=0.0)  # type: ignore[union-attr]
+    layout = ConstrainedLayoutEngine(w_pad=0.0, h_pad=0.03, wspace=0.0, hspace=0.0)
+    figure = Figure(figsize=(width, sum(heights) + below + 0.08 * len(rows)), layout=layout)
     grid = figure.subplots(len(rows), columns, squeeze=False, height_ratios=heights)
     for axes in grid.flat:
         axes.set_axis_off()
@@ -175,7 +176,7 @@ def _draw_panels(panels: Sequence[_Panel], handles: Sequence[Artist], width: flo
     row, place = barred or (0, 0)
     _scale_bar(grid[row, place], across)
     if beside:
-        fit_legend(grid[-1, -1], handles, 1, room=width / columns, loc="center")
+        fit_legend(grid[-1, -1], handles, 1, room=width / columns, loc="center").set_in_layout(False)
     else:
         fit_legend(figure, handles, wide, loc="outside lower center")
     return figure, list(grid.flat)
@@ -205,7 +206,8 @@ def _titles(moments: Sequence[_Moment]) -> dict[_Moment, str]:
     for moment in moments:
         beside = [other.time - other.stage.start for other in moments if other.stage is moment.stage]
         since = f"{moment.stage.stage.name} + {time_texts(beside)[moment.time - moment.stage.start]}"
-        texts[moment] = f"{moment.name}\n{since}" if moment.name else since
+        lines = [moment.name] * bool(moment.name) + [since] * (moment.time > 0)
+        texts[moment] = "\n".join(lines)
     return texts
 
 
@@ -235,8 +237,8 @@ def _enlarged(moments: Sequence[_Moment], panels: Sequence[_Panel], largest: Arr
 
 def _scale_bar(axes: Axes, across: float) -> None:
     """Draw a scale bar of about a third of the picture at its lower edge."""
-    start = np.array([axes.get_xlim()[0] + 0.04 * across, axes.get_ylim()[0]])
-    bar = round_below(across / 2)
+    start = (axes.get_xlim()[0] + 0.04 * across, axes.get_ylim()[0])
+    bar = round_below(across / 3)
     draw_bar(axes, start, bar, show_value(bar, "m"))
 
 

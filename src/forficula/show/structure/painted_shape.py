@@ -27,6 +27,7 @@ _BACK = "#AEBFCB"  # back of a facet, the side away from which valleys fold
 _CREASE, _CASING = "#6E6E6E", "#FFFFFF"
 # direction to the light: right, up and towards the eye, as on the pages (web/src/stage.js)
 _LIGHT = np.array([-0.45, 0.75, 1.0])
+_SHADE, _LUMINOSITY = 0.6, 0.45  # brightness of a face along the light, and what is added across it
 # half widths, in radii of the thickest bar
 _TENDON, _CASED, _THIN, _FOLDED, _HELD = 0.62, 0.95, 0.14, 0.3, 1.0
 # in that radius: distance by which lines are painted closer to the eye than their face, or their bar's axis
@@ -200,7 +201,7 @@ def _normals(quads: Array) -> Array:
 def _facing(quads: Array, view: Viewpoint) -> Array:
     """Return the Lambert shading of cells, the same for both sides, (quad,)."""
     light = _LIGHT @ np.stack([view.right, view.up, view.towards])
-    return np.asarray(0.55 + 0.45 * np.abs(_unit(_normals(quads)) @ _unit(light)))
+    return np.asarray(_SHADE + _LUMINOSITY * np.abs(_unit(_normals(quads)) @ _unit(light)))
 
 
 def _unit(vectors: Array) -> Array:
