@@ -20,6 +20,9 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.colors import Colormap, LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.legend import Legend
+from matplotlib.lines import Line2D
+from matplotlib.textpath import TextPath
+from matplotlib.transforms import Affine2D
 
 from forficula.errors import InputError
 from forficula.files import write_bytes
@@ -134,6 +137,14 @@ def fit_legend(
             words, share = text.get_text(), (max(widths) - beyond) / width
             text.set_text(textwrap.fill(words, max(_LEAST_LETTERS, int(share * len(words)))))
     return legend
+
+
+def number_handle(number: int, label: str, colour: str = BLACK) -> Line2D:
+    """Return the entry of a legend for numbers in a drawing, with a number in the place of the line."""
+    digits = TextPath((0, 0), str(number), size=1)
+    box = digits.get_extents()
+    marker = digits.transformed(Affine2D().translate(*(-(box.min + box.max) / 2)))
+    return Line2D([], [], color=colour, marker=marker, ls="none", ms=5, mew=0, label=label)
 
 
 def in_column(axes: Axes) -> bool:

@@ -85,11 +85,8 @@ def test_every_axis_over_time_names_its_quantity_and_unit(runs):
 def entries(figure):
     """Return the entries of all legends of a figure: words and handle."""
     keys = [*figure.legends, *(key for axes in figure.axes if (key := axes.get_legend()))]
-    return [
-        (text.get_text(), handle)
-        for key in keys
-        for text, handle in zip(key.get_texts(), key.legend_handles, strict=True)
-    ]
+    pairs = (pair for key in keys for pair in zip(key.get_texts(), key.legend_handles, strict=True))
+    return [(text.get_text(), handle) for text, handle in pairs]
 
 
 def shown(handle):

@@ -9,7 +9,6 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.textpath import TextPath
 
 from forficula.arrays import Array
 from forficula.quantities import reading_unit, show_value
@@ -18,12 +17,11 @@ from forficula.show.structure.flat_net import FlatNet, flat_net
 from forficula.show.structure.labels import counted, label_of, measure_labels, parts_of, shown_angles
 from forficula.show.structure.painted_shape import BAR
 from forficula.show.structure.viewpoint import page_view
-from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style
+from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style, number_handle
 from forficula.structure import Hinge, Structure, built_hinges, built_points, held_corners
 
 _MOST_NUMBERED, _NUMBERED = 20, 9  # largest number of hinges with numbers on their lines; number of these if more
 _TALL = 0.5  # height above which a sheet is drawn from the side, as a share of the lesser of length and width
-_DIGIT = TextPath((-0.32, -0.36), "0", size=1)  # marker in the legend, centred
 _ON_AXIS = 1e-6  # distance in spans below which a point lies on an axis
 
 
@@ -150,7 +148,7 @@ def _number(axes: Axes, structure: Structure, drawing: _Drawing, factor: float) 
         numbered = True
     if not (numbered and words.heading):
         return []
-    return [Line2D([], [], color=BLACK, marker=_DIGIT, ls="none", ms=5, mew=0, label=f"{words.heading} number")]
+    return [number_handle(0, f"{words.heading} number")]
 
 
 def _label_beyond(axes: Axes, place: Array, name: str) -> None:
