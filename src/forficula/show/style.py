@@ -8,6 +8,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from html import escape
 from pathlib import Path
+from string import ascii_lowercase
 from typing import Any
 
 from matplotlib import colormaps, rc_context, rcParams, rcParamsDefault
@@ -25,6 +26,8 @@ from forficula.files import write_bytes
 
 COLUMN_WIDTH, PAGE_WIDTH = 3.5, 7.1  # inch, one and two columns of a journal
 _RESOLUTION = 200  # dots per inch
+# pt, lower right corner of a panel's letter, from the upper left corner of its axes
+_LETTER = (-6.0, 3.0)
 _LEAST_LETTERS = 8  # least letters per line of a legend
 _FILLED = 0.96  # share of the width that a legend may fill: at another resolution letters are slightly wider
 PICTURE_RESOLUTION = 400  # dots per inch, of pictures among lines: journals require 300 or more
@@ -137,6 +140,29 @@ def in_column(axes: Axes) -> bool:
     """Return whether axes are in a column-wide figure, where words have half the space."""
     figure = axes.get_figure(root=True)
     return isinstance(figure, Figure) and is_narrow(figure.get_figwidth())
+
+
+def letter_panels(panels: Sequence[Axes]) -> None:
+    """Write bold letters a, b, c .. above the upper left corners of a figure's panels; none for a single panel.
+
+    Args:
+        panels: axes in the order of reading.
+    """
+    if len(panels) < 2:
+        return
+    for letter, axes in zip(ascii_lowercase, panels, strict=False):
+        axes.annotate(
+            letter,
+            (0, 1),
+            xytext=_LETTER,
+            xycoords="axes fraction",
+            textcoords="offset points",
+            ha="right",
+            va="bottom",
+            fontweight="bold",
+            fontsize=9,
+            annotation_clip=False,
+        )
 
 
 def draw_bar(axes: Axes, start: Sequence[float], length: float, text: str) -> None:
