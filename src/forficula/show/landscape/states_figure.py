@@ -30,8 +30,8 @@ def draw_states(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
     """
     structure, states = landscape.structure, net_states(landscape)
     pictures = net_pictures(landscape, [state.rest.shape for state in states])
-    columns = min(2 if is_narrow(width) else 4, len(states))
-    rows = -(-len(states) // columns)
+    rows = -(-len(states) // min(2 if is_narrow(width) else 4, len(states)))
+    columns = -(-len(states) // rows)
     height = min(width / columns * pictures.slope, 2.4) + _TITLE
     with figure_style():
         figure = Figure(figsize=(width, rows * height + _LEGEND * (1 + is_narrow(width))), layout="constrained")
