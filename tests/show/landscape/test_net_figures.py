@@ -18,7 +18,6 @@ from forficula.show.structure.painted_shape import structure_view
 from forficula.show.structure.surface import DrawnSurface
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from forficula.statics import energy_landscape
-from forficula.structure import build_structure
 from forficula.study.running.runs import run
 from tests.pyramid import SIDE, pyramid
 from tests.show.legible import check_words
@@ -97,9 +96,9 @@ def test_free_structures_are_turned_so_that_their_states_can_be_compared():
     assert _aligned(turn.apply(free) + [4, 5, 6], free) == pytest.approx(free)
 
 
-def test_the_view_shows_every_face_that_another_view_would_hide():
+def test_the_view_shows_every_face_that_another_view_would_hide(landscape):
     # a wall seen edge-on from the usual viewpoint
-    view = structure_view(build_structure(pyramid()))
+    view = structure_view(landscape.structure)
     along, up = view.towards, np.array([0.0, 0.0, 1.0])
     wall = np.array([[0 * up, along, along + up, up]])
     surface = DrawnSurface(
@@ -116,7 +115,7 @@ def test_the_view_shows_every_face_that_another_view_would_hide():
         span=1.0,
     )
     assert _visible_share(surface, view) < 0.3
-    better = _readable_view(build_structure(pyramid()), [surface])
+    better = _readable_view(landscape.structure, [surface])
     assert _visible_share(surface, better) > 0.9
 
 
