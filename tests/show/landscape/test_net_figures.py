@@ -93,7 +93,7 @@ def test_a_gap_without_a_saddle_is_named(landscape):
 def test_free_structures_are_turned_so_that_their_states_can_be_compared():
     free = np.array([[0.0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 0.5]])
     turn = Rotation.from_rotvec([0.3, -1.2, 0.8])
-    assert _aligned(turn.apply(free) + [4, 5, 6], free) == pytest.approx(free)
+    assert _aligned(turn.apply(free) + np.array([4, 5, 6]), free) == pytest.approx(free)
 
 
 def test_the_view_shows_every_face_that_another_view_would_hide(landscape):
