@@ -261,7 +261,7 @@ def draw_pairs(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
                 rest = drawn & ran & ~agrees
                 axes.plot(x[rest], y[rest], "o", ms=2 * larger, color=_PALE, mec=_GREY, mew=0.3)
                 axes.plot(x[agrees], y[agrees], "o", ms=3 * larger, color=BLUE, mew=0)
-                axes.plot(x[best], y[best], "o", ms=5.5 * larger, mfc="none", mec=ORANGE, mew=1.0)
+                axes.plot(x[best], y[best], "o", ms=5.5 * larger, mfc="none", mec=ORANGE, mew=1.0, clip_on=False)
                 axes.set(xlim=(-0.02, 1.02), ylim=(-0.02, 1.02))
                 _share_axis(axes.xaxis, result, across, labelled=row == size - 1)
                 _share_axis(axes.yaxis, result, upwards, labelled=column == 0)

@@ -22,12 +22,13 @@ from forficula.show.study.factor_text import key_text
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, fit_legend, is_narrow
 
 _GREY = "0.75"
-# height of a figure, inch; half the width of a hatched part of an axis, as a share of the figure
-_HEIGHT, _HATCHED = 3.0, 0.008
+# height of a figure, inch; half the width of a shaded part of an axis, as a share of the figure
+_HEIGHT, _SHADED = 3.0, 0.01
 # letters per inch in the name of an axis, and least letters per line
 _LETTERS, _LEAST_LETTERS = 13, 8
-_BEYOND: dict[str, Any] = {"fc": "0.93", "ec": "0.55", "hatch": "//////", "lw": 0.0}
-_BEHIND_TEXT: dict[str, Any] = {"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85}
+_BEYOND: dict[str, Any] = {"fc": "0.88", "ec": "none"}
+# room around the designs that meet the goal and the limits, as a share of their range
+_ROOM = 0.5
 _SIGNS = {"<=": "≤", ">=": "≥"}
 
 
@@ -65,7 +66,7 @@ def draw_candidates(optimum: Optimum, width: float = PAGE_WIDTH) -> Figure:
         for spine in axes.spines.values():
             spine.set_visible(False)
         room = max(_LEAST_LETTERS, int(_LETTERS * width / len(axes_of)))
-        axes.set_xticks(places, [textwrap.fill(axis.name, room) for axis in axes_of])
+        axes.set_xticks(places, [axis.label(room) for axis in axes_of])
         axes.tick_params(axis="x", length=0, labelsize=6 if is_narrow(width) else 7)
         handles: list[Artist] = [
             Line2D([], [], color=VERMILION, lw=1.6, label=f"best{_verified(optimum)}"),
@@ -83,15 +84,12 @@ def draw_candidates(optimum: Optimum, width: float = PAGE_WIDTH) -> Figure:
 
 
 def _draw_limit(axes: Axes, place: float, axis: _Axis, kind: str, bound: float) -> None:
-    """Hatch the part of an axis beyond a limit, and write the limit beside its edge."""
+    """Shade the part of an axis beyond a limit."""
     edge = float(axis.shares(np.array([bound]))[0])
     low, high = (edge, 1.0) if kind == "<=" else (0.0, edge)
-    half = _HATCHED * (axes.get_xlim()[1] - axes.get_xlim()[0])
-    axes.add_patch(Rectangle((place - half, low), 2 * half, high - low, zorder=1.5, **_BEYOND))
+    half = _SHADED * (axes.get_xlim()[1] - axes.get_xlim()[0])
+    axes.add_patch(Rectangle((place - half, low), 2 * half, high - low, zorder=0.5, **_BEYOND))
     axes.plot([place - half, place + half], [edge, edge], color=BLACK, lw=1.2, zorder=4)
-    words = f"{_SIGNS[kind]} {axis.text(bound)}"
-    beside: dict[str, Any] = {"ha": "left", "va": "center", "fontsize": 6, "zorder": 5, "bbox": _BEHIND_TEXT}
-    axes.annotate(words, (place + half, edge), xytext=(3, 0), textcoords="offset points", **beside)
 
 
 def _limits_text(axes_of: Sequence[_Axis]) -> str:
@@ -115,7 +113,10 @@ def draw_front(optimum: Optimum, width: float = PAGE_WIDTH) -> Figure:
     with figure_style():
         figure = Figure(figsize=(width, _HEIGHT), layout="constrained")
         axes = figure.subplots()
-        axes.plot(one[~feasible], other[~feasible], "x", color=_GREY, ms=3, mew=0.7, label="other designs")
+        inside = _focus(axes, optimum, one, other, feasible | best)
+        beyond = int((~inside & ~feasible & np.isfinite(one) & np.isfinite(other)).sum())
+        words = f"other designs ({beyond} beyond the axes)" if beyond else "other designs"
+        axes.plot(one[~feasible & inside], other[~feasible & inside], "x", color="0.55", ms=3, mew=0.7, label=words)
         axes.plot(one[feasible & ~best], other[feasible & ~best], "o", color=BLUE, ms=3, label="meets the goal")
         order = np.argsort(one[best], kind="stable")
         axes.plot(
@@ -138,22 +139,43 @@ def draw_front(optimum: Optimum, width: float = PAGE_WIDTH) -> Figure:
         )
 
 
+def _objective_limits(optimum: Optimum) -> list[tuple[int, str, float]]:
+    """Return the limits of the first two objectives: the objective's index, the kind, and the bound in its unit."""
+    return [
+        (number, limit.kind, float(_shown(limit.bound, limit.quantity.unit)))
+        for number, objective in enumerate(optimum.goal.objectives[:2])
+        for limit in (*optimum.goal.limits, *optimum.goal.torque_limits)
+        if limit.quantity.name == objective.quantity.name
+    ]
+
+
+def _focus(axes: Axes, optimum: Optimum, one: Array, other: Array, chosen: Flags) -> Flags:
+    """Set the range of axes to chosen designs (all if there are none) and limits; returns which designs are inside."""
+    limits, inside = _objective_limits(optimum), np.ones(len(one), dtype=bool)
+    for number, (values, set_range) in enumerate(((one, axes.set_xlim), (other, axes.set_ylim))):
+        known = values[np.isfinite(values) & (chosen if chosen.any() else True)]
+        ends = np.concatenate([known, [bound for index, _, bound in limits if index == number]])
+        if not len(ends):
+            continue
+        room = _ROOM * (np.ptp(ends) or abs(ends[0]) or 1.0)
+        every = values[np.isfinite(values)]
+        # no farther than the designs are
+        low = max(ends.min() - room, min(every.min(initial=ends.min()), ends.min()) - 0.1 * room)
+        high = min(ends.max() + room, max(every.max(initial=ends.max()), ends.max()) + 0.1 * room)
+        set_range(low, high)
+        inside &= (values >= low) & (values <= high)
+    return inside
+
+
 def _draw_limits(axes: Axes, optimum: Optimum) -> list[Artist]:
-    """Hatch what is beyond the limits of the first two objectives; returns the legend's entry."""
-    ranges = axes.get_xlim(), axes.get_ylim()
-    drawn: list[Artist] = []
-    for number, objective in enumerate(optimum.goal.objectives[:2]):
-        for limit in (*optimum.goal.limits, *optimum.goal.torque_limits):
-            if limit.quantity.name != objective.quantity.name:
-                continue
-            bound = float(_shown(limit.bound, limit.quantity.unit))
-            low, high = ranges[number]
-            beyond = (bound, max(high, bound)) if limit.kind == "<=" else (min(low, bound), bound)
-            span = axes.axvspan if number == 0 else axes.axhspan
-            span(*beyond, zorder=0, **_BEYOND)
-            drawn = [Patch(label="beyond a limit", **_BEYOND)]
+    """Shade what is beyond the limits of the first two objectives; returns the legend's entry."""
+    ranges, limits = (axes.get_xlim(), axes.get_ylim()), _objective_limits(optimum)
+    for number, kind, bound in limits:
+        low, high = ranges[number]
+        span = axes.axvspan if number == 0 else axes.axhspan
+        span(*((bound, max(high, bound)) if kind == "<=" else (min(low, bound), bound)), zorder=0, **_BEYOND)
     axes.set(xlim=ranges[0], ylim=ranges[1])
-    return drawn
+    return [Patch(label="beyond a limit", **_BEYOND)] if limits else []
 
 
 def _verified(optimum: Optimum) -> str:
@@ -197,6 +219,11 @@ class _Axis:
         if not self.high > self.low:
             return np.where(np.isfinite(values), 0.5, np.nan)
         return np.asarray((values - self.low) / (self.high - self.low))
+
+    def label(self, letters: int) -> str:
+        """Return the name in lines of a number of letters, and the limits."""
+        limits = [f"{_SIGNS[kind]} {self.text(bound)}" for kind, bound in self.limits]
+        return "\n".join([textwrap.fill(self.name, letters), *limits])
 
     def text(self, value: float) -> str:
         """Return a value with its unit."""
