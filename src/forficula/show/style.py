@@ -8,7 +8,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from html import escape
 from pathlib import Path
-from string import ascii_lowercase
+from string import ascii_uppercase
 from typing import Any
 
 from matplotlib import colormaps, rc_context, rcParams, rcParamsDefault
@@ -20,6 +20,9 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.colors import Colormap, LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.legend import Legend
+from matplotlib.lines import Line2D
+from matplotlib.textpath import TextPath
+from matplotlib.transforms import Affine2D
 
 from forficula.errors import InputError
 from forficula.files import write_bytes
@@ -136,6 +139,14 @@ def fit_legend(
     return legend
 
 
+def number_handle(number: int, label: str, colour: str = BLACK) -> Line2D:
+    """Return the entry of a legend for numbers in a drawing, with a number in the place of the line."""
+    digits = TextPath((0, 0), str(number), size=1)
+    box = digits.get_extents()
+    marker = digits.transformed(Affine2D().translate(*(-(box.min + box.max) / 2)))
+    return Line2D([], [], color=colour, marker=marker, ls="none", ms=5, mew=0, label=label)
+
+
 def in_column(axes: Axes) -> bool:
     """Return whether axes are in a column-wide figure, where words have half the space."""
     figure = axes.get_figure(root=True)
@@ -143,14 +154,16 @@ def in_column(axes: Axes) -> bool:
 
 
 def letter_panels(panels: Sequence[Axes]) -> None:
-    """Write bold letters a, b, c .. above the upper left corners of a figure's panels; none for a single panel.
+    """Write bold letters A, B, C .. above the upper left corners of a figure's panels; none for a single panel.
+
+    Capitals, because small letters name the states of a structure.
 
     Args:
         panels: axes in the order of reading.
     """
     if len(panels) < 2:
         return
-    for letter, axes in zip(ascii_lowercase, panels, strict=False):
+    for letter, axes in zip(ascii_uppercase, panels, strict=False):
         axes.annotate(
             letter,
             (0, 1),

@@ -117,7 +117,7 @@ def test_the_enlarged_barrier_covers_no_other_panel(surveyed, width):
         panels = [axes.get_window_extent() for axes in figure.axes[:3]]
         assert not any(one.overlaps(other) for one, other in itertools.combinations(panels, 2))
         letters = [text.get_text() for axes in figure.axes for text in axes.texts if text.get_weight() == "bold"]
-        assert letters == ["a", "b", "c"]
+        assert letters == ["A", "B", "C"]
 
 
 def test_the_ring_axis_stands_where_the_ring_creases_have_that_angle(surveyed):

@@ -13,9 +13,7 @@ from forficula.show.folder.landscape_folder import landscape_drawings, write_lan
 from forficula.show.folder.presentation import folder_drawings
 from forficula.show.landscape.barriers_figure import draw_barriers
 from forficula.show.landscape.landscape_table import landscape_table
-from forficula.show.landscape.net_pictures import _aligned, _readable_view, _visible_share
-from forficula.show.structure.painted_shape import structure_view
-from forficula.show.structure.surface import DrawnSurface
+from forficula.show.landscape.net_pictures import _aligned
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from forficula.statics import energy_landscape
 from forficula.study.running.runs import run
@@ -76,7 +74,7 @@ def test_every_kind_of_line_of_a_path_is_in_the_legend(landscape):
     assert unstable
     assert min(len(line.get_xdata()) for line in unstable) > 2
     # panels have letters, and moments numbers
-    assert [text.get_text() for axes in plots for text in axes.texts if text.get_weight() == "bold"] == ["a", "b"]
+    assert [text.get_text() for axes in plots for text in axes.texts if text.get_weight() == "bold"] == ["A", "B"]
     assert {"1", "2"} <= {text.get_text() for text in plots[0].texts}
 
 
@@ -94,29 +92,6 @@ def test_free_structures_are_turned_so_that_their_states_can_be_compared():
     free = np.array([[0.0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 0.5]])
     turn = Rotation.from_rotvec([0.3, -1.2, 0.8])
     assert _aligned(turn.apply(free) + np.array([4, 5, 6]), free) == pytest.approx(free)
-
-
-def test_the_view_shows_every_face_that_another_view_would_hide(landscape):
-    # a wall seen edge-on from the usual viewpoint
-    view = structure_view(landscape.structure)
-    along, up = view.towards, np.array([0.0, 0.0, 1.0])
-    wall = np.array([[0 * up, along, along + up, up]])
-    surface = DrawnSurface(
-        faces=wall,
-        regions=np.zeros(1, dtype=int),
-        two_sided=False,
-        bars=np.zeros((0, 2, 3)),
-        radii=np.zeros(0),
-        lines=np.zeros((0, 2, 3)),
-        folds=np.zeros(0),
-        held=np.zeros((0, 3)),
-        tendons=np.zeros((0, 2, 3)),
-        thickness=0.01,
-        span=1.0,
-    )
-    assert _visible_share(surface, view) < 0.3
-    better = _readable_view(landscape.structure, [surface])
-    assert _visible_share(surface, better) > 0.9
 
 
 def test_barriers_are_left_out_where_there_is_one_state():

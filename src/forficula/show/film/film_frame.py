@@ -19,9 +19,10 @@ from forficula.dynamics import Record
 from forficula.quantities import reading_unit, round_below, show_value
 from forficula.show.film.film_clock import FilmCut
 from forficula.show.run.energies_figure import stored_energies
-from forficula.show.structure.painted_shape import PaintedShape, paint_shape, shape_handles, structure_view
+from forficula.show.structure.painted_shape import PaintedShape, paint_shape, shape_handles
 from forficula.show.structure.shape import Shape, shape_of
 from forficula.show.structure.surface import at_time, face_strains, surface_at
+from forficula.show.structure.viewpoint import readable_view
 from forficula.show.style import ENERGY_COLOURS, LINE_STYLES, PAGE_WIDTH, STRAIN_COLOURS, figure_style
 from forficula.structure import hinge_groups, springs_name
 
@@ -52,7 +53,8 @@ class FilmFrame:
             strain: whether membranes are coloured by their largest strains.
         """
         self._record, self._shape = record, shape_of(record.structure)
-        self._view = structure_view(record.structure)
+        ends = [surface_at(record, self._shape, time) for cut in cuts for time in (cut.first, cut.last)]
+        self._view = readable_view(ends)
         self._norm = Normalize(0, _largest(record, record.series["tendon_energy"], cuts) or 1.0)
         self._strains = Normalize(0, self._largest_strain(cuts) or 1e-6) if strain else None
         with figure_style():

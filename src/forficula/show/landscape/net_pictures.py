@@ -16,29 +16,21 @@ from scipy.spatial.transform import Rotation
 from forficula.arrays import Array
 from forficula.show.structure.painted_shape import (
     PaintedShape,
-    Viewpoint,
     paint_shape,
     shape_handles,
     show_painted,
-    structure_view,
 )
-from forficula.show.structure.raster import rasterise
 from forficula.show.structure.shape import Shape, shape_of
 from forficula.show.structure.surface import DrawnSurface, surface_of
+from forficula.show.structure.viewpoint import readable_view
 from forficula.show.style import ORANGE
 from forficula.statics import EnergyLandscape
 from forficula.statics.landscape import net_states
 from forficula.statics.net.energy import built_shape
 from forficula.statics.net.net import NetShape
 from forficula.statics.net.net_of import point_positions
-from forficula.structure import Structure
 
-# viewpoints that are compared: elevations, rad, and number of directions around the structure
-_ELEVATIONS, _AROUND = np.radians([30.0, 47.0]), 12
 _DOTTED: dict[str, Any] = {"color": "0.35", "lw": 0.6, "ls": ":"}
-_GRID = 48  # pixels across a picture in which visible faces are counted
-# visible share of the faces that another view must gain over the usual view of the structure
-_GAIN = 0.05
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -74,7 +66,7 @@ def net_pictures(landscape: EnergyLandscape, shapes: Sequence[NetShape], outline
         outlined: for every shape, another one whose creases and edges are dotted in the same picture; none by default.
     """
     structure, shape = landscape.structure, shape_of(landscape.structure)
-    view = _readable_view(structure, [_surface(landscape, shape, state.rest.shape) for state in net_states(landscape)])
+    view = readable_view([_surface(landscape, shape, state.rest.shape) for state in net_states(landscape)])
     painted = [paint_shape(_surface(landscape, shape, item), view, ORANGE) for item in shapes]
     outlines = [view.project(_surface(landscape, shape, item).lines) for item in outlined]
     corners = np.array([item.corners for item in painted])
@@ -126,44 +118,3 @@ def _aligned(points: Array, built: Array) -> Array:
     centre, to = points.mean(axis=0), built.mean(axis=0)
     turn, _ = Rotation.align_vectors(built - to, points - centre)
     return np.asarray(turn.apply(points - centre) + to)
-
-
-def _readable_view(structure: Structure, surfaces: Sequence[DrawnSurface]) -> Viewpoint:
-    """Return the viewpoint from which the faces of all surfaces are visible best; the usual one unless others gain."""
-    usual = structure_view(structure)
-    if not surfaces or not len(surfaces[0].faces):
-        return usual
-    start = np.arctan2(usual.towards[1], usual.towards[0])
-    around = start + np.linspace(0, 2 * np.pi, _AROUND, endpoint=False)
-    views = [_viewpoint(azimuth, elevation) for elevation in _ELEVATIONS for azimuth in around]
-    shares = [min(_visible_share(surface, view) for surface in surfaces) for view in (usual, *views)]
-    best = int(np.argmax(shares[1:]))
-    return views[best] if shares[best + 1] > shares[0] + _GAIN else usual
-
-
-def _viewpoint(azimuth: float, elevation: float) -> Viewpoint:
-    right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
-    level = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
-    towards = np.cos(elevation) * level + np.array([0.0, 0.0, np.sin(elevation)])
-    return Viewpoint(right=right, up=np.cross(towards, right), towards=towards)
-
-
-def _visible_share(surface: DrawnSurface, view: Viewpoint) -> float:
-    """Return the mean over the faces of the root of the share of their area that is visible, 0 to 1.
-
-    Foreshortened areas count less. The root prefers a view of a part of every face to a full view of a few.
-    """
-    faces = surface.faces
-    diagonals = np.cross(faces[:, 2] - faces[:, 0], faces[:, 3] - faces[:, 1])
-    areas = np.linalg.norm(diagonals, axis=1) / 2
-    placed = np.concatenate([view.project(faces), (faces @ view.towards)[..., np.newaxis]], axis=-1)
-    low, high = placed[..., :2].min(axis=(0, 1)), placed[..., :2].max(axis=(0, 1))
-    pixel = float((high - low).max()) / _GRID
-    # pixels downwards; a face's colour is its number
-    triangles = ((placed - [*low, 0.0]) / pixel)[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3)
-    numbers = np.repeat(np.arange(len(faces)), 2)
-    colours = np.column_stack([numbers % 256, numbers // 256, np.zeros(len(numbers))]) / 255
-    drawn = rasterise(triangles, colours, (_GRID, _GRID), samples=1).astype(np.int64)
-    seen = drawn[..., 0] + 256 * drawn[..., 1]
-    counts = np.bincount(seen[drawn[..., 3] > 0], minlength=len(faces))[: len(faces)]
-    return float(np.mean(np.sqrt(counts * pixel**2 / np.maximum(areas, pixel**2))))
