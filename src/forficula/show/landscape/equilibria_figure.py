@@ -23,6 +23,7 @@ from forficula.show.style import (
     describe,
     figure_style,
     fit_legend,
+    letter_panels,
 )
 from forficula.statics import EnergyLandscape, Rest
 from forficula.structure import Measure, read_angles
@@ -62,6 +63,7 @@ def draw_equilibria(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fi
         bottom.set_xlim(-0.6, len(rests) - 0.4)
         bottom.set_ylabel(f"{title_of(measures[0]) if len(measures) == 1 else 'angle'} (deg)")
         bottom.set_xlabel(_order(landscape, measures))
+        letter_panels([top, bottom])
         fit_legend(figure, _handles(landscape, measures), 4, loc="outside upper center")
         return describe(figure, _text(landscape, measures))
 

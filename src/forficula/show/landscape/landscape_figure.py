@@ -31,6 +31,7 @@ from forficula.show.style import (
     figure_style,
     fit_legend,
     in_column,
+    letter_panels,
 )
 from forficula.statics import EnergyLandscape, FoldPath, StableState
 from forficula.statics.landscape import fold_path_of, fold_states
@@ -97,6 +98,7 @@ def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fig
         top.set_ylabel(f"stored energy ({energy_unit})")
         middle.set_ylabel(f"{stretched.replace(' and ', f',{chr(10)}')} ({sheet_unit})")
         bottom.set_ylabel(f"moment about the\npleats ({torque_unit})")
+        letter_panels([top, middle, bottom])
         bottom.set_xlabel("pleat angle (deg): camber < 0, flat 0, folding > 0")
         handles = [handle for axes in (top, middle) for handle in axes.get_legend_handles_labels()[0]]
         handles += state_handles({state.kind for state in states})

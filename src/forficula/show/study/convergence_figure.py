@@ -22,6 +22,7 @@ from forficula.show.style import (
     figure_style,
     fit_legend,
     is_narrow,
+    letter_panels,
 )
 from forficula.structure import Measure, Structure, measure_stops, structure_of
 from forficula.study.convergence.convergence import Convergence
@@ -76,6 +77,7 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
             axes.set_xlim(*(1e3 * np.nanmax(times) * np.array([-_BEFORE, _AFTER])))
             axes.set_xlabel("since its start (ms)" if narrow else "time since its start (ms)")
             axes.set_title(name)
+        letter_panels([whole, *close])
         lines = whole.get_legend_handles_labels()[0]
         if narrow:
             fit_legend(figure, lines, 3, loc="outside upper center")
