@@ -218,6 +218,10 @@ def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding
         at = math.degrees(angle), factor * path.moment[place]
         axes.plot(*at, "o", color=VERMILION, ms=4)
         words = f"{name} requires {reads * torque:.3g} {unit}{chr(10) if in_column(axes) else ' '}{where}"
+        # the axis has another moment than the joints
+        about = show_value(abs(path.moment[place]), "N m", 3)
+        if about != show_value(torque, "N m", 3):
+            words += f",\n{about} about the pleats"
         axes.annotate(words, at, xytext=(across, up), textcoords="offset points", ha=side, va="center", fontsize=7)
 
 
