@@ -89,7 +89,7 @@ def test_hundreds_of_panels_are_drawn_so_that_their_words_can_be_read(long_strip
     for figure in figures.values():
         check_words(figure, width)
     (legend,) = [legend for axes in figures["angles"].axes if (legend := axes.get_legend())]
-    assert [text.get_text() for text in legend.get_texts()] == ["crease (199), median"]
+    assert [text.get_text() for text in legend.get_texts()] == ["199 creases, median"]
     # not a line: at least a tenth as high as long
     box = figures["pattern"].axes[0].get_window_extent()
     assert 0.08 < box.height / box.width < 0.2
