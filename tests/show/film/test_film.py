@@ -168,6 +168,18 @@ def test_errors_of_ffmpeg_are_reported_and_no_file_is_left(tmp_path, reference_r
     assert not list((tmp_path / "out").iterdir())
 
 
+@pytest.mark.parametrize("strain", [False, True])
+def test_the_structure_moves_below_the_scales_of_colours_and_the_title(reference_run, cuts, strain):
+    frame = FilmFrame(reference_run, cuts, (640, 360), strain=strain)
+    figure, axes = frame._canvas.figure, frame._axes
+    renderer = frame._canvas.get_renderer()
+    scales = [item.get_tightbbox(renderer) for item in figure.axes if "energy of a tendon" in item.get_xlabel()]
+    scales += [item.get_tightbbox(renderer) for item in figure.axes if "Green strain" in item.get_xlabel()]
+    assert len(scales) == 1 + strain
+    lowest = min(box.y0 for box in (*scales, frame._words.get_window_extent(renderer)))
+    assert axes.get_window_extent(renderer).y1 <= lowest + 1
+
+
 def test_a_film_of_strains_colours_the_membrane_alone_and_needs_one(reference_run, cuts, frame, tmp_path):
     # the time of the largest strain
     peak = max((peak for peak in strain_peaks(reference_run) if peak.kind == "membranes"), key=lambda item: item.strain)
