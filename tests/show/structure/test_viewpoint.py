@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from forficula.show.structure.surface import DrawnSurface
-from forficula.show.structure.viewpoint import TOWARDS_EYE, page_view, readable_view
+from forficula.show.structure.viewpoint import TOWARDS_EYE, _visible_faces, page_view, readable_view
 
 CAMERA = Path(__file__).parents[3] / "web" / "src" / "camera.js"
 FLAT = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
@@ -61,3 +61,14 @@ def test_of_several_shapes_the_one_that_is_seen_worst_decides():
     plate = upright(along)
     view = readable_view([surface(FLAT), surface(plate), surface(FLAT)])
     assert abs(np.cross(along, [0, 0, 1]) @ view.towards) > 0.6
+
+
+def test_a_structure_that_nothing_holds_is_seen_from_where_a_part_of_every_face_is_visible():
+    # the lower half of a cube: from above, its bottom hides nothing, and from the usual side two walls hide one another
+    walls = [upright([1, 0, 0]), upright([0, 1, 0]), upright([1, 0, 0]) + [0, 1, 0]]
+    box = surface(*walls)
+    free, held = readable_view([box], free=True), readable_view([box])
+    assert _visible_faces(box.faces, free, every=True) >= _visible_faces(box.faces, held, every=True)
+    # the underside is seen from below, and only if the orientation is free
+    roof = surface(FLAT + [0, 0, 1], FLAT * 0.5 + [0.25, 0.25, 0.9])
+    assert readable_view([roof], free=True).towards[2] < 0 < readable_view([roof]).towards[2]
