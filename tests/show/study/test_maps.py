@@ -153,7 +153,8 @@ def draw(figure):
 
 def written(axes):
     """Return the numbers in cells by column and row."""
-    return {tuple(map(round, text.get_position())): float(text.get_text()) for text in axes.texts}
+    numbers = [text for text in axes.texts if text.get_weight() != "bold"]  # and not the panel's letter
+    return {tuple(map(round, text.get_position())): float(text.get_text()) for text in numbers}
 
 
 def marked(axes):

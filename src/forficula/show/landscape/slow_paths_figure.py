@@ -39,7 +39,7 @@ _ABREAST = 4  # largest number of pictures in one row
 _PLOT, _PICTURE = 2.2, 1.3  # height of a plot, and largest height of a picture, inch
 _WORDS = 0.2  # height of a picture's title, inch
 _LEGEND = 0.45
-_SAME = 0.06  # points closer than this share of a plot's size share a label
+_SAME = 0.1  # points closer than this share of a plot's size share a label
 
 _STABLE: dict[str, Any] = {"color": BLACK, "lw": 0.9, "ls": "-"}
 _UNSTABLE: dict[str, Any] = {"color": "0.5", "lw": 0.9, "ls": "--"}

@@ -65,8 +65,8 @@ def readable_view(surfaces: Sequence[DrawnSurface], *, free: bool = False) -> Vi
 
     Args:
         surfaces: the shapes.
-        free: whether nothing holds the structure. Its orientation is then arbitrary: views from above and below are
-            compared as well, and one that shows a part of every face is preferred.
+        free: whether nothing holds the structure. Its orientation is then arbitrary: the best of views from above and
+            below is taken, and one that shows a part of every face is preferred.
     """
     compared = surfaces[:: -(-len(surfaces) // _MOST_COMPARED) or 1]
     turns = np.linspace(0, 2 * np.pi, _AROUND, endpoint=False)
@@ -74,7 +74,7 @@ def readable_view(surfaces: Sequence[DrawnSurface], *, free: bool = False) -> Vi
     views.insert(0, page_view())
     shares = [min((_visible_share(surface, view, every=free) for surface in compared), default=0.0) for view in views]
     best = int(np.argmax(shares))
-    return views[best] if shares[best] > shares[0] + _GAIN else views[0]
+    return views[best] if free or shares[best] > shares[0] + _GAIN else views[0]
 
 
 def _visible_share(surface: DrawnSurface, view: Viewpoint, *, every: bool = False) -> float:
