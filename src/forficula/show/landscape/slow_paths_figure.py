@@ -78,9 +78,10 @@ def draw_slow_paths(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fi
             for number, (axes, (_, _, words)) in enumerate(zip(small, moment, strict=True), start=1):
                 axes.set_title(f"{number}  {words}", pad=2, fontsize=7)
         letter_panels(plots)
-        # in the place of a plot where there is one
-        owner, look = (panels[-1], {"loc": "center"}) if spare else (figure, {"loc": "outside lower center"})
-        fit_legend(owner, _handles(courses), 1 if spare else 3, **look)
+        if spare:  # in the place of a plot
+            fit_legend(panels[-1], _handles(courses), 1, loc="center")
+        else:
+            fit_legend(figure, _handles(courses), 3, loc="outside lower center")
         return describe(figure, _text(landscape, courses))
 
 
