@@ -1,5 +1,6 @@
 import itertools
 import math
+import re
 
 import numpy as np
 import pytest
@@ -131,6 +132,16 @@ def test_the_ring_axis_stands_where_the_ring_creases_have_that_angle(surveyed):
             # tan(ring / 2) = m tan(pleat / 2) (docs/model/theory.md, section "Fan pattern"); the axis is interpolated
             # between its ticks
             assert math.tan(ring / 2) == pytest.approx(ratio * math.tan(math.radians(place) / 2), rel=0.02, abs=1e-9)
+
+
+@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
+def test_a_dot_on_the_moment_is_labelled_with_the_moment_that_it_marks(surveyed, width):
+    landscape = surveyed("reference")
+    axes = next(axes for axes in draw_fold_path(landscape, width).axes if "moment" in axes.get_ylabel())
+    dots = [float(line.get_ydata()[0]) for line in axes.lines if line.get_marker() == "o"]
+    labels = [text.get_text() for text in axes.texts if "requires" in text.get_text()]
+    marked = [float(re.search(r"requires ([\d.]+) N cm:", label)[1]) for label in labels]
+    assert marked == pytest.approx(np.abs(dots), rel=5e-3)
 
 
 def test_every_partly_folded_state_has_a_bar_that_ends_at_its_energy(surveyed):

@@ -91,7 +91,7 @@ def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fig
         bottom.axhline(0, color="0.6", lw=0.5, zorder=0)
         low, high = torque * float(moment.min()), torque * float(moment.max())
         room = (high - low) or 1.0
-        bottom.set_ylim(min(low, 0) - 0.3 * room, high + 0.2 * room)
+        bottom.set_ylim(min(low, 0) - (0.45 if in_column(bottom) else 0.3) * room, high + 0.2 * room)
         for axes, curve in ((top, path.energy), (middle, sheet_energy), (bottom, moment)):
             if not np.any(curve):
                 axes.set_yticks([0])
@@ -217,8 +217,13 @@ def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding
         unit, reads = reading_unit("N m", torque)
         at = math.degrees(angle), factor * path.moment[place]
         axes.plot(*at, "o", color=VERMILION, ms=4)
-        words = f"{name} requires {reads * torque:.3g} {unit}{chr(10) if in_column(axes) else ' '}{where}"
-        axes.annotate(words, at, xytext=(across, up), textcoords="offset points", ha=side, va="center", fontsize=7)
+        required = f"{reads * torque:.3g} {unit}"
+        # the axis has the moment about the pleats and not that of one joint
+        about = show_value(abs(path.moment[place]), "N m", 3)
+        apart = "\n" if in_column(axes) else " "
+        words = f"{required}{apart}{where}" if about == required else f"{about}:{apart}{required} {where}"
+        style: dict[str, Any] = {"textcoords": "offset points", "ha": side, "va": "center", "fontsize": 7}
+        axes.annotate(f"{name} requires {words}", at, xytext=(across, up), **style)
 
 
 def _directions(structure: Structure) -> tuple[str, str]:

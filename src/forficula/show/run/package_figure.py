@@ -17,7 +17,7 @@ from forficula.show.structure.painted_shape import paint_shape, show_painted
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
 from forficula.show.structure.viewpoint import Viewpoint
-from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
+from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow, letter_panels
 
 _ROOM = 1.25  # size of a picture, as a multiple of its larger side
 _BESIDE, _WORDS = 8.0, 3.0  # pt, distance of a dimension from its picture, and of words from the dimension
@@ -56,6 +56,7 @@ def draw_package(record: Record, width: float = PAGE_WIDTH) -> Figure:
         spans = (opened.width, opened.length), (package.width, package.length), (package.length, package.height)
         for axes, size, (across, upwards) in zip(panels, sizes, spans, strict=True):
             _dimension(axes, size, across, upwards)
+        letter_panels(panels.tolist())
         return describe(figure, f"The {whole} {record.design.name}. {package_text(name, time, package)}")
 
 

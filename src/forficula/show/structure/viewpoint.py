@@ -17,7 +17,7 @@ _AROUND = 12  # number of directions around the structure that are compared
 _ELEVATIONS = np.radians([-60.0, -30.0, 30.0, 47.0, 60.0])  # of the eye, for structures that nothing holds
 _GRID = 48  # pixels across a picture in which visible faces are counted
 # visible share of the faces and bars that another direction must gain over that of the pages
-_GAIN = 0.08
+_GAIN = 0.14
 _MOST_COMPARED = 8  # largest number of shapes that are compared
 
 
