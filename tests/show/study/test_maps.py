@@ -451,3 +451,24 @@ def test_small_designs_are_written_in_small_units():
         table[name] = (table[name] * 1e-6).assign_attrs(units="N m")
     figure = draw_torque_maps(table)
     assert [axes.get_ylabel() for axes in figure.axes if axes.get_label() == "<colorbar>"] == ["torque (nN m)"] * 2
+
+
+def test_panels_of_one_quantity_have_one_unit_and_letters(monkeypatch):
+    table = planted(TWO)
+    # folding requires a tenth of the torque of opening
+    table["least_fold_torque"] = 0.02 * table["least_fold_torque"] / table["least_fold_torque"].max()
+    table["least_unfold_torque"] = 0.2 * table["least_unfold_torque"] / table["least_unfold_torque"].max()
+    figure = draw_torque_maps(table)
+    bars = [axes.get_ylabel() for axes in figure.axes if axes.get_label() == "<colorbar>"]
+    assert len(bars) == 2
+    assert len(set(bars)) == 1
+    letters = [text.get_text() for axes in figure.axes for text in axes.texts if text.get_weight() == "bold"]
+    assert letters == ["A", "B"]
+
+
+def test_a_colour_bar_of_a_single_value_has_this_value_only():
+    table = planted(TWO)
+    least = table["least_fold_torque"]
+    table["least_fold_torque"] = least.where(least == least.max())
+    bar = next(axes for axes in draw_torque_maps(table).axes if axes.get_label() == "<colorbar>")
+    assert bar.get_yticks() == pytest.approx([100 * float(least.max())])
