@@ -143,7 +143,7 @@ def number_handle(number: int, label: str, colour: str = BLACK) -> Line2D:
     """Return the entry of a legend for numbers in a drawing, with a number in the place of the line."""
     digits = TextPath((0, 0), str(number), size=1)
     box = digits.get_extents()
-    marker = digits.transformed(Affine2D().translate(*(-(box.min + box.max) / 2)))
+    marker = digits.transformed(Affine2D().translate(-(box.x0 + box.x1) / 2, -(box.y0 + box.y1) / 2))
     return Line2D([], [], color=colour, marker=marker, ls="none", ms=5, mew=0, label=label)
 
 

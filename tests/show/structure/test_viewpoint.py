@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from forficula.show.structure.surface import DrawnSurface
-from forficula.show.structure.viewpoint import TOWARDS_EYE, page_view, readable_view
+from forficula.show.structure.viewpoint import TOWARDS_EYE, _visible_faces, page_view, readable_view
 
 CAMERA = Path(__file__).parents[3] / "web" / "src" / "camera.js"
 FLAT = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
@@ -61,3 +61,12 @@ def test_of_several_shapes_the_one_that_is_seen_worst_decides():
     plate = upright(along)
     view = readable_view([surface(FLAT), surface(plate), surface(FLAT)])
     assert abs(np.cross(along, [0, 0, 1]) @ view.towards) > 0.6
+
+
+def test_a_structure_that_nothing_holds_is_seen_from_where_a_part_of_every_face_is_visible():
+    # a small plate below a large one is visible from below only
+    above, below = FLAT + np.array([0, 0, 1]), 0.5 * FLAT + np.array([0.25, 0.25, 0.9])
+    roof = surface(above, below)
+    free, held = readable_view([roof], free=True), readable_view([roof])
+    assert free.towards[2] < 0 < held.towards[2]
+    assert _visible_faces(roof.faces, free, every=True) > _visible_faces(roof.faces, held, every=True)

@@ -83,3 +83,12 @@ def test_the_folder_has_tables_the_figure_and_a_page(tmp_path):
     assert "Does not apply: gravity, because the axis of the hinge is upright." in page
     assert "1 of 3 changes have no reliable result" in page
     assert "shorter where the change requires it: twice the damping of hinges 0.1 ms" in page
+
+
+def test_the_legend_names_only_what_is_drawn():
+    named = [text.get_text() for text in draw_assumptions(ASSUMED).legends[0].get_texts()]
+    assert "fails with the change" in named
+    assert "no reliable result" not in named
+    unknown = replace(ASSUMED.runs[1], verdict=Verdict.UNDECIDED, effect=Effect.UNKNOWN)
+    figure = draw_assumptions(replace(ASSUMED, runs=(ASSUMED.runs[0], unknown)))
+    assert "no reliable result" in [text.get_text() for text in figure.legends[0].get_texts()]

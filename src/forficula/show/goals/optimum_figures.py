@@ -152,7 +152,7 @@ def _objective_limits(optimum: Optimum) -> list[tuple[int, str, float]]:
 def _focus(axes: Axes, optimum: Optimum, one: Array, other: Array, chosen: Flags) -> Flags:
     """Set the range of axes to chosen designs (all if there are none) and limits; returns which designs are inside."""
     limits, inside = _objective_limits(optimum), np.ones(len(one), dtype=bool)
-    for number, (values, set_range) in enumerate(((one, axes.set_xlim), (other, axes.set_ylim))):
+    for number, values in enumerate((one, other)):
         known = values[np.isfinite(values) & (chosen if chosen.any() else True)]
         ends = np.concatenate([known, [bound for index, _, bound in limits if index == number]])
         if not len(ends):
@@ -162,7 +162,7 @@ def _focus(axes: Axes, optimum: Optimum, one: Array, other: Array, chosen: Flags
         # no farther than the designs are
         low = max(ends.min() - room, min(every.min(initial=ends.min()), ends.min()) - 0.1 * room)
         high = min(ends.max() + room, max(every.max(initial=ends.max()), ends.max()) + 0.1 * room)
-        set_range(low, high)
+        (axes.set_ylim if number else axes.set_xlim)(low, high)
         inside &= (values >= low) & (values <= high)
     return inside
 

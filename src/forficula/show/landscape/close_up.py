@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Sequence
+from typing import Any
 
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -48,7 +49,7 @@ def hinge_panels(width: float, *, enlarged: bool) -> tuple[Figure, Axes, Axes, A
 
 def write_sentence(near: Axes, text: str) -> None:
     """Write a sentence in the place of an enlarged barrier."""
-    look = {"ha": "center", "va": "center", "fontsize": 7, "color": "0.25"}
+    look: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": 7, "color": "0.25"}
     near.text(0.5, 0.5, textwrap.fill(text, _LETTERS), transform=near.transAxes, **look)
 
 

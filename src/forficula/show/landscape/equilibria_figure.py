@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
 
 from forficula.quantities import reading_unit, show_value
 from forficula.show.landscape.landscape_marks import rest_name, sheet_parts, show_angles, torque_location
@@ -111,6 +112,7 @@ def _plot_angles(axes: Axes, rests: tuple[Rest, ...], measures: tuple[Measure, .
     low, high = axes.get_ylim()
     short = max(_LEAST_SPAN - (high - low), 0.0) / 2
     axes.set_ylim(low - short, high + short)
+    axes.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 1.5, 2, 3, 4.5, 5, 9, 10]))
 
 
 def _order(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:

@@ -66,7 +66,8 @@ def net_pictures(landscape: EnergyLandscape, shapes: Sequence[NetShape], outline
         outlined: for every shape, another one whose creases and edges are dotted in the same picture; none by default.
     """
     structure, shape = landscape.structure, shape_of(landscape.structure)
-    view = readable_view([_surface(landscape, shape, state.rest.shape) for state in net_states(landscape)])
+    states = [_surface(landscape, shape, state.rest.shape) for state in net_states(landscape)]
+    view = readable_view(states, free=_is_free(landscape))
     painted = [paint_shape(_surface(landscape, shape, item), view, ORANGE) for item in shapes]
     outlines = [view.project(_surface(landscape, shape, item).lines) for item in outlined]
     corners = np.array([item.corners for item in painted])
@@ -107,10 +108,16 @@ def _surface(landscape: EnergyLandscape, shape: Shape, net_shape: NetShape) -> D
     nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
     net = landscape.net.net
     points = point_positions(net, net_shape)[: len(structure.points)]
-    if net.free.all():
+    if _is_free(landscape):
         points = _aligned(points, point_positions(net, built_shape(net))[: len(points)])
     places = np.concatenate((points, points[nodes]))
     return surface_of(shape, places, net_shape.angles, two_sided=bool(structure.facets))
+
+
+def _is_free(landscape: EnergyLandscape) -> bool:
+    """Return whether nothing holds a net."""
+    assert landscape.net is not None
+    return bool(landscape.net.net.free.all())
 
 
 def _aligned(points: Array, built: Array) -> Array:

@@ -36,11 +36,13 @@ from forficula.structure import drive_unit, driven_motor
 
 _MOST = 6  # largest number of pictures of a path
 _ABREAST = 4  # largest number of pictures in one row
-_PLOT, _PICTURE = 2.2, 1.3  # height of a plot, and largest height of a picture, inch
+_FEW = 2  # drives with higher plots
+_PLOT, _LOW_PLOT, _PICTURE = 2.2, 1.7, 1.3  # heights of a plot, and largest height of a picture, inch
 _WORDS = 0.2  # height of a picture's title, inch
 _LEGEND = 0.45
-_SAME = 0.06  # points closer than this share of a plot's size share a label
+_SAME = 0.1  # points closer than this share of a plot's size share a label
 
+_BEHIND_NUMBERS: dict[str, Any] = {"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.7}
 _STABLE: dict[str, Any] = {"color": BLACK, "lw": 0.9, "ls": "-"}
 _UNSTABLE: dict[str, Any] = {"color": "0.5", "lw": 0.9, "ls": "--"}
 # factor, shape and words of a picture
@@ -60,27 +62,30 @@ def draw_slow_paths(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fi
     rows = -(-len(courses) // columns)
     pictures = [net_pictures(landscape, [shape for _, shape, _ in moment]) for moment in moments]
     count = max(len(moment) for moment in moments)
-    most = count if count <= _ABREAST else -(-count // 2)
+    # several drives must fit on a page
+    plot, abreast = (_PLOT, _ABREAST) if len(courses) <= _FEW else (_LOW_PLOT, _ABREAST + 1)
+    most = count if count <= abreast else -(-count // 2)
     layers = max(-(-len(moment) // most) for moment in moments)
     # the same for all drives, so that their plots have the same size
     picture = min(max(item.slope for item in pictures) * width / columns / most, _PICTURE) + _WORDS
     spare = rows * columns - len(courses)
-    height = rows * (_PLOT + layers * picture) + _LEGEND * (not spare) * (1 + is_narrow(width))
+    height = rows * (plot + layers * picture) + _LEGEND * (not spare) * (1 + is_narrow(width))
     with figure_style():
         figure = Figure(figsize=(width, height), layout="constrained")
         panels = np.ravel(figure.subfigures(rows, columns, squeeze=False))
         plots = []
         for panel, course, moment, shown in zip(panels, courses, moments, pictures, strict=False):
-            grid = panel.add_gridspec(1 + layers, most, height_ratios=[_PLOT, *[picture] * layers])
+            grid = panel.add_gridspec(1 + layers, most, height_ratios=[plot, *[picture] * layers])
             plots.append(_draw_course(panel, grid, landscape, course, moment))
             small = [panel.add_subplot(grid[1 + number // most, number % most]) for number in range(len(moment))]
             show_pictures(shown, small, width / columns / most)
             for number, (axes, (_, _, words)) in enumerate(zip(small, moment, strict=True), start=1):
                 axes.set_title(f"{number}  {words}", pad=2, fontsize=7)
         letter_panels(plots)
-        # in the place of a plot where there is one
-        owner, look = (panels[-1], {"loc": "center"}) if spare else (figure, {"loc": "outside lower center"})
-        fit_legend(owner, _handles(courses), 1 if spare else 3, **look)
+        if spare:  # in the place of a plot
+            fit_legend(panels[-1], _handles(courses), 1, loc="center")
+        else:
+            fit_legend(figure, _handles(courses), 3, loc="outside lower center")
         return describe(figure, _text(landscape, courses))
 
 
@@ -108,11 +113,12 @@ def _draw_course(
         axes.plot(*place, ".", color=BLACK, ms=3, zorder=6)
         # the start on the left of the path, which leads to the right and upwards
         across, up, side = (-4, 4, "right") if numbers == "1" else (4, 4 if numbers[0] != "1" else -10, "left")
-        axes.annotate(numbers, place, xytext=(across, up), textcoords="offset points", ha=side, fontsize=8, zorder=6)
+        look: dict[str, Any] = {"ha": side, "fontsize": 8, "zorder": 6, "bbox": _BEHIND_NUMBERS}
+        axes.annotate(numbers, place, xytext=(across, up), textcoords="offset points", **look)
     axes.set_xlabel(f"{plot.along} ({plot.unit_along})")
     axes.set_ylabel(f"{plot.drive} ({plot.unit})")
     axes.set_title(course.name, loc="left")
-    axes.margins(x=0.08, y=0.12)
+    axes.margins(x=0.08, y=0.16)
     return axes
 
 

@@ -16,7 +16,7 @@ from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_state import NetState
 
 _SWING = 0.12  # largest displacement drawn for a mode, as a share of the net's size
-_TITLE, _LEGEND = 0.42, 0.35  # inch
+_TITLE, _LEGEND = 0.5, 0.35  # inch
 _PAD = 3  # pt, between a shape and its title
 _MOST = 4  # largest number of states whose modes are drawn
 

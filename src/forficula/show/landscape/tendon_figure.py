@@ -102,7 +102,7 @@ def draw_tendon(
             meaning = f"folding > 0, straight 0, {overbend} < 0"
         bottom.set_xlabel(f"{title} (deg){':' if not is_narrow(width) else chr(10)} {meaning}")
         handles, _ = top.get_legend_handles_labels()
-        simulated = [handle for handle in handles if handle.get_label().startswith("simulated")]
+        simulated = [handle for handle in handles if str(handle.get_label()).startswith("simulated")]
         lines = [handle for handle in handles if handle not in simulated]
         stops = Patch(color=_STOP, label="beyond the stops")
         handles = [*lines, stops, *simulated, *state_handles({state.kind for state in actual.states})]

@@ -61,6 +61,11 @@ class _Scale:
     empty: bool
     single: bool
 
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Return the least and the largest value, in the unit."""
+        return float(self.norm.vmin or 0.0), float(self.norm.vmax or 0.0)
+
 
 def draw_page(
     view: MapView,
@@ -185,8 +190,8 @@ def _own_scales(panels: Sequence[MapPanel]) -> list[_Scale]:
     for number, (panel, scale) in enumerate(zip(panels, scales, strict=True)):
         share = common.factor / scale.factor
         if panel.unit == panels[0].unit and not scale.empty and share >= _ONE_UNIT:
-            norm = Normalize(scale.norm.vmin * share, scale.norm.vmax * share)
-            scales[number] = replace(scale, unit=common.unit, factor=common.factor, norm=norm)
+            low, high = (share * end for end in scale.ends)
+            scales[number] = replace(scale, unit=common.unit, factor=common.factor, norm=Normalize(low, high))
     return scales
 
 
@@ -199,7 +204,7 @@ def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> 
     )
     bar.set_label(label, labelpad=1.5)
     if scale.single:
-        bar.set_ticks([(scale.norm.vmin + scale.norm.vmax) / 2])
+        bar.set_ticks([sum(scale.ends) / 2])
     bar.outline.set_visible(False)
 
 
