@@ -204,10 +204,10 @@ def test_a_state_beyond_a_saddle_that_the_search_missed_is_listed_and_joined(lan
     )
     monkeypatch.setattr(net_landscape, "find_saddle", lambda *_, **__: path)
     search = replace(landscape.net.search, states=(up.rest,), counts=(3,))
-    found, states, passes = net_landscape._joined(landscape.structure, net, search, [up, lost])
+    searched, states, passes = net_landscape._joined(landscape.structure, net, search, [up, lost])
     assert [state.name for state in states] == ["up", "state 3", "lost"]
     assert states[1].hits == 0
-    assert found.counts == (3, 0)
+    assert searched.counts == (3, 0)
     ((ends, barriers),) = [(item.ends, item.barriers) for item in passes]
     assert ends == (0, 1)
     assert barriers == pytest.approx(joint.barriers)

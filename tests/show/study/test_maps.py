@@ -453,7 +453,7 @@ def test_small_designs_are_written_in_small_units():
     assert [axes.get_ylabel() for axes in figure.axes if axes.get_label() == "<colorbar>"] == ["torque (nN m)"] * 2
 
 
-def test_panels_of_one_quantity_have_one_unit_and_letters(monkeypatch):
+def test_panels_of_one_quantity_have_one_unit_and_letters():
     table = planted(TWO)
     # folding requires a tenth of the torque of opening
     table["least_fold_torque"] = 0.02 * table["least_fold_torque"] / table["least_fold_torque"].max()

@@ -64,16 +64,23 @@ def draw_facts(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
     places = np.arange(len(names))
     with figure_style():
         narrow = is_narrow(width)
-        figure = Figure(figsize=(width, (0.3 if narrow else 0.26) * len(names) + 0.75), layout="constrained")
+        figure = Figure(
+            figsize=(width, (0.3 if narrow else 0.26) * len(names) + (1.2 if narrow else 0.9)), layout="constrained"
+        )
         left, right = figure.subplots(1, 2, sharey=True)
+        between = "\n" if narrow else " "
         share, low, high = (100 * result[name].values for name in ("met_share", "met_share_low", "met_share_high"))
         left.barh(places, share, 0.62, color=BLUE)
         errors = np.vstack([np.maximum(share - low, 0), np.maximum(high - share, 0)])
         left.errorbar(share, places, xerr=errors, fmt="none", ecolor=BLACK, elinewidth=0.8, capsize=2)
-        left.set(xlim=(0, min(100.0, 1.1 * max(float(np.nanmax(high)), 5.0))), xlabel="samples that meet the fact (%)")
+        left.set(
+            xlim=(0, min(100.0, 1.1 * max(float(np.nanmax(high)), 5.0))),
+            xlabel=f"samples that meet{between}the fact (%)",
+        )
         left.set_yticks(places, [textwrap.fill(name, 17 if narrow else 30) for name in names])
         left.set_ylim(len(names) - 0.4, -0.6)
         _draw_distances(right, result, places)
+        right.set_xlabel(f"distance to the fact{between}(its scale)")
         letter_panels([left, right])
         handles = [
             Patch(color=BLUE, label="share"),
@@ -98,7 +105,7 @@ def _draw_distances(axes: Axes, result: Dataset, places: Any) -> None:
         axes.plot(shown, np.full(len(shown), place), "|", color=_GREY, ms=7, mew=0.5, alpha=0.6)
         axes.plot(shown.min(), place, "D", color=VERMILION, ms=4)
     axes.set_xscale("symlog", linthresh=0.1, linscale=0.4)
-    axes.set(xlim=(-0.01, 1.25 * _FAR), xlabel="distance to the fact (its scale)")
+    axes.set(xlim=(-0.01, 1.25 * _FAR))
     axes.set_xticks([0, 0.1, 1, _FAR], ["0", "0.1", "1", f"{_FAR:g}+"])
     axes.minorticks_off()
 

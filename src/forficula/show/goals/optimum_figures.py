@@ -236,8 +236,8 @@ def _axes_of(optimum: Optimum) -> list[_Axis]:
     limits = (*goal.limits, *goal.torque_limits)
 
     def bounds(name: str, unit: Unit | None) -> tuple[tuple[str, float], ...]:
-        own = [limit for limit in limits if key_text(limit.quantity.name) == name]
-        return tuple((limit.kind, float(_shown(limit.bound, unit))) for limit in own)
+        named = [limit for limit in limits if key_text(limit.quantity.name) == name]
+        return tuple((limit.kind, float(_shown(limit.bound, unit))) for limit in named)
 
     for parameter in goal.parameters:
         values, unit = optimum.table[parameter.factor.dimension].values, parameter.factor.unit

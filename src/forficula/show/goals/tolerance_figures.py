@@ -54,7 +54,7 @@ _POINTS: dict[Answer, tuple[str, dict[str, Any]]] = {
     ),
     Answer.UNKNOWN: ("sample: unreliable", {"marker": "d", "mfc": ORANGE, "mec": BLACK, "mew": 0.5, "ms": 4.0}),
 }
-# share of white in the colours of cells, in front of which points must be visible
+# share of white in the colours of cells, so that points in front of them are visible
 _PALE = 0.6
 # visible on cells of any colour
 _DESIGN: dict[str, Any] = {"marker": "P", "mfc": "white", "mec": BLACK, "mew": 1.0, "ms": 8}

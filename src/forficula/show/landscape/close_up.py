@@ -19,7 +19,7 @@ _LETTERS = 32  # letters per line of a sentence
 
 
 def hinge_panels(width: float, *, enlarged: bool) -> tuple[Figure, Axes, Axes, Axes]:
-    """Return a figure with axes for energy, moment and the enlarged barrier, none of which covers another.
+    """Return a figure with axes for energy, moment and the enlarged barrier, side by side.
 
     The first two have the same horizontal axis. The third is on their right, or below in a column.
 

@@ -27,7 +27,7 @@ from forficula.show.style import (
 from forficula.study.assumptions.assumptions import AssumptionRun, Assumptions, Effect
 
 # inch, height of a row, and of everything above and below the rows
-_ROW, _AROUND = 0.19, 1.0
+_ROW, _NARROW_ROW, _AROUND = 0.19, 0.23, 1.0
 _INK, _BAND = "0.45", "0.85"
 # %; smaller changes are on a linear scale, larger ones on a logarithmic scale
 _EVEN = 10.0
@@ -63,7 +63,7 @@ def draw_assumptions(results: Assumptions, width: float = PAGE_WIDTH) -> Figure:
     with figure_style():
         across = max(1, min(len(panels), 2 if narrow else 4))
         down = max(1, math.ceil(len(panels) / across))
-        height = down * (_ROW * len(results.runs) + 0.5) + _AROUND
+        height = down * ((_NARROW_ROW if narrow else _ROW) * len(results.runs) + 0.5) + _AROUND
         figure = Figure(figsize=(width, height), layout="constrained")
         every = figure.subplots(down, across, squeeze=False).ravel().tolist()
         for axes in every[max(len(panels), 1) :]:

@@ -180,7 +180,7 @@ def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -
             axes.text(0.02, row.height, str(reasons[row.place]), transform=foot, va="center", fontsize=6, color=_INK)
     if np.isfinite(values).any():
         low, high = factor * float(np.nanmin(values)), factor * float(np.nanmax(values))
-        room = _BESIDE * ((high - low) or 0.2 * abs(high) or 1.0)
+        room = _BESIDE * ((high - low) or abs(high) or 1.0)
         axes.set_xlim(low - room, high + room)
     axes.set_xlabel(f"{_numbers(table)[name]} ({unit})" if unit else _numbers(table)[name])
 

@@ -235,7 +235,7 @@ def _joined(
     order = sorted(range(len(states)), key=lambda number: states[number].energy)
     added = states[len(listed) :]
     rests = [*zip(search.states, search.counts, strict=True), *((state.rest, 0) for state in added)]
-    rests.sort(key=lambda found: found[0].energy)
+    rests.sort(key=lambda pair: pair[0].energy)
     search = replace(search, states=tuple(rest for rest, _ in rests), counts=tuple(hits for _, hits in rests))
     return search, [states[number] for number in order], _renumbered(passes.values(), order)
 
