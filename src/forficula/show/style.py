@@ -11,6 +11,7 @@ from pathlib import Path
 from string import ascii_uppercase
 from typing import Any
 
+import numpy as np
 from matplotlib import colormaps, rc_context, rcParams, rcParamsDefault
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -22,7 +23,7 @@ from matplotlib.figure import Figure
 from matplotlib.legend import Legend
 from matplotlib.lines import Line2D
 from matplotlib.textpath import TextPath
-from matplotlib.transforms import Affine2D
+from matplotlib.transforms import Affine2D, Bbox
 
 from forficula.errors import InputError
 from forficula.files import write_bytes
@@ -31,6 +32,7 @@ COLUMN_WIDTH, PAGE_WIDTH = 3.5, 7.1  # inch, one and two columns of a journal
 _RESOLUTION = 200  # dots per inch
 # pt, lower right corner of a panel's letter, from the upper left corner of its axes
 _LETTER = (-6.0, 3.0)
+_PLACES = 9  # decimals of a position in a figure, as a share of its size
 _LEAST_LETTERS = 8  # least letters per line of a legend
 _FILLED = 0.96  # share of the width that a legend may fill: at another resolution letters are slightly wider
 PICTURE_RESOLUTION = 400  # dots per inch, of pictures among lines: journals require 300 or more
@@ -225,6 +227,7 @@ def save_figure(figure: Figure, path: Path) -> None:
             "text.parse_math": False,
         }
     ):
+        _lay_out(figure)
         match path.suffix:
             case ".png":
                 metadata |= {"Description": text, "Software": "forficula"}
@@ -241,6 +244,20 @@ def save_figure(figure: Figure, path: Path) -> None:
         tags = f"</title>\n <desc>{escape(text, quote=False)}</desc>".encode()
         written = written.replace(b"<svg ", b'<svg role="img" ', 1).replace(b"</title>", tags, 1)
     write_bytes(path, written)
+
+
+def _lay_out(figure: Figure) -> None:
+    """Lay a figure out once, with positions that do not depend on the rounding errors of the solver.
+
+    The order of its equations, and with it the last digits, differ from figure to figure.
+    """
+    layout = figure.get_layout_engine()
+    if layout is None:
+        return
+    layout.execute(figure)
+    figure.set_layout_engine("none")
+    for axes in figure.axes:
+        axes.set_position(Bbox(np.round(axes.get_position(original=True).get_points(), _PLACES)))
 
 
 def save_figures(

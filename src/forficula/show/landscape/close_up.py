@@ -14,7 +14,7 @@ from forficula.show.style import fit_legend, is_narrow, letter_panels
 
 _HEIGHTS = (1.3, 1.0)  # energy and moment
 _WIDTHS = (2.5, 1.0)  # both of them, and the enlarged barrier
-_PAGE, _COLUMN, _ENLARGED, _SENTENCE = 4.6, 5.0, 1.5, 0.4  # inch, heights of figures, and what a column has below
+_PAGE, _COLUMN, _ENLARGED, _SENTENCE = 4.6, 5.0, 1.0, 0.25  # inch, heights of figures, and what a column has below
 _LETTERS = 32  # letters per line of a sentence
 
 
@@ -30,8 +30,7 @@ def hinge_panels(width: float, *, enlarged: bool) -> tuple[Figure, Axes, Axes, A
     if is_narrow(width):
         below = _ENLARGED if enlarged else _SENTENCE
         figure = Figure(figsize=(width, _COLUMN + below), layout="constrained")
-        share = below / (_COLUMN - below) * sum(_HEIGHTS)
-        grid = figure.add_gridspec(3, 1, height_ratios=[*_HEIGHTS, share])
+        grid = figure.add_gridspec(3, 1, height_ratios=[*_HEIGHTS, below])
         places = grid[0], grid[1], grid[2]
     else:
         figure = Figure(figsize=(width, _PAGE), layout="constrained")

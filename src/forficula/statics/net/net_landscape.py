@@ -33,8 +33,8 @@ _SHOWN = 4  # number of listed states that no protocol names
 _PATHS, _INCREMENTS = 4, 100  # paths tried for a saddle, and increments of each
 _OFF = 1e-3  # of the net's size: a push off an unstable equilibrium
 _RIDGES = 8  # largest number of such pushes
-_NO_DISTANCE = 1e-12  # between states that a saddle joins; a spanning tree takes 0 for no edge
 _SAME = 1e-3  # rad; resting angles within this difference are equal in tables
+_NO_DISTANCE = 1e-12  # between states that a saddle joins; a spanning tree takes 0 for no edge
 
 
 def net_landscape(design: Design, structure: Structure, progress: Progress = lambda _: None) -> EnergyLandscape:
