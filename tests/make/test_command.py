@@ -69,6 +69,13 @@ def test_failures_are_red_on_the_terminal_in_the_figure_and_on_the_page(call, tm
     assert "\x1b[1;31mfails" in console.file.getvalue()
 
 
+def test_windows_that_leave_too_narrow_strips_are_marked_on_the_sheet():
+    sheet = ff.make.parts("binder2025-thick", "sheet").sheet
+    assert {check.name for check in sheet.checks if check.ok is False} == {"strips", "windows"}
+    # two veins each have a strap that is close to both hinges or crosses them
+    assert len(sheet.faults) == 6
+
+
 def test_windows_that_meet_and_pieces_that_come_off_are_marked_on_the_sheet():
     sheet = ff.make.parts("binder2025", "sheet").sheet
     assert sum(check.ok is False for check in sheet.checks) == 2

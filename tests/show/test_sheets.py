@@ -14,9 +14,10 @@ from forficula.show.page.parts.outcome_tables import strength_table
 from forficula.show.page.playback import clip_data, legend_data, make_clip, mark_readings
 from forficula.show.run.outcome_rows import balance_rows, state_rows
 from forficula.show.structure.labels import condensed, reading_labels, role_groups
-from forficula.show.structure.painted_shape import fold_colours, paint_shape, structure_view
+from forficula.show.structure.painted_shape import fold_colours, paint_shape
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
+from forficula.show.structure.viewpoint import page_view
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from forficula.structure import facet_triangles, hinge_groups, measure_of
 from tests.show.legible import check_words, colours
@@ -76,7 +77,7 @@ def test_creases_show_how_they_fold():
 
 def test_a_facet_is_seen_from_its_back_where_it_is_turned():
     record, _ = sheet_run("flat")
-    shape, view = shape_of(record.structure), structure_view(record.structure)
+    shape, view = shape_of(record.structure), page_view()
     surface = surface_at(record, shape, 0.0)
     turned = type(view)(right=view.right, up=-view.up, towards=-view.towards)
     above, below = (_seen(paint_shape(surface, item, "red")) for item in (view, turned))

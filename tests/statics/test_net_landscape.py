@@ -13,6 +13,9 @@ import pytest
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.statics import energy_landscape, landscape_summary
+from forficula.statics.net import net_landscape
+from forficula.statics.net.energy import shape_at
+from forficula.statics.net.saddle import Saddle
 from forficula.structure import structure_of
 from tests.pyramid import RISE, SIDE, pyramid
 
@@ -189,3 +192,22 @@ def test_a_displacement_along_no_axis_gives_a_remark_and_the_states_are_computed
     assert len(landscape.states) == 2
     (remark,) = [remark for remark in landscape.remarks if "cannot be computed" in remark]
     assert "direction: need x, y or z" in remark
+
+
+def test_a_state_beyond_a_saddle_that_the_search_missed_is_listed_and_joined(landscape, monkeypatch):
+    """The search has found "up" and a shape that nothing joins; a saddle leads to "down"."""
+    (up, down), net = landscape.states, landscape.net.net
+    lost = replace(up, name="lost", energy=2 * down.energy, rest=replace(up.rest, shape=shape_at(net, 2 * net.nodes)))
+    (joint,) = landscape.passes
+    path = Saddle(
+        rest=replace(up.rest, energy=joint.energy, shape=joint.shape), ends=(up.rest, down.rest), joins=False, path=None
+    )
+    monkeypatch.setattr(net_landscape, "find_saddle", lambda *_, **__: path)
+    search = replace(landscape.net.search, states=(up.rest,), counts=(3,))
+    searched, states, passes = net_landscape._joined(landscape.structure, net, search, [up, lost])
+    assert [state.name for state in states] == ["up", "state 3", "lost"]
+    assert states[1].hits == 0
+    assert searched.counts == (3, 0)
+    ((ends, barriers),) = [(item.ends, item.barriers) for item in passes]
+    assert ends == (0, 1)
+    assert barriers == pytest.approx(joint.barriers)

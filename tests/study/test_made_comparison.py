@@ -3,6 +3,7 @@
 import json
 
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from forficula.design import load_design
 from forficula.errors import InputError
@@ -54,7 +55,13 @@ def test_comparison_is_printed_drawn_and_saved(compared):
     written = json.loads(json_text(compared))
     assert written["hinges"][0]["made"]["barrier_J"] == compared.hinges[0].made.barrier
     assert {item["name"] for item in written["unkept"]} >= {"mass", "barrier of two straps", "play of the hinges"}
-    energy = draw_made(compared).axes[0]
+    figure = draw_made(compared)
+    energy, _, barriers, *_ = figure.axes
+    # the barriers are enlarged in a panel of their own, over no data
+    FigureCanvasAgg(figure).draw()
+    assert barriers.get_ylabel().startswith("energy above the stop (")
+    assert not any(barriers.get_window_extent().overlaps(axes.get_window_extent()) for axes in figure.axes[:2])
+    assert not any(axes.child_axes for axes in figure.axes)
     labels = [line.get_label() for line in energy.lines]
     assert any(label.startswith("as made: barrier") for label in labels)
     with pytest.raises(InputError, match='hinge: need "fold0", "fold1" or "fold2", got "fold9"'):

@@ -70,7 +70,7 @@ function makePlot(plot, values, sharing, clips, clock) {
   function drawKey() {
     const { word } = plot;
     const samples = plot.lines.map((line, index) =>
-      make("li", {}, lineSample(lineLook(index)), word ? line.name.slice(word.length + 1) : line.name),
+      make("li", {}, lineSample(lineLook(line.look ?? index)), word ? line.name.slice(word.length + 1) : line.name),
     );
     key.replaceChildren(...(word ? [make("li", {}, word)] : []), ...samples);
   }
@@ -195,11 +195,11 @@ function evenSplits(low, high, step) {
   return Array.from({ length: Math.floor(high / step + 1e-9) - first + 1 }, (_, index) => (first + index) * step);
 }
 
-/** Looks of lines, by index. */
+/** Looks of lines, by their numbers or by index. */
 export function lineSeries(lines) {
-  return lines.map((_, index) => ({
-    stroke: () => lineLook(index).colour,
-    dash: lineLook(index).dash,
+  return lines.map(({ look }, index) => ({
+    stroke: () => lineLook(look ?? index).colour,
+    dash: lineLook(look ?? index).dash,
     width: 1.6,
     points: { show: false },
     spanGaps: true,

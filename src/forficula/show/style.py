@@ -8,8 +8,10 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from html import escape
 from pathlib import Path
+from string import ascii_uppercase
 from typing import Any
 
+import numpy as np
 from matplotlib import colormaps, rc_context, rcParams, rcParamsDefault
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -19,12 +21,18 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.colors import Colormap, LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.legend import Legend
+from matplotlib.lines import Line2D
+from matplotlib.textpath import TextPath
+from matplotlib.transforms import Affine2D, Bbox
 
 from forficula.errors import InputError
 from forficula.files import write_bytes
 
 COLUMN_WIDTH, PAGE_WIDTH = 3.5, 7.1  # inch, one and two columns of a journal
 _RESOLUTION = 200  # dots per inch
+# pt, lower right corner of a panel's letter, from the upper left corner of its axes
+_LETTER = (-6.0, 3.0)
+_PLACES = 9  # decimals of a position in a figure, as a share of its size
 _LEAST_LETTERS = 8  # least letters per line of a legend
 _FILLED = 0.96  # share of the width that a legend may fill: at another resolution letters are slightly wider
 PICTURE_RESOLUTION = 400  # dots per inch, of pictures among lines: journals require 300 or more
@@ -133,10 +141,43 @@ def fit_legend(
     return legend
 
 
+def number_handle(number: int, label: str, colour: str = BLACK) -> Line2D:
+    """Return the entry of a legend for numbers in a drawing, with a number in the place of the line."""
+    digits = TextPath((0, 0), str(number), size=1)
+    box = digits.get_extents()
+    marker = digits.transformed(Affine2D().translate(-(box.x0 + box.x1) / 2, -(box.y0 + box.y1) / 2))
+    return Line2D([], [], color=colour, marker=marker, ls="none", ms=5, mew=0, label=label)
+
+
 def in_column(axes: Axes) -> bool:
     """Return whether axes are in a column-wide figure, where words have half the space."""
     figure = axes.get_figure(root=True)
     return isinstance(figure, Figure) and is_narrow(figure.get_figwidth())
+
+
+def letter_panels(panels: Sequence[Axes]) -> None:
+    """Write bold letters A, B, C .. above the upper left corners of a figure's panels; none for a single panel.
+
+    Capitals, because small letters name the states of a structure.
+
+    Args:
+        panels: axes in the order of reading.
+    """
+    if len(panels) < 2:
+        return
+    for letter, axes in zip(ascii_uppercase, panels, strict=False):
+        axes.annotate(
+            letter,
+            (0, 1),
+            xytext=_LETTER,
+            xycoords="axes fraction",
+            textcoords="offset points",
+            ha="right",
+            va="bottom",
+            fontweight="bold",
+            fontsize=9,
+            annotation_clip=False,
+        )
 
 
 def draw_bar(axes: Axes, start: Sequence[float], length: float, text: str) -> None:
@@ -186,6 +227,7 @@ def save_figure(figure: Figure, path: Path) -> None:
             "text.parse_math": False,
         }
     ):
+        _lay_out(figure)
         match path.suffix:
             case ".png":
                 metadata |= {"Description": text, "Software": "forficula"}
@@ -202,6 +244,20 @@ def save_figure(figure: Figure, path: Path) -> None:
         tags = f"</title>\n <desc>{escape(text, quote=False)}</desc>".encode()
         written = written.replace(b"<svg ", b'<svg role="img" ', 1).replace(b"</title>", tags, 1)
     write_bytes(path, written)
+
+
+def _lay_out(figure: Figure) -> None:
+    """Lay a figure out once, with positions that do not depend on the rounding errors of the solver.
+
+    The order of its equations, and with it the last digits, differ from figure to figure.
+    """
+    layout = figure.get_layout_engine()
+    if layout is None:
+        return
+    layout.execute(figure)
+    figure.set_layout_engine("none")
+    for axes in figure.axes:
+        axes.set_position(Bbox(np.round(axes.get_position(original=True).get_points(), _PLACES)))
 
 
 def save_figures(

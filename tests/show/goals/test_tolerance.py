@@ -3,9 +3,10 @@
 import json
 from dataclasses import replace
 
+import numpy as np
 import pytest
 import xarray
-from matplotlib.colors import to_hex
+from matplotlib.colors import to_hex, to_rgb
 
 import forficula as ff
 from forficula.design import load_design
@@ -136,3 +137,26 @@ def test_a_notebook_says_which_tolerance_to_tighten(table):
 def test_a_tolerance_of_a_design_is_one_call(design, tmp_path):
     with pytest.raises(ff.InputError, match=r"tolerances\.facet\.thicknes: .*did you mean facet\.thickness"):
         ff.tolerance(design, tmp_path, tolerances={"facet.thicknes": "1 %"})
+
+
+def test_points_stand_out_from_the_cells_behind_them_and_everything_is_in_the_legend(table):
+    figure = draw_cloud(table)
+    axes = figure.axes[0]
+
+    def luminance(colour):
+        return float(np.dot(to_rgb(colour), [0.2126, 0.7152, 0.0722]))
+
+    cells = {to_hex(patch.get_facecolor()) for patch in axes.patches if patch.get_facecolor()[3]}
+    failing = next(line for line in axes.lines if line.get_marker() == "x")
+    assert failing.get_path_effects()  # a white edge
+    assert min(luminance(cell) for cell in cells) - luminance(failing.get_color()) > 0.4
+    named = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert named[-2:] == ["as designed", "the tolerances"]
+
+
+def test_a_mark_that_is_not_drawn_is_not_in_the_legend(table):
+    figure = draw_reaches(table)
+    named = [text.get_text() for text in figure.legends[0].get_texts()]
+    markers = {line.get_marker() for line in figure.axes[0].lines}
+    assert ("undecided beyond" in named) == ("|" in markers)
+    assert ("fails" in named) == ("x" in markers)

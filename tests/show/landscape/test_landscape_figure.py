@@ -1,4 +1,6 @@
+import itertools
 import math
+import re
 
 import numpy as np
 import pytest
@@ -65,7 +67,7 @@ def test_every_landscape_can_be_drawn_with_units_on_its_axes(surveyed, name):
 
 def test_the_energy_drawn_is_the_integral_of_the_moment_drawn_under_it(surveyed):
     figure = draw_tendon(surveyed("reference"))
-    top, bottom = figure.axes
+    top, bottom, *_ = figure.axes
     energy, moment = (
         next(line for line in axes.lines if len(line.get_xdata()) > 60 and line.get_linestyle() == "-")
         for axes in (top, bottom)
@@ -90,7 +92,7 @@ def test_the_simulated_tendon_lies_on_the_closed_form_folding_and_opening(survey
 
 
 def test_a_missing_simulation_is_not_in_the_legend(surveyed):
-    legend = draw_tendon(surveyed("reference")).legends[0]
+    legend = draw_tendon(surveyed("reference"), width=COLUMN_WIDTH).legends[0]
     assert not [text.get_text() for text in legend.get_texts() if "simulated" in text.get_text()]
 
 
@@ -108,6 +110,17 @@ def test_the_barrier_close_up_has_its_height(surveyed):
     assert f"barrier {1e3 * landscape.fold_barrier:.4g} mJ" in texts(draw_fold_path(landscape))
 
 
+@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
+def test_the_enlarged_barrier_covers_no_other_panel(surveyed, width):
+    for name in ("reference", "plates", "off the bars"):
+        figure = draw_tendon(surveyed(name), width=width)
+        pixels(figure)
+        panels = [axes.get_window_extent() for axes in figure.axes[:3]]
+        assert not any(one.overlaps(other) for one, other in itertools.combinations(panels, 2))
+        letters = [text.get_text() for axes in figure.axes for text in axes.texts if text.get_weight() == "bold"]
+        assert letters == ["A", "B", "C"]
+
+
 def test_the_ring_axis_stands_where_the_ring_creases_have_that_angle(surveyed):
     figure = draw_fold_path(surveyed("reference"))
     above = next(axes for axes in figure.axes if "ring" in axes.get_xlabel())
@@ -119,6 +132,16 @@ def test_the_ring_axis_stands_where_the_ring_creases_have_that_angle(surveyed):
             # tan(ring / 2) = m tan(pleat / 2) (docs/model/theory.md, section "Fan pattern"); the axis is interpolated
             # between its ticks
             assert math.tan(ring / 2) == pytest.approx(ratio * math.tan(math.radians(place) / 2), rel=0.02, abs=1e-9)
+
+
+@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
+def test_a_dot_on_the_moment_is_labelled_with_the_moment_that_it_marks(surveyed, width):
+    landscape = surveyed("reference")
+    axes = next(axes for axes in draw_fold_path(landscape, width).axes if "moment" in axes.get_ylabel())
+    dots = [float(line.get_ydata()[0]) for line in axes.lines if line.get_marker() == "o"]
+    labels = [text.get_text() for text in axes.texts if "requires" in text.get_text()]
+    marked = [float(re.search(r"requires ([\d.]+) N cm:", label)[1]) for label in labels]
+    assert marked == pytest.approx(np.abs(dots), rel=5e-3)
 
 
 def test_every_partly_folded_state_has_a_bar_that_ends_at_its_energy(surveyed):
@@ -140,7 +163,7 @@ def test_all_words_of_the_figures_of_any_structure_can_be_read_in_a_column(surve
 def test_a_barrier_beside_straight_is_drawn_at_its_own_angle(surveyed):
     landscape = surveyed("off the bars")
     figure = draw_tendon(landscape)
-    near = figure.axes[0].child_axes[0]
+    near = figure.axes[2]
     (arrow,) = [text for text in near.texts if text.get_text() == ""]
     hinge = landscape.tendons[1]
     assert arrow.xy == (pytest.approx(math.degrees(hinge.barrier_angle)), pytest.approx(1e3 * hinge.barrier))
@@ -166,7 +189,7 @@ def test_a_vein_without_a_tendon_has_no_curve_and_the_others_have_one_each(surve
 
 def test_a_hinge_with_a_spring_is_drawn_with_it_in_its_own_sense(surveyed):
     figure = draw_tendon(surveyed("plates"))
-    top, bottom = figure.axes
+    top, bottom, *_ = figure.axes
     tendon, spring, both = (labelled(figure, name) for name in ("tendon (", "spring of", "tendon and"))
     assert both.get_ydata() == pytest.approx(tendon.get_ydata() + spring.get_ydata())
     # it folds to positive angles, and its spring (0.02 N m/rad/m times 21 cm) is at rest when flat
@@ -188,7 +211,7 @@ def test_a_simulated_hinge_with_a_spring_is_on_the_line_of_the_sum(surveyed, let
         points = labelled(figure, name)
         expected = np.interp(points.get_xdata(), both.get_xdata(), both.get_ydata())
         assert points.get_ydata() == pytest.approx(expected, abs=0.02 * both.get_ydata().max())
-    words = [axes.get_xlabel() for axes in (figure.axes[-1], draw_levels(landscape).axes[-1])]
+    words = [axes.get_xlabel() for axes in (figure.axes[1], draw_levels(landscape).axes[-1])]
     assert not any("overbend" in text for text in words)
     assert all("back bend" in text for text in words)
 

@@ -1,14 +1,19 @@
 """Figures, files and printed text of a net's landscape."""
 
+import dataclasses
 import json
 
+import numpy as np
 import pytest
 from rich.console import Console
+from scipy.spatial.transform import Rotation
 
 from forficula.analysis.simulated_rests import rest_distances
 from forficula.show.folder.landscape_folder import landscape_drawings, write_landscape
 from forficula.show.folder.presentation import folder_drawings
+from forficula.show.landscape.barriers_figure import draw_barriers
 from forficula.show.landscape.landscape_table import landscape_table
+from forficula.show.landscape.net_pictures import _aligned
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from forficula.statics import energy_landscape
 from forficula.study.running.runs import run
@@ -40,6 +45,53 @@ def printed(landscape, record=None):
 @pytest.mark.parametrize(("kind", "width"), [*((kind, COLUMN_WIDTH) for kind in KINDS), ("courses", PAGE_WIDTH)])
 def test_the_words_of_every_figure_can_be_read(landscape, kind, width):
     check_words(landscape_drawings(landscape)[kind](width), width)
+
+
+def test_every_picture_is_below_the_middle_of_its_title(landscape):
+    # the states have different sizes and positions
+    for axes in landscape_drawings(landscape)["states"](PAGE_WIDTH).axes:
+        (picture,) = axes.images
+        left, right, low, high = picture.get_extent()
+        pixel = abs(right - left) / picture.get_array().shape[1]
+        assert np.mean(axes.get_xlim()) == pytest.approx((left + right) / 2, abs=2 * pixel)
+        assert np.mean(axes.get_ylim()) == pytest.approx((low + high) / 2, abs=2 * pixel)
+
+
+def test_every_kind_of_line_of_a_path_is_in_the_legend(landscape):
+    figure = landscape_drawings(landscape)["courses"](PAGE_WIDTH)
+    plots = [axes for axes in figure.axes if axes.get_xlabel()]
+    looks = {
+        (line.get_color(), line.get_linestyle())
+        for axes in plots
+        for line in axes.lines
+        if line.get_marker() == "None" and line.get_color() != "0.8"  # the zero line
+    }
+    legend = figure.legends[0]
+    named = {(handle.get_color(), handle.get_linestyle()) for handle in legend.legend_handles}
+    assert looks <= named
+    # dashes of a whole range and not of each of its steps
+    unstable = [line for axes in plots for line in axes.lines if line.get_linestyle() == "--"]
+    assert unstable
+    assert min(len(line.get_xdata()) for line in unstable) > 2
+    # panels have letters, and moments numbers
+    assert [text.get_text() for axes in plots for text in axes.texts if text.get_weight() == "bold"] == ["A", "B"]
+    assert {"1", "2"} <= {text.get_text() for text in plots[0].texts}
+
+
+def test_a_gap_without_a_saddle_is_named(landscape):
+    apart = dataclasses.replace(landscape, passes=())
+    words = [text.get_text() for text in draw_barriers(apart).axes[0].texts]
+    assert words.count("no saddle\nfound") == len(landscape.states) - 1
+    joined = [text.get_text() for text in draw_barriers(landscape).axes[0].texts]
+    assert "no saddle\nfound" not in joined
+    # energies of states and barriers have the unit of the axis
+    assert all(" mJ" in text for text in joined)
+
+
+def test_free_structures_are_turned_so_that_their_states_can_be_compared():
+    free = np.array([[0.0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 0.5]])
+    turn = Rotation.from_rotvec([0.3, -1.2, 0.8])
+    assert _aligned(turn.apply(free) + np.array([4, 5, 6]), free) == pytest.approx(free)
 
 
 def test_barriers_are_left_out_where_there_is_one_state():

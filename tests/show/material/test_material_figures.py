@@ -105,3 +105,29 @@ def test_an_unknown_drift_and_a_missing_law_are_reported(elastic_material, lawle
     assert {axes.get_title("left") for axes in draw_drift(elastic_material).axes} == {"drift unknown"}
     with pytest.raises(InputError, match="tpu: there is no law to draw"):
         draw_fit(lawless_material)
+
+
+def test_moduli_without_slack_fill_a_linear_axis_and_the_required_range_is_named(elastic_material):
+    for axes in draw_moduli(elastic_material).axes:
+        assert axes.get_yscale() == "linear"
+        low, high = axes.get_ylim()
+        boxes = [patch.get_path().vertices[:, 1] for patch in axes.patches[1:]]
+        assert low < min(box.min() for box in boxes) < max(box.max() for box in boxes) < high
+        # 12 MPa are required, and the specimens have 4.8 MPa
+        assert high < 12
+        assert "↑ required from 12 MPa" in [text.get_text() for text in axes.texts]
+
+
+@pytest.mark.parametrize("name", DRAW)
+def test_every_entry_of_a_legend_is_drawn_and_every_panel_has_a_letter(elastic_material, tpu_material, name):
+    for material in (elastic_material, tpu_material):
+        figure = DRAW[name](material)
+        panels = [axes for axes in figure.axes if axes.get_visible() and axes.axison]
+        letters = [text.get_text() for axes in figure.axes for text in axes.texts if text.get_weight() == "bold"]
+        assert letters == list("ABCDEF"[: len(panels)]) * (len(panels) > 1)
+        legends = [*figure.legends, *(axes.get_legend() for axes in figure.axes if axes.get_legend())]
+        looks = {(line.get_color(), line.get_linestyle(), line.get_marker()) for axes in panels for line in axes.lines}
+        for legend in legends:
+            for text, handle in zip(legend.get_texts(), legend.legend_handles, strict=True):
+                if text.get_text() in ("unloading carries no force below", "fitted drift and its 95 % interval"):
+                    assert (handle.get_color(), handle.get_linestyle(), handle.get_marker()) in looks

@@ -1,14 +1,18 @@
 """Page of several runs, and refused arguments."""
 
 import os
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from forficula.analysis import measure
 from forficula.cli import main
 from forficula.dynamics import save_record
 from forficula.errors import InputError
 from forficula.show.page import compare_runs
+from forficula.show.page.compare_page import ComparedRun, _energies
+from forficula.show.page.playback import make_clip
 from tests.show.page.appearance import check_shown
 
 
@@ -115,6 +119,27 @@ def test_wings_plots_and_legend_do_not_overlap(opened):
     show(opened, "whole runs", 0.03)
     opened.page.evaluate("forficula.player.stage.eye.show({ towards: [0.37, -0.695, 0.616] })")
     check_shown(opened)
+
+
+def test_energies_of_very_different_size_are_on_axes_of_their_own(short_run, slow_run):
+    outcome = measure(short_run)
+    weak = replace(short_run, series=short_run.series | {"tendon_energy": short_run.series["tendon_energy"] / 100})
+    runs = [
+        ComparedRun(label=name, record=record, outcome=outcome)
+        for name, record in (("strong", short_run), ("weak", weak), ("slow", slow_run))
+    ]
+    clips = [make_clip(run.record, run.outcome, name=run.label, budget=10**6) for run in runs]
+    strong, faint = _energies(clips)
+    assert [line.name for line in strong.lines] == ["strong", "slow"]
+    assert [line.name for line in faint.lines] == ["weak"]
+    assert faint.title == "energy of all tendons, weak"
+    # every run has the colour of its place in all plots
+    assert [line.look for plot in (strong, faint) for line in plot.lines] == [0, 2, 1]
+    for plot in (strong, faint):
+        largest = [line.values.max() for line in plot.lines]
+        assert max(largest) < 6 * min(largest)
+    (together,) = _energies([clips[0], clips[2]])
+    assert together.title == "energy of all tendons"
 
 
 def refusal(*arguments):

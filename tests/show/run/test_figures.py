@@ -1,18 +1,25 @@
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.lines import Line2D
 from rich.console import Console
 
 from forficula.analysis import measure
 from forficula.design import load_design, scale_design
 from forficula.quantities import show_value
 from forficula.show import draw_angles, draw_energies, draw_folding, draw_pattern, outcome_table
-from forficula.show.style import description
+from forficula.show.folder.run_folder import run_drawings
+from forficula.show.run import folding_figure
+from forficula.show.structure.shape import shape_of
+from forficula.show.structure.surface import surface_at
+from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
 from forficula.structure import measure_of, structure_of
 from forficula.study.running.runs import run
 from tests.show.legible import colours
+from tests.show.sheets import sheet_run
 
 STAGE = {"hold": "0 s", "drive": "none", "until": "time"}
 ONLY_SETTLED = [STAGE | {"name": "settle", "time_limit": "20 ms"}]
@@ -75,6 +82,98 @@ def test_every_axis_over_time_names_its_quantity_and_unit(runs):
                 assert axes.get_xlabel().endswith(("(s)", "(ms)"))
 
 
+def entries(figure):
+    """Return the entries of all legends of a figure: words and handle."""
+    keys = [*figure.legends, *(key for axes in figure.axes if (key := axes.get_legend()))]
+    pairs = (pair for key in keys for pair in zip(key.get_texts(), key.legend_handles, strict=True))
+    return [(text.get_text(), handle) for text, handle in pairs]
+
+
+def shown(handle):
+    """Return whether the handle of a legend shows something."""
+    if isinstance(handle, Line2D):
+        return handle.get_linestyle() != "None" or handle.get_marker() not in (None, "None", "")
+    return True
+
+
+@pytest.mark.parametrize("name", ["settled", "not folded", "diverged"])
+@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
+def test_every_entry_of_a_legend_has_a_line_or_a_colour(runs, name, width):
+    for draw in run_drawings(runs[name], measure(runs[name])).values():
+        assert [words for words, handle in entries(draw(width)) if not shown(handle)] == []
+
+
+@pytest.mark.parametrize("count", range(1, 17))
+@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
+def test_pictures_in_rows_leave_at_most_one_place_empty_beside_the_legend(count, width):
+    columns = folding_figure._columns(count, width)
+    assert -count % columns <= 2
+    assert width / columns > 1.1  # inch
+
+
+def test_a_run_begins_and_ends_with_a_picture_and_leaves_out_moments_that_look_the_same():
+    # the creases let go after the fold, and the sheet springs back
+    record, outcome = sheet_run("miura with a tendon")
+    titles = [axes.get_title() for axes in draw_folding(record, outcome).axes if axes.get_title()]
+    reached = [name for name, state in outcome.states.items() if state is not None]
+    for letter, name in zip("abc", reached, strict=False):
+        assert any(title.startswith(f"{letter} {name}") for title in titles)
+    shape = shape_of(record.structure)
+    moments = folding_figure._moments(record, outcome)
+    assert [moment.time for moment in moments] == sorted(moment.time for moment in moments)
+    assert moments[0].time <= record.stages[1].start
+    last = [surface_at(record, shape, time).faces for time in (moments[-1].time, float(record.time[-1]))]
+    assert np.abs(last[1] - last[0]).max() < 0.05 * record.structure.span
+
+
+@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
+def test_every_picture_is_in_the_middle_of_its_place_and_as_large_as_the_others_allow(runs, width):
+    figure = draw_folding(runs["reference"], measure(runs["reference"]), width)
+    largest = [0.0, 0.0]
+    for axes in (axes for axes in figure.axes if axes.images):
+        (left, right, low, high), (start, end) = axes.images[0].get_extent(), axes.get_xlim()
+        assert (left + right) / 2 == pytest.approx((start + end) / 2, abs=0.02 * (end - start))
+        largest = np.maximum(largest, [(right - left) / (end - start), (high - low) / np.ptp(axes.get_ylim())])
+    # at most 15 % of the width and 30 % of the height of the fullest place are empty
+    assert largest[0] > 0.85
+    assert largest[1] > 0.7
+
+
+def test_axes_of_angles_and_distances_are_as_wide_as_the_data(runs):
+    sheet = sheet_run("miura with a tendon")
+    for record, outcome in ((runs["reference"], measure(runs["reference"])), sheet):
+        for axes in draw_angles(record, outcome).axes:
+            lines = [line.get_ydata() for line in axes.lines if len(line.get_ydata()) > 2]
+            values = np.concatenate(lines)
+            assert np.ptp(values[np.isfinite(values)]) > 0.75 * np.ptp(axes.get_ylim())
+
+
+def test_many_similar_creases_are_grouped_by_role_and_their_states_are_marked_on_a_line():
+    record, outcome = sheet_run("miura with a tendon")
+    axes = draw_angles(record, outcome).axes[0]
+    words = [text.get_text() for text in draw_angles(record, outcome).axes[1].get_legend().get_texts()]
+    assert [word.partition(",")[0] for word in words] == ["straight (12)", "zigzag (12)"]
+    median = next(line for line in axes.lines if line.get_label().startswith("straight"))
+    marks = [line for line in axes.lines if line.get_marker() == "o"]
+    assert marks
+    for mark in marks:
+        at = np.interp(mark.get_xdata()[0], median.get_xdata(), median.get_ydata())
+        assert mark.get_ydata()[0] == pytest.approx(at, abs=1.0)
+
+
+def test_stages_are_numbered_where_their_names_do_not_fit_above_the_whole_run(runs):
+    record = runs["reference"]
+    close = {"fold": "a long name of a stage", "unfold": "another long name of a stage"}
+    stages = tuple(
+        replace(end, stage=end.stage.model_copy(update={"name": close.get(end.stage.name, end.stage.name)}))
+        for end in record.stages
+    )
+    whole, first, second = draw_energies(replace(record, stages=stages)).axes[:3]
+    assert [text.get_text() for text in whole.texts if text.get_text() in "12"] == ["1", "2"]
+    assert "1 a long name of a stage" in [text.get_text() for text in first.texts]
+    assert "2 another long name of a stage" in [text.get_text() for text in second.texts]
+
+
 def test_the_three_states_are_marked_where_they_are(runs):
     record = runs["reference"]
     outcome = measure(record)
@@ -106,7 +205,10 @@ def test_every_picture_has_its_stage_and_the_time_since_its_start(runs, small, n
     record = small if name == "small" else runs[name]
     outcome = measure(record)
     titles = [axes.get_title() for axes in draw_folding(record, outcome).axes if axes.get_title()]
-    *output, enlarged = titles
+    (enlarged,) = (title for title in titles if "enlarged" in title)
+    # in the order of time, the enlarged state beside itself
+    assert titles[titles.index(enlarged) - 1].startswith("b folded")
+    output = [title for title in titles if title != enlarged]
     assert len({title.partition("\n")[2] or title for title in output}) == len(output) == 7
     starts = {end.stage.name: end.start for end in record.stages}
     for state, letter in zip(outcome.states.values(), "abc", strict=True):

@@ -69,10 +69,11 @@ def test_the_acting_torque_is_drawn_with_the_least_slow_torque(weak, drawings):
     assert least > 0.01
 
 
-def test_without_a_sufficient_torque_the_legend_says_so(weak):
+def test_without_a_sufficient_torque_the_figure_says_so(weak):
     figure = draw_angles(weak, measure(weak), 3.5, lambda: np.nan)
     output = [text.get_text() for axes in figure.axes if (key := axes.get_legend()) for text in key.get_texts()]
-    assert "no slow torque up to 10 N cm suffices" in output
+    notes = [text.get_text() for axes in figure.axes for text in axes.texts]
+    assert "no slow torque up to\n10 N cm suffices" in notes
     assert "least slow torque" not in output
 
 

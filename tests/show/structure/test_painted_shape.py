@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_rgba
 
-from forficula.design import load_design
-from forficula.show.structure.painted_shape import Viewpoint, paint_shape, structure_view
+from forficula.show.structure.painted_shape import paint_shape
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import DrawnSurface, surface_at
-from forficula.structure import structure_of
+from forficula.show.structure.viewpoint import Viewpoint, page_view
 
 FROM_ABOVE = Viewpoint(right=np.array([1.0, 0, 0]), up=np.array([0, 1.0, 0]), towards=np.array([0, 0, 1.0]))
 RED = to_rgba("#ff0000")
@@ -49,6 +48,29 @@ def test_a_tendon_is_seen_on_and_above_a_sheet_and_not_through_it(height, seen):
     assert (tuple(seen_at(painted, 0.0551, 0.0501)) == RED[:3]) == seen
 
 
+@pytest.mark.parametrize(("beyond", "seen"), [(0.03, True), (-0.03, False)])
+def test_an_end_of_a_tendon_behind_a_sheet_does_not_pierce_it(beyond, seen):
+    # a tendon from the middle of a sheet towards the eye, or away from it
+    square = np.array([[0, 0, 0], [0.1, 0, 0], [0.1, 0.1, 0], [0, 0.1, 0]])
+    tendon = np.array([[[0.05, 0.05, 0], [0.09, 0.05, beyond]]])
+    surface = replace(planted(0.0), faces=square[np.newaxis], regions=np.array([0]), tendons=tendon)
+    bare = replace(surface, bars=np.zeros((0, 2, 3)), radii=np.zeros(0))
+    painted = paint_shape(bare, FROM_ABOVE, RED)
+    for x in (0.053, 0.06, 0.085):
+        assert (tuple(seen_at(painted, x, 0.05)) == RED[:3]) == seen
+
+
+def test_a_tendon_slightly_behind_a_bent_sheet_is_drawn_on_it():
+    # as in a sheet that is bent by a few degrees, where the tendon lies in a slot
+    faces = [
+        [[0, 0, -1e-3], [0.05, 0, 0], [0.05, 0.1, 0], [0, 0.1, -1e-3]],
+        [[0.05, 0, 0], [0.1, 0, -1e-3], [0.1, 0.1, -1e-3], [0.05, 0.1, 0]],
+    ]
+    surface = replace(planted(0.0), faces=np.array(faces), tendons=np.array([[[0, 0.05, -1e-3], [0.1, 0.05, -1e-3]]]))
+    painted = paint_shape(replace(surface, bars=np.zeros((0, 2, 3)), radii=np.zeros(0)), FROM_ABOVE, RED)
+    assert tuple(seen_at(painted, 0.05, 0.05)) == RED[:3]
+
+
 def test_a_bar_that_passes_through_a_sheet_is_seen_on_the_side_where_it_is_nearer():
     bar = np.array([[[0.05, 0.02, -0.02], [0.05, 0.08, 0.02]]])
     surface = replace(planted(0.0), bars=bar, radii=np.array([2.5e-3]), tendons=np.zeros((0, 2, 3)))
@@ -70,16 +92,16 @@ def test_regions_differ_and_both_sides_look_the_same():
 
 def test_the_picture_of_a_structure_has_all_of_it(reference_run):
     structure = reference_run.structure
-    surface, view = surface_at(reference_run, shape_of(structure), 0.32), structure_view(structure)
+    surface, view = surface_at(reference_run, shape_of(structure), 0.32), page_view()
     places = view.project(np.concatenate([surface.faces.reshape(-1, 3), surface.bars.reshape(-1, 3)]))
     low, high = paint_shape(surface, view, RED).corners
     assert np.all(low <= places.min(axis=0) + 1e-12)
     assert high == pytest.approx(places.max(axis=0), abs=1.01 * surface.radii[0])
 
 
-@pytest.mark.parametrize("settings", [{}, {"pattern.units": 5, "pattern.sector_angle": "12 deg"}])
-def test_the_eye_sees_lengths_in_the_picture_as_they_are(settings):
-    view = structure_view(structure_of(load_design("binder2025", settings)))
+@pytest.mark.parametrize("turn", [0.0, 2.0])
+def test_the_eye_sees_lengths_in_the_picture_as_they_are(turn):
+    view = page_view(turn)
     axes = np.array([view.right, view.up, view.towards])
     assert axes @ axes.T == pytest.approx(np.eye(3), abs=1e-12)
     assert np.linalg.det(axes) == pytest.approx(1)

@@ -75,5 +75,11 @@ def test_a_dense_sheet_labels_few_vertices_and_the_worst_of_them():
     assert f"{math.degrees(worst):.2g}° missing" in missing
 
 
-def test_a_folded_sheet_is_said_to_be_seen_from_above():
-    assert "x (cm), seen from above" in labels(drawn(SHEETS["folded"]))
+def test_a_folded_sheet_is_drawn_unfolded():
+    assert "x (cm), unfolded" in labels(drawn(SHEETS["folded"]))
+
+
+def test_a_sheet_that_cannot_be_laid_flat_is_said_to_be_seen_from_above():
+    flat = SHEETS["folded"]
+    bent = flat.vertices_coords + np.array([0, 0, 0.002]) * (np.arange(len(flat.vertices_coords)) % 3)[:, np.newaxis]
+    assert "x (cm), seen from above" in labels(drawn(dataclasses.replace(flat, vertices_coords=bent)))

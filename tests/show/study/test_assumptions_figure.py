@@ -45,7 +45,8 @@ def test_a_change_of_the_verdict_has_a_colour_and_a_symbol_of_its_own():
     ((marker, colour, _),) = marks(time, 1)
     assert marker == "D"
     assert same_color(colour, VERMILION)
-    assert [same_color(text.get_color(), VERMILION) for text in time.texts] == [False, True]
+    names = [text for text in time.texts if text.get_weight() != "bold"]  # and not the panel's letter
+    assert [same_color(text.get_color(), VERMILION) for text in names] == [False, True]
 
 
 def test_the_band_is_the_numerical_uncertainty_of_the_designs_own_run():
@@ -82,3 +83,12 @@ def test_the_folder_has_tables_the_figure_and_a_page(tmp_path):
     assert "Does not apply: gravity, because the axis of the hinge is upright." in page
     assert "1 of 3 changes have no reliable result" in page
     assert "shorter where the change requires it: twice the damping of hinges 0.1 ms" in page
+
+
+def test_the_legend_names_only_what_is_drawn():
+    named = [text.get_text() for text in draw_assumptions(ASSUMED).legends[0].get_texts()]
+    assert "fails with the change" in named
+    assert "no reliable result" not in named
+    unknown = replace(ASSUMED.runs[1], verdict=Verdict.UNDECIDED, effect=Effect.UNKNOWN)
+    figure = draw_assumptions(replace(ASSUMED, runs=(ASSUMED.runs[0], unknown)))
+    assert "no reliable result" in [text.get_text() for text in figure.legends[0].get_texts()]

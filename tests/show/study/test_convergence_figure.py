@@ -96,3 +96,21 @@ def test_all_files_of_a_convergence_study_are_written_or_none(studies, tmp_path)
     with pytest.raises(ValueError, match="zip"):  # drawing fails halfway through the files
         write_convergence(replace(study, statuses=()), tmp_path / "broken")
     assert [path.name for path in tmp_path.iterdir()] == ["blocked"]
+
+
+def test_a_run_without_a_reliable_time_is_marked_and_one_legend_serves_all_panels(studies):
+    figure = draw_convergence_times(studies[TIMESTEP])
+    fold = figure.axes[0]
+    crosses = next(line for line in fold.lines if line.get_marker() == "x")
+    assert crosses.get_xdata() == pytest.approx([5])  # ms, diverged
+    assert "no reliable time" in [text.get_text() for text in figure.legends[0].get_texts()]
+    assert not any(axes.get_legend() for axes in figure.axes)
+
+
+def test_the_axis_of_the_angle_is_as_wide_as_the_angles(studies):
+    study = studies[YOUNGS_MODULUS]
+    low, high = draw_convergence_angles(study).axes[0].get_ylim()
+    angles = np.degrees(np.concatenate(study.angles))
+    assert low <= angles.min()
+    assert angles.max() <= high
+    assert high - low < 1.3 * np.ptp(angles)

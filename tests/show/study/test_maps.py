@@ -153,7 +153,8 @@ def draw(figure):
 
 def written(axes):
     """Return the numbers in cells by column and row."""
-    return {tuple(map(round, text.get_position())): float(text.get_text()) for text in axes.texts}
+    numbers = [text for text in axes.texts if text.get_weight() != "bold"]  # and not the panel's letter
+    return {tuple(map(round, text.get_position())): float(text.get_text()) for text in numbers}
 
 
 def marked(axes):
@@ -372,11 +373,16 @@ def test_one_factor_is_drawn_as_a_line_with_the_failures_along_the_bottom():
     )
     figure = draw_torque_maps(table)
     axes = panels(figure)["least fold torque"]
-    line, failures = axes.lines
+    line, failures = (line for line in axes.lines if line.get_marker() != "None")
     np.testing.assert_allclose(line.get_xdata(), [10, 20, 30])  # N/cm
     np.testing.assert_allclose(line.get_ydata(), [np.nan, 2, 3])  # N cm
     assert list(failures.get_xdata()) == [10]
-    assert axes.get_ylabel() == "least fold torque (N cm)"
+    assert axes.get_ylabel() == "torque (N cm)"
+    # the axis is as wide as the values; failures are in a strip below, which has no numbers
+    assert min(axes.get_yticks()) >= 1.9
+    low, high = axes.get_ylim()
+    assert 1.5 < low < 2 < 3 < high < 3.2
+    assert low + failures.get_ydata()[0] * (high - low) < 1.95
 
 
 def test_samples_lie_where_their_factors_say():
@@ -445,3 +451,24 @@ def test_small_designs_are_written_in_small_units():
         table[name] = (table[name] * 1e-6).assign_attrs(units="N m")
     figure = draw_torque_maps(table)
     assert [axes.get_ylabel() for axes in figure.axes if axes.get_label() == "<colorbar>"] == ["torque (nN m)"] * 2
+
+
+def test_panels_of_one_quantity_have_one_unit_and_letters():
+    table = planted(TWO)
+    # folding requires a tenth of the torque of opening
+    table["least_fold_torque"] = 0.02 * table["least_fold_torque"] / table["least_fold_torque"].max()
+    table["least_unfold_torque"] = 0.2 * table["least_unfold_torque"] / table["least_unfold_torque"].max()
+    figure = draw_torque_maps(table)
+    bars = [axes.get_ylabel() for axes in figure.axes if axes.get_label() == "<colorbar>"]
+    assert len(bars) == 2
+    assert len(set(bars)) == 1
+    letters = [text.get_text() for axes in figure.axes for text in axes.texts if text.get_weight() == "bold"]
+    assert letters == ["A", "B"]
+
+
+def test_a_colour_bar_of_a_single_value_has_this_value_only():
+    table = planted(TWO)
+    least = table["least_fold_torque"]
+    table["least_fold_torque"] = least.where(least == least.max())
+    bar = next(axes for axes in draw_torque_maps(table).axes if axes.get_label() == "<colorbar>")
+    assert bar.get_yticks() == pytest.approx([100 * float(least.max())])

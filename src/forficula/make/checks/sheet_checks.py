@@ -36,6 +36,7 @@ _HALVINGS = 12
 # Slits of two creases must be apart by this fraction of a bridge. It is below one half, so that the corners of the
 # boxes around slits that are a whole bridge apart do not meet. Rounding error of the overlap, m^2.
 _NEAR, _SHARED = 0.4, 1e-10
+_NARROW = 1 - 1e-3  # share of the least strip below which a strip is too narrow, because outlines are rounded
 # upper limit of the search for the narrowest strip, in minimum strips
 _FARTHEST = 8
 
@@ -236,12 +237,28 @@ def _kept_holes(sheet: CutSheet, parts: SheetParts) -> Check:
 
 
 def sheet_faults(sheet: CutSheet, parts: SheetParts) -> tuple[Array, ...]:
-    """Return outlines of what makes a sheet fail: windows that overlap others, and all pieces but the largest."""
+    """Return outlines of what makes a sheet fail: windows too close to something, and all pieces but the largest."""
+    facets = [region_of([sheet.pattern.vertices_coords[list(face), :2]]) for face in sheet.pattern.faces_vertices]
     regions = [region_of([window.outline]) for window in parts.windows]
-    meet = [any(other is not one and not is_empty(one ^ other) for other in regions) for one in regions]
-    windows = [window.outline for window, fails in zip(parts.windows, meet, strict=True) if fails]
+    close = [
+        any(other is not one and _is_close(one, other, parts.sheet) for other in regions)
+        or any(_is_close_inside(one, whole) for whole in (parts.sheet, *facets))
+        for one in regions
+    ]
+    windows = [window.outline for window, fails in zip(parts.windows, close, strict=True) if fails]
     pieces = sorted(_pieces(sheet, parts), key=area_of)[:-1]
     return (*windows, *(loop for piece in pieces for loop in loops_of(piece) if loop_area(loop) > 0))
+
+
+def _is_close(one: Region, other: Region, sheet: Region) -> bool:
+    """Return whether two windows overlap, or leave a strip of the sheet between them that is too narrow."""
+    half = _NARROW * LEAST_STRIP / 2
+    return not (is_empty(one ^ other) and is_empty(rounded(one, half) ^ rounded(other, half) ^ sheet))
+
+
+def _is_close_inside(window: Region, whole: Region) -> bool:
+    """Return whether a window inside a region leaves a strip to its border that is too narrow."""
+    return is_empty(window - whole) and not is_empty(rounded(window, _NARROW * LEAST_STRIP) - whole)
 
 
 def _pieces(sheet: CutSheet, parts: SheetParts) -> list[Region]:

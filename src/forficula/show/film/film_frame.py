@@ -19,9 +19,10 @@ from forficula.dynamics import Record
 from forficula.quantities import reading_unit, round_below, show_value
 from forficula.show.film.film_clock import FilmCut
 from forficula.show.run.energies_figure import stored_energies
-from forficula.show.structure.painted_shape import PaintedShape, paint_shape, shape_handles, structure_view
+from forficula.show.structure.painted_shape import PaintedShape, paint_shape, shape_handles
 from forficula.show.structure.shape import Shape, shape_of
 from forficula.show.structure.surface import at_time, face_strains, surface_at
+from forficula.show.structure.viewpoint import readable_view
 from forficula.show.style import ENERGY_COLOURS, LINE_STYLES, PAGE_WIDTH, STRAIN_COLOURS, figure_style
 from forficula.structure import hinge_groups, springs_name
 
@@ -29,7 +30,8 @@ Picture = NDArray[np.uint8]
 
 # positions in the frame, in shares of it: left, low, width, height
 _STRAIN_BAR = (0.72, 0.845, 0.25, 0.018)
-_PICTURE, _BAR, _KEY = (0.03, 0.32, 0.94, 0.66), (0.72, 0.945, 0.25, 0.018), (0.775, 0.03, 0.2, 0.24)
+_PICTURE, _BAR, _KEY = (0.03, 0.32, 0.94, 0.54), (0.72, 0.945, 0.25, 0.018), (0.775, 0.03, 0.2, 0.24)
+_BELOW_STRAIN_BAR = 0.44  # height of the picture below both bars
 _PLOTS_LEFT, _PLOTS_RIGHT, _PLOTS_LOW, _PLOTS_HIGH, _PLOTS_GAP = 0.08, 0.735, 0.105, 0.25, 0.025
 # share of a time below which the next smaller unit is used: 300.0 ms is easier to follow than 0.3 s
 _HALF = 0.5
@@ -52,7 +54,8 @@ class FilmFrame:
             strain: whether membranes are coloured by their largest strains.
         """
         self._record, self._shape = record, shape_of(record.structure)
-        self._view = structure_view(record.structure)
+        ends = [surface_at(record, self._shape, time) for cut in cuts for time in (cut.first, cut.last)]
+        self._view = readable_view(ends)
         self._norm = Normalize(0, _largest(record, record.series["tendon_energy"], cuts) or 1.0)
         self._strains = Normalize(0, self._largest_strain(cuts) or 1e-6) if strain else None
         with figure_style():
@@ -60,7 +63,7 @@ class FilmFrame:
             # slightly more than whole pixels, because rounding could remove one
             figure = Figure(figsize=((size[0] + 0.01) / dpi, (size[1] + 0.01) / dpi), dpi=dpi)
             self._canvas = FigureCanvasAgg(figure)
-            self._axes = _picture_axes(figure, self._corners(cuts), size)
+            self._axes = _picture_axes(figure, self._corners(cuts), size, _BELOW_STRAIN_BAR if strain else _PICTURE[3])
             figure.text(0.03, 0.97, record.design.name, va="top", color="0.35")
             self._words = figure.text(0.03, 0.925, "", fontsize=11, fontweight="bold", va="top")
             self._clock = figure.text(0.03, 0.865, "", va="top", color="0.25")
@@ -134,13 +137,13 @@ class FilmFrame:
         return np.concatenate([flat - radius, flat + radius])
 
 
-def _picture_axes(figure: Figure, corners: Array, size: tuple[int, int]) -> Axes:
-    """Return axes without lines that contain all positions of the structure, with a scale bar."""
-    axes = figure.add_axes(_PICTURE)
+def _picture_axes(figure: Figure, corners: Array, size: tuple[int, int], height: float) -> Axes:
+    """Return axes of a height, in shares of the frame, that contain all positions, with a scale bar."""
+    axes = figure.add_axes((*_PICTURE[:3], height))
     axes.set_axis_off()
     low, high = corners.min(axis=0), corners.max(axis=0)
     middle, extent = (low + high) / 2, high - low
-    shape = _PICTURE[2] * size[0] / (_PICTURE[3] * size[1])
+    shape = _PICTURE[2] * size[0] / (height * size[1])
     half = max(extent[0], extent[1] * shape) / 2 * np.array([1.0, 1 / shape]) * 1.02
     axes.set(xlim=(middle[0] - half[0], middle[0] + half[0]), ylim=(middle[1] - half[1], middle[1] + half[1]))
     bar = round_below(extent[0] / 4)

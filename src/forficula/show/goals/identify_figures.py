@@ -17,6 +17,7 @@ from forficula.show.study.factor_text import display_values, number_text, plain_
 from forficula.show.style import (
     BLACK,
     BLUE,
+    COLUMN_WIDTH,
     ORANGE,
     PAGE_WIDTH,
     QUANTITY_COLOURS,
@@ -26,6 +27,7 @@ from forficula.show.style import (
     figure_style,
     fit_legend,
     is_narrow,
+    letter_panels,
 )
 
 if TYPE_CHECKING:
@@ -35,6 +37,8 @@ _GREY, _PALE = "0.62", "0.85"
 _BINS = 8
 _PANEL = 1.15  # height of a small panel, inch
 _PAIRS, _PAIRS_NARROW = 5, 3
+# inch: the names of facts or unknowns, a cell of a table of facts, the widest panel of an unknown and of a pair
+_NAMES_WIDTH, _CELL, _WIDEST, _PAIR = 2.4, 0.55, 1.75, 3.2
 # scaled distance at which the axis ends: larger distances are drawn there
 _FAR = 10.0
 
@@ -60,21 +64,31 @@ def draw_facts(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
     places = np.arange(len(names))
     with figure_style():
         narrow = is_narrow(width)
-        figure = Figure(figsize=(width, (0.3 if narrow else 0.26) * len(names) + 0.75), layout="constrained")
+        figure = Figure(
+            figsize=(width, (0.3 if narrow else 0.26) * len(names) + (1.2 if narrow else 0.9)), layout="constrained"
+        )
         left, right = figure.subplots(1, 2, sharey=True)
+        between = "\n" if narrow else " "
         share, low, high = (100 * result[name].values for name in ("met_share", "met_share_low", "met_share_high"))
         left.barh(places, share, 0.62, color=BLUE)
         errors = np.vstack([np.maximum(share - low, 0), np.maximum(high - share, 0)])
         left.errorbar(share, places, xerr=errors, fmt="none", ecolor=BLACK, elinewidth=0.8, capsize=2)
-        left.set(xlim=(0, 100), xlabel="samples that meet the fact (%)")
+        left.set(
+            xlim=(0, min(100.0, 1.1 * max(float(np.nanmax(high)), 5.0))),
+            xlabel=f"samples that meet{between}the fact (%)",
+        )
         left.set_yticks(places, [textwrap.fill(name, 17 if narrow else 30) for name in names])
         left.set_ylim(len(names) - 0.4, -0.6)
         _draw_distances(right, result, places)
+        right.set_xlabel(f"distance to the fact{between}(its scale)")
+        letter_panels([left, right])
         handles = [
+            Patch(color=BLUE, label="share"),
+            Line2D([], [], color=BLACK, marker="|", ms=4, lw=0.8, label="its 95 % interval"),
             Line2D([], [], color=_GREY, marker="|", ls="", label="sample that misses the fact"),
             Line2D([], [], color=VERMILION, marker="D", ms=4, ls="", label="nearest of these"),
         ]
-        fit_legend(figure, handles, 2, loc="outside lower center")
+        fit_legend(figure, handles, 4, loc="outside lower center")
         shares = "; ".join(f"{name}: {item:.3g} %" for name, item in zip(names, share, strict=True))
         return describe(figure, f"Share of samples that meet each fact, and distances of the others to it. {shares}.")
 
@@ -91,7 +105,7 @@ def _draw_distances(axes: Axes, result: Dataset, places: Any) -> None:
         axes.plot(shown, np.full(len(shown), place), "|", color=_GREY, ms=7, mew=0.5, alpha=0.6)
         axes.plot(shown.min(), place, "D", color=VERMILION, ms=4)
     axes.set_xscale("symlog", linthresh=0.1, linscale=0.4)
-    axes.set(xlim=(-0.01, 1.25 * _FAR), xlabel="distance to the fact (its scale)")
+    axes.set(xlim=(-0.01, 1.25 * _FAR))
     axes.set_xticks([0, 0.1, 1, _FAR], ["0", "0.1", "1", f"{_FAR:g}+"])
     axes.minorticks_off()
 
@@ -107,11 +121,13 @@ def draw_together(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
     both, placed = result["met_together"].values, result["met_together_placed"].values
     count, narrow = len(names), is_narrow(width)
     with figure_style():
-        figure = Figure(
-            figsize=(width, (0.25 if narrow else 0.34) * count + (0.95 if narrow else 0.7)), layout="constrained"
-        )
+        height = (0.25 if narrow else 0.34) * count + (0.95 if narrow else 0.7)
+        # few facts have no wide cells
+        width = max(COLUMN_WIDTH, min(width, _NAMES_WIDTH + _CELL * count))
+        figure = Figure(figsize=(width, height), layout="constrained")
         axes = figure.subplots()
-        lower = np.where(np.tril(np.ones_like(both)) > 0, both, np.nan).astype(float)
+        # cells without a sample have a frame and no colour
+        lower = np.where((np.tril(np.ones_like(both)) > 0) & (both > 0), both, np.nan).astype(float)
         axes.imshow(lower, cmap=QUANTITY_COLOURS, vmin=0, vmax=max(1, both.max()), aspect="auto")
         for row in range(count):
             for column in range(row + 1):
@@ -185,8 +201,10 @@ def draw_unknowns(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         width: width of the figure, inch.
     """
     marked = marginals(result)
-    columns = 3 if is_narrow(width) else 5
-    rows = -(-len(marked) // columns)
+    rows = -(-len(marked) // (3 if is_narrow(width) else 5))
+    columns = -(-len(marked) // max(rows, 1)) or 1
+    # few unknowns have no wide panels
+    width = max(COLUMN_WIDTH, min(width, _WIDEST * columns))
     agrees = result["agrees"].values
     with figure_style():
         figure = Figure(figsize=(width, _PANEL * rows + 0.35), layout="constrained")
@@ -207,11 +225,13 @@ def draw_unknowns(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             axes.set_ylim(0, top)
         for axes in grid[len(marked) :]:
             axes.set_visible(False)
-        handles = [
-            Patch(color=_PALE, label="prior"),
-            Patch(color=BLUE, label="samples that agree"),
-            Patch(color=BLUE, alpha=0.45, label="samples that agree, difference may be chance"),
-        ]
+        handles = [Patch(color=_PALE, label="prior")]
+        if any(item.significant for item in marked):
+            handles.append(Patch(color=BLUE, label="samples that agree"))
+        if not all(item.significant for item in marked):
+            handles.append(
+                Patch(color=BLUE, alpha=0.45, label="samples that agree; difference from prior may be chance")
+            )
         fit_legend(figure, handles, 3, loc="outside lower center")
         narrowed = [item.key for item in marked if item.significant]
         what = f"The facts narrow {', '.join(narrowed)}." if narrowed else "The facts narrow none of them."
@@ -233,8 +253,10 @@ def draw_pairs(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
     best = ran & (counts == counts.max(initial=0))
     size = max(len(names) - 1, 1)
     with figure_style():
+        width = max(COLUMN_WIDTH, min(width, _NAMES_WIDTH / 2 + _PAIR * size))
         figure = Figure(figsize=(width, 0.92 * width * size / (size + 0.25)), layout="constrained")
         grid = figure.subplots(size, size, squeeze=False)
+        larger = 1.5 if size == 1 else 1.0
         for row in range(size):
             for column in range(size):
                 axes = grid[row, column]
@@ -244,9 +266,9 @@ def draw_pairs(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
                 across, upwards = names[column], names[row + 1]
                 x, y = result[f"{across}_share"].values, result[f"{upwards}_share"].values
                 rest = drawn & ran & ~agrees
-                axes.plot(x[rest], y[rest], "o", ms=2, color=_PALE, mec=_GREY, mew=0.3)
-                axes.plot(x[agrees], y[agrees], "o", ms=3, color=BLUE, mew=0)
-                axes.plot(x[best], y[best], "o", ms=5.5, mfc="none", mec=ORANGE, mew=1.0)
+                axes.plot(x[rest], y[rest], "o", ms=2 * larger, color=_PALE, mec=_GREY, mew=0.3)
+                axes.plot(x[agrees], y[agrees], "o", ms=3 * larger, color=BLUE, mew=0)
+                axes.plot(x[best], y[best], "o", ms=5.5 * larger, mfc="none", mec=ORANGE, mew=1.0, clip_on=False)
                 axes.set(xlim=(-0.02, 1.02), ylim=(-0.02, 1.02))
                 _share_axis(axes.xaxis, result, across, labelled=row == size - 1)
                 _share_axis(axes.yaxis, result, upwards, labelled=column == 0)
@@ -269,7 +291,9 @@ def draw_pairs(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
 def _label(coordinate: DataArray, wrap: int = 22) -> str:
     unit = display_values(coordinate)[1]
     name = plain_name(coordinate)
-    return textwrap.fill(f"{name} ({unit})" if unit else name, wrap)
+    lines = [textwrap.fill(name, wrap), *([f"({unit})"] if unit else [])]
+    # a unit is never broken
+    return (" " if sum(map(len, lines)) < wrap else "\n").join(lines)
 
 
 def _bins(coordinate: DataArray) -> Any:

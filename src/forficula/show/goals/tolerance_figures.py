@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
+from matplotlib.patheffects import withStroke
 
 from forficula.goals.tolerance.nearest_failure import Answer
 from forficula.show.study.factor_text import display_values, factor_label, key_text, plain_name
@@ -36,14 +38,27 @@ _ROW = 0.27
 # largest number of groups of one factor
 _MOST_ROWS = 10
 _INK = "0.35"
+_CASED = [withStroke(linewidth=2.6, foreground="white")]
 # looks of designs in which all values deviate
 _POINTS: dict[Answer, tuple[str, dict[str, Any]]] = {
     Answer.WORKS: ("sample: works", {"marker": "o", "mfc": "white", "mec": BLACK, "mew": 0.6, "ms": 3.2}),
-    Answer.FAILS: ("sample: fails", {"marker": "x", "color": VERMILION, "mew": 1.0, "ms": 3.6}),
-    Answer.UNKNOWN: ("sample: unreliable", {"marker": "d", "color": ORANGE, "ms": 3.2}),
+    Answer.FAILS: (
+        "sample: fails",
+        {
+            "marker": "x",
+            "color": BLACK,
+            "mew": 1.3,
+            "ms": 4.4,
+            "path_effects": [withStroke(linewidth=2.6, foreground="w")],
+        },
+    ),
+    Answer.UNKNOWN: ("sample: unreliable", {"marker": "d", "mfc": ORANGE, "mec": BLACK, "mew": 0.5, "ms": 4.0}),
 }
+# share of white in the colours of cells, so that points in front of them are visible
+_PALE = 0.6
 # visible on cells of any colour
 _DESIGN: dict[str, Any] = {"marker": "P", "mfc": "white", "mec": BLACK, "mew": 1.0, "ms": 8}
+_EDGE: dict[str, Any] = {"color": BLACK, "lw": 0.9, "ls": "--"}
 _END: dict[str, Any] = {"marker": "|", "color": _INK, "ms": 7, "mew": 1.6}
 _FAILURE: dict[str, Any] = {"marker": "x", "color": VERMILION, "ms": 4.5, "mew": 1.3}
 
@@ -63,9 +78,9 @@ def draw_indices(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
         figure = Figure(figsize=(width, _ROW * len(places) + 0.95), layout="constrained")
         axes = figure.subplots()
         rows = np.arange(len(places), dtype=float)
-        bars = [("alone", BLUE, "first", 0.2 * has_total)]
+        bars = [("deviations of this value alone", BLUE, "first", 0.2 * has_total)]
         if has_total:
-            bars.append(("with interactions", SKY, "total", -0.2))
+            bars.append(("with its interactions", SKY, "total", -0.2))
         for label, colour, name, shift in bars:
             share, low, high = (table[f"{name}_index{end}"].values[0][places] for end in ("", "_low", "_high"))
             at = rows + shift
@@ -110,6 +125,8 @@ def draw_cloud(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
                 handles.append(Line2D([], [], ls="", label=label, **look))
         _draw_tolerance(axes, table, keys)
         handles.append(Line2D([], [], ls="", label="as designed", **_DESIGN))
+        if len(axes.patches) > table["map_outcome"].size:
+            handles.append(Line2D([], [], label="the tolerances", **_EDGE))
         axes.set_xlabel(factor_label(table["map_x"]))
         axes.set_ylabel(factor_label(table["map_y"]))
         fit_legend(figure, handles, 3, loc="outside upper center")
@@ -146,17 +163,17 @@ def draw_reaches(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
                     axes.plot(sign * works, row, ls="", **_END)
         axes.axvline(0, color=BLACK, lw=0.6)
         for edge in (-1, 1):
-            axes.axvline(edge, color=BLACK, lw=0.8, ls="--")
+            axes.axvline(edge, **_EDGE)
         axes.set_yticks(range(len(order)), [keys[factor] for factor in order])
         axes.invert_yaxis()
         axes.margins(y=0.01)
         axes.set_xlabel("deviation of this value alone (tolerances)")
-        handles: list[Artist] = [
-            Patch(fc=SKY, label="works"),
-            Line2D([], [], ls="", label="fails", **_FAILURE),
-            Line2D([], [], ls="", label="undecided beyond", **_END),
-            Line2D([], [], color=BLACK, lw=0.8, ls="--", label="the tolerance"),
-        ]
+        marks = {line.get_marker() for line in axes.lines}
+        handles: list[Artist] = [Patch(fc=SKY, label="works")]
+        for look, words in ((_FAILURE, "fails"), (_END, "undecided beyond")):
+            if look["marker"] in marks:
+                handles.append(Line2D([], [], ls="", label=words, **look))
+        handles.append(Line2D([], [], label="the tolerance", **_EDGE))
         fit_legend(figure, handles, 4, loc="outside upper center")
         first = "None fails alone"
         if np.isfinite(nearest[order[0]]):
@@ -193,10 +210,16 @@ def _draw_cells(axes: Axes, table: Dataset) -> list[Artist]:
     for (column, row), word in np.ndenumerate(words):
         corner = (across[column] - width / 2, upwards[row] - height / 2)
         look = looks[word]
-        axes.add_patch(Rectangle(corner, width, height, fc=look.face, hatch=look.hatch, ec="0.75", lw=0.0))
+        axes.add_patch(Rectangle(corner, width, height, fc=_pale(look.face), hatch=look.hatch, ec="0.75", lw=0.0))
     axes.set_xlim(across[0] - width / 2, across[-1] + width / 2)
     axes.set_ylim(upwards[0] - height / 2, upwards[-1] + height / 2)
-    return [Patch(fc=look.face, hatch=look.hatch, ec=_INK, lw=0.4, label=word) for word, look in looks.items()]
+    return [Patch(fc=_pale(look.face), hatch=look.hatch, ec=_INK, lw=0.4, label=word) for word, look in looks.items()]
+
+
+def _pale(colour: str) -> tuple[float, float, float]:
+    """Mix a colour with white."""
+    red, green, blue = (_PALE + (1 - _PALE) * part for part in to_rgb(colour))
+    return red, green, blue
 
 
 def _draw_tolerance(axes: Axes, table: Dataset, keys: list[str]) -> None:
@@ -212,4 +235,5 @@ def _draw_tolerance(axes: Axes, table: Dataset, keys: list[str]) -> None:
     axes.plot([centres[0]], [centres[1]], ls="", **_DESIGN)
     if all(str(table.sel(factor=key)["distribution"].values) == "uniform" for key in keys):
         corner = (centres[0] - widths[0], centres[1] - widths[1])
-        axes.add_patch(Rectangle(corner, 2 * widths[0], 2 * widths[1], fc="none", ec=BLACK, lw=0.9, ls="--"))
+        edge = {"ec": _EDGE["color"], "lw": _EDGE["lw"], "ls": _EDGE["ls"]}
+        axes.add_patch(Rectangle(corner, 2 * widths[0], 2 * widths[1], fc="none", **edge))

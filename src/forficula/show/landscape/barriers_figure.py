@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import textwrap
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -22,6 +25,7 @@ from forficula.show.style import (
 from forficula.statics import EnergyLandscape
 
 _HALF = 0.22  # half the length of a state's mark
+_LETTERS, _LEAST_NAME = 13, 8  # letters per inch in the name of a state, least letters per line
 _POINTS = 41  # points of a curve
 
 
@@ -43,21 +47,25 @@ def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figu
         figure = Figure(figsize=(width, 2.8), layout="constrained")
         axes = figure.subplots()
         for course_pass, top in zip(passes, tops, strict=True):
-            _draw_pass(axes, [(places[end], energies[end]) for end in course_pass.ends], top, factor)
+            _draw_pass(axes, [(places[end], energies[end]) for end in course_pass.ends], top, unit, factor)
         for place, energy in zip(places, energies, strict=True):
             axes.plot([place - _HALF, place + _HALF], [factor * energy] * 2, color=BLUE, lw=2.5, zorder=4)
+            _write(axes, (place, factor * energy), _number(energy, unit, factor), -5)
+        _draw_gaps(axes, places, [course_pass.ends for course_pass in passes])
         axes.set_xlim(-0.6, max(places) + 0.6)
-        axes.margins(y=0.15)
-        names = {places[number]: state.name.replace(" ", "\n") for number, state in enumerate(states)}
+        axes.margins(y=0.2)
+        room = max(_LEAST_NAME, int(_LETTERS * width / (max(places) + 1.2)))
+        names = {places[number]: textwrap.fill(state.name, room) for number, state in enumerate(states)}
         axes.set_xticks(sorted(names), [names[place] for place in sorted(names)])
         axes.tick_params(axis="x", length=0)
         axes.set_ylabel(f"stored energy ({unit})")
         handles = [Line2D([], [], color=BLUE, lw=2.5, label="stable state")]
         if passes:
+            handles.append(Line2D([], [], color="0.6", lw=0.9, label="sketch: only states and saddles are computed"))
             words = "saddle, with the barrier from either side"
             mark = {"marker": "^", "mfc": "white", "mec": VERMILION, "mew": 1.1, "ms": 5, "ls": "none"}
             handles.append(Line2D([], [], label=words, **mark))  # type: ignore[arg-type]
-        fit_legend(figure, handles, 2, loc="outside upper center")
+        fit_legend(figure, handles, 3, loc="outside upper center")
         return describe(figure, _text(landscape))
 
 
@@ -78,7 +86,35 @@ def _places(landscape: EnergyLandscape) -> list[int]:
     return [order.index(number) for number in range(len(landscape.states))]
 
 
-def _draw_pass(axes: Axes, ends: list[tuple[int, float]], top: float, factor: float) -> None:
+def _draw_gaps(axes: Axes, places: list[int], joined: list[tuple[int, int]]) -> None:
+    """Say in every gap between states over which no saddle leads that none was found."""
+    spans = [sorted(places[end] for end in ends) for ends in joined]
+    look: dict[str, Any] = {"ha": "center", "va": "center", "color": "0.35", "fontsize": 6 if in_column(axes) else 7}
+    for left in range(max(places)):
+        if not any(low <= left < high for low, high in spans):
+            axes.text(left + 0.5, 0.5, "no saddle\nfound", transform=axes.get_xaxis_transform(), **look)
+
+
+def _number(energy: float, unit: str, factor: float) -> str:
+    """Return an energy in the unit of the axis."""
+    return f"{factor * energy + 0.0:.3g} {unit}".replace("-", "−")
+
+
+def _write(axes: Axes, place: tuple[float, float], words: str, above: float) -> None:
+    """Write words above a point, or below it where `above` is negative, pt."""
+    axes.annotate(
+        words,
+        place,
+        xytext=(0, above),
+        textcoords="offset points",
+        ha="center",
+        va="bottom" if above > 0 else "top",
+        fontsize=6 if in_column(axes) else 7,
+        color=BLACK,
+    )
+
+
+def _draw_pass(axes: Axes, ends: list[tuple[int, float]], top: float, unit: str, factor: float) -> None:
     """Draw a curve over a saddle, and the barrier from either side."""
     (left, low), (right, other) = sorted(ends)
     left_end, right_end = left + _HALF, right - _HALF
@@ -88,18 +124,8 @@ def _draw_pass(axes: Axes, ends: list[tuple[int, float]], top: float, factor: fl
         along = np.linspace(start, middle, _POINTS)
         axes.plot(along, factor * (base + (top - base) * rise), color="0.6", lw=0.9, zorder=2)
     axes.plot(middle, factor * top, "^", color="white", mec=VERMILION, mew=1.1, ms=5, zorder=5)
-    barriers = [shown_value(top - base, "J", 3) for base in (low, other)]
-    words = f"{barriers[0]} →\n← {barriers[1]}"
-    axes.annotate(
-        words,
-        (middle, factor * top),
-        xytext=(0, 5),
-        textcoords="offset points",
-        ha="center",
-        va="bottom",
-        fontsize=6 if in_column(axes) else 7,
-        color=BLACK,
-    )
+    barriers = [_number(top - base, unit, factor) for base in (low, other)]
+    _write(axes, (middle, factor * top), f"{barriers[0]} →\n← {barriers[1]}", 5)
 
 
 def _text(landscape: EnergyLandscape) -> str:

@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
 
 from forficula.quantities import reading_unit, show_value
 from forficula.show.landscape.landscape_marks import rest_name, sheet_parts, show_angles, torque_location
@@ -23,6 +24,7 @@ from forficula.show.style import (
     describe,
     figure_style,
     fit_legend,
+    letter_panels,
 )
 from forficula.statics import EnergyLandscape, Rest
 from forficula.structure import Measure, read_angles
@@ -62,6 +64,7 @@ def draw_equilibria(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fi
         bottom.set_xlim(-0.6, len(rests) - 0.4)
         bottom.set_ylabel(f"{title_of(measures[0]) if len(measures) == 1 else 'angle'} (deg)")
         bottom.set_xlabel(_order(landscape, measures))
+        letter_panels([top, bottom])
         fit_legend(figure, _handles(landscape, measures), 4, loc="outside upper center")
         return describe(figure, _text(landscape, measures))
 
@@ -109,6 +112,7 @@ def _plot_angles(axes: Axes, rests: tuple[Rest, ...], measures: tuple[Measure, .
     low, high = axes.get_ylim()
     short = max(_LEAST_SPAN - (high - low), 0.0) / 2
     axes.set_ylim(low - short, high + short)
+    axes.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 1.5, 2, 3, 4.5, 5, 9, 10]))
 
 
 def _order(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:

@@ -31,6 +31,7 @@ from forficula.show.style import (
     figure_style,
     fit_legend,
     in_column,
+    letter_panels,
 )
 from forficula.statics import EnergyLandscape, FoldPath, StableState
 from forficula.statics.landscape import fold_path_of, fold_states
@@ -90,13 +91,14 @@ def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fig
         bottom.axhline(0, color="0.6", lw=0.5, zorder=0)
         low, high = torque * float(moment.min()), torque * float(moment.max())
         room = (high - low) or 1.0
-        bottom.set_ylim(min(low, 0) - 0.3 * room, high + 0.2 * room)
+        bottom.set_ylim(min(low, 0) - (0.45 if in_column(bottom) else 0.3) * room, high + 0.2 * room)
         for axes, curve in ((top, path.energy), (middle, sheet_energy), (bottom, moment)):
             if not np.any(curve):
                 axes.set_yticks([0])
         top.set_ylabel(f"stored energy ({energy_unit})")
         middle.set_ylabel(f"{stretched.replace(' and ', f',{chr(10)}')} ({sheet_unit})")
         bottom.set_ylabel(f"moment about the\npleats ({torque_unit})")
+        letter_panels([top, middle, bottom])
         bottom.set_xlabel("pleat angle (deg): camber < 0, flat 0, folding > 0")
         handles = [handle for axes in (top, middle) for handle in axes.get_legend_handles_labels()[0]]
         handles += state_handles({state.kind for state in states})
@@ -215,8 +217,13 @@ def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding
         unit, reads = reading_unit("N m", torque)
         at = math.degrees(angle), factor * path.moment[place]
         axes.plot(*at, "o", color=VERMILION, ms=4)
-        words = f"{name} requires {reads * torque:.3g} {unit}{chr(10) if in_column(axes) else ' '}{where}"
-        axes.annotate(words, at, xytext=(across, up), textcoords="offset points", ha=side, va="center", fontsize=7)
+        required = f"{reads * torque:.3g} {unit}"
+        # the axis has the moment about the pleats and not that of one joint
+        about = show_value(abs(path.moment[place]), "N m", 3)
+        apart = "\n" if in_column(axes) else " "
+        words = f"{required}{apart}{where}" if about == required else f"{about}:{apart}{required} {where}"
+        style: dict[str, Any] = {"textcoords": "offset points", "ha": side, "va": "center", "fontsize": 7}
+        axes.annotate(f"{name} requires {words}", at, xytext=(across, up), **style)
 
 
 def _directions(structure: Structure) -> tuple[str, str]:

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
+from itertools import groupby, pairwise
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
+from matplotlib.gridspec import GridSpec
 from matplotlib.lines import Line2D
 
 from forficula.quantities import reading_unit
 from forficula.show.landscape.landscape_marks import shown_value, slow_path_text
-from forficula.show.landscape.net_pictures import Pictures, net_pictures, show_pictures
+from forficula.show.landscape.net_pictures import net_pictures, show_pictures
 from forficula.show.style import (
     BLACK,
     BLUE,
@@ -23,6 +25,7 @@ from forficula.show.style import (
     figure_style,
     fit_legend,
     is_narrow,
+    letter_panels,
 )
 from forficula.statics import EnergyLandscape
 from forficula.statics.landscape import net_courses
@@ -32,11 +35,19 @@ from forficula.statics.net.net import NetShape
 from forficula.statics.net.net_course import Course, drive_displacement, reaction
 from forficula.structure import drive_unit, driven_motor
 
-_MOST = 5  # largest number of pictures of a path
-_PLOT = 2.3  # height of a plot, inch
+_MOST = 6  # largest number of pictures of a path
+_ABREAST = 4  # largest number of pictures in one row
+_FEW = 2  # drives with higher plots
+_PLOT, _LOW_PLOT, _PICTURE = 2.2, 1.7, 1.3  # heights of a plot, and largest height of a picture, inch
+_WORDS = 0.2  # height of a picture's title, inch
 _LEGEND = 0.45
-_LETTERS = "abcdefgh"
-_SAME = 0.04  # points closer than this share of a plot's size share a label
+_SAME = 0.1  # points closer than this share of a plot's size share a label
+
+_BEHIND_NUMBERS: dict[str, Any] = {"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.7}
+_STABLE: dict[str, Any] = {"color": BLACK, "lw": 0.9, "ls": "-"}
+_UNSTABLE: dict[str, Any] = {"color": "0.5", "lw": 0.9, "ls": "--"}
+# factor, shape and words of a picture
+_Moment = tuple[float, NetShape, str]
 
 
 def draw_slow_paths(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
@@ -46,36 +57,44 @@ def draw_slow_paths(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fi
         landscape: landscape of a net with a drive.
         width: width of the figure, inch.
     """
-    assert landscape.net is not None
     courses = net_courses(landscape)
     moments = [_moments(course) for course in courses]
     columns = 1 if is_narrow(width) else min(2, len(courses))
     rows = -(-len(courses) // columns)
-    pictures = [
-        net_pictures(landscape.structure, landscape.net.net, [shape for _, shape, _ in moment]) for moment in moments
-    ]
-    most = max(len(moment) for moment in moments)
-    height = _PLOT + min(max(picture.slope for picture in pictures) * width / columns / most, 1.3) + 0.25
+    pictures = [net_pictures(landscape, [shape for _, shape, _ in moment]) for moment in moments]
+    count = max(len(moment) for moment in moments)
+    # several drives must fit on a page
+    plot, abreast = (_PLOT, _ABREAST) if len(courses) <= _FEW else (_LOW_PLOT, _ABREAST + 1)
+    most = count if count <= abreast else -(-count // 2)
+    layers = max(-(-len(moment) // most) for moment in moments)
+    # the same for all drives, so that their plots have the same size
+    picture = min(max(item.slope for item in pictures) * width / columns / most, _PICTURE) + _WORDS
+    spare = rows * columns - len(courses)
+    height = rows * (plot + layers * picture) + _LEGEND * (not spare) * (1 + is_narrow(width))
     with figure_style():
-        figure = Figure(figsize=(width, rows * height + _LEGEND * (1 + is_narrow(width))), layout="constrained")
+        figure = Figure(figsize=(width, height), layout="constrained")
         panels = np.ravel(figure.subfigures(rows, columns, squeeze=False))
-        for panel, course, moment, picture in zip(panels, courses, moments, pictures, strict=False):
-            _draw_course(panel, landscape, course, moment, picture, width / columns)
-        fit_legend(figure, _handles(courses), 4, loc="outside lower center")
+        plots = []
+        for panel, course, moment, shown in zip(panels, courses, moments, pictures, strict=False):
+            grid = panel.add_gridspec(1 + layers, most, height_ratios=[plot, *[picture] * layers])
+            plots.append(_draw_course(panel, grid, landscape, course, moment))
+            small = [panel.add_subplot(grid[1 + number // most, number % most]) for number in range(len(moment))]
+            show_pictures(shown, small, width / columns / most)
+            for number, (axes, (_, _, words)) in enumerate(zip(small, moment, strict=True), start=1):
+                axes.set_title(f"{number}  {words}", pad=2, fontsize=7)
+        letter_panels(plots)
+        if spare:  # in the place of a plot
+            fit_legend(panels[-1], _handles(courses), 1, loc="center")
+        else:
+            fit_legend(figure, _handles(courses), 3, loc="outside lower center")
         return describe(figure, _text(landscape, courses))
 
 
 def _draw_course(
-    panel: SubFigure,
-    landscape: EnergyLandscape,
-    course: Course,
-    moments: Sequence[tuple[float, NetShape, str]],
-    pictures: Pictures,
-    width: float,
-) -> None:
-    """Draw the plot of one drive, and below it pictures with the letters of their points; `width` is in inches."""
+    panel: SubFigure, grid: GridSpec, landscape: EnergyLandscape, course: Course, moments: Sequence[_Moment]
+) -> Axes:
+    """Draw the plot of one drive above the pictures, with the numbers of the points that these show."""
     plot = _Plot(landscape, course)
-    grid = panel.add_gridspec(2, len(moments), height_ratios=[_PLOT, max(pictures.slope, 0.3)])
     axes = panel.add_subplot(grid[0, :])
     axes.axhline(0, color="0.8", lw=0.5, zorder=0)
     if course.through is not None:
@@ -91,16 +110,17 @@ def _draw_course(
     last = moments[-2] if len(moments) > 1 else moments[-1]
     ends = [plot.at(last[0], last[1]), plot.at(0.0, course.rest.shape)]
     axes.plot(*zip(*ends, strict=True), ":", color="0.4", lw=1.0, zorder=2)
-    for place, letters in _lettered([plot.at(factor, shape) for factor, shape, _ in moments]):
-        axes.annotate(letters, place, xytext=(3, 3), textcoords="offset points", fontsize=8, zorder=6)
+    for place, numbers in _numbered([plot.at(factor, shape) for factor, shape, _ in moments]):
+        axes.plot(*place, ".", color=BLACK, ms=3, zorder=6)
+        # the start on the left of the path, which leads to the right and upwards
+        across, up, side = (-4, 4, "right") if numbers == "1" else (4, 4 if numbers[0] != "1" else -10, "left")
+        look: dict[str, Any] = {"ha": side, "fontsize": 8, "zorder": 6, "bbox": _BEHIND_NUMBERS}
+        axes.annotate(numbers, place, xytext=(across, up), textcoords="offset points", **look)
     axes.set_xlabel(f"{plot.along} ({plot.unit_along})")
     axes.set_ylabel(f"{plot.drive} ({plot.unit})")
     axes.set_title(course.name, loc="left")
-    axes.margins(x=0.06, y=0.1)
-    small = [panel.add_subplot(grid[1, number]) for number in range(len(moments))]
-    show_pictures(pictures, small, width / len(moments))
-    for letter, item, (_, _, words) in zip(_LETTERS, small, moments, strict=False):
-        item.set_title(f"{letter}\n{words}" if words else letter, pad=1, fontsize=7)
+    axes.margins(x=0.08, y=0.16)
+    return axes
 
 
 class _Plot:
@@ -114,7 +134,9 @@ class _Plot:
         motor = driven_motor(self._structure, course.drive)
         si = "rad" if motor.direction is None else "m"
         self._zero = self._gone(course.start.shape)
-        far = max(abs(self._gone(point.shape) - self._zero) for point in points)
+        far = max(
+            abs(self._gone(shape) - self._zero) for shape in (*(point.shape for point in points), course.rest.shape)
+        )
         self.unit_along, self._along = reading_unit(si, far)
         largest = max(abs(point.factor) for point in points) * self._size
         self.unit, self._factor = reading_unit(drive_unit(self._structure, course.drive), largest)
@@ -145,28 +167,29 @@ class _Plot:
 
     def lines(self, axes: Axes, points: Sequence[PathPoint]) -> None:
         """Draw equilibria: a line where they are stable under the load, dashes where they are not."""
-        for one, other in pairwise(points):
-            holds = one.index == 0 and other.index == 0
-            axes.plot(*self.place([one, other]), color=BLACK if holds else "0.5", lw=0.9, ls="-" if holds else "--")
+        steps = [(one.index == 0 and other.index == 0, one, other) for one, other in pairwise(points)]
+        for holds, group in groupby(steps, key=lambda step: step[0]):
+            run = list(group)
+            axes.plot(*self.place([run[0][1], *(other for _, _, other in run)]), **(_STABLE if holds else _UNSTABLE))
 
 
-def _lettered(places: Sequence[tuple[float, float]]) -> list[tuple[tuple[float, float], str]]:
-    """Return points with their letters; points that coincide share one label."""
+def _numbered(places: Sequence[tuple[float, float]]) -> list[tuple[tuple[float, float], str]]:
+    """Return points with the numbers of their pictures; points that coincide share one label."""
     size = np.ptp(np.array(places), axis=0) + 1e-12
     labels: list[tuple[tuple[float, float], str]] = []
-    for letter, place in zip(_LETTERS, places, strict=False):
+    for count, place in enumerate(places, start=1):
         near = [np.abs((np.array(item) - place) / size).max() < _SAME for item, _ in labels]
         if any(near):
             number = near.index(True)
-            labels[number] = (labels[number][0], f"{labels[number][1]}, {letter}")
+            labels[number] = (labels[number][0], f"{labels[number][1]}, {count}")
         else:
-            labels.append((place, letter))
+            labels.append((place, str(count)))
     return labels
 
 
-def _moments(course: Course) -> list[tuple[float, NetShape, str]]:
+def _moments(course: Course) -> list[_Moment]:
     """Return factor, shape and words of each picture: the start, both ends of snaps, the end, and the shape at rest."""
-    moments: list[tuple[float, NetShape, str]] = [(0.0, course.start.shape, "start")]
+    moments: list[_Moment] = [(0.0, course.start.shape, "start")]
     for snap in course.slow.snaps:
         if snap.kind != "branch":
             moments += [(snap.factor, snap.before, "snaps"), (snap.factor, snap.after.shape, "lands")]
@@ -187,8 +210,12 @@ def _handles(courses: Sequence[Course]) -> list[Line2D]:
         handles.append(Line2D([], [], color=VERMILION, marker="o", mfc="white", ms=4, lw=1.2, label="snap"))
     if True in kinds:
         handles.append(Line2D([], [], color=GREEN, marker="o", mfc="white", ms=4, lw=1.2, label="bifurcation"))
-    if any(course.through is not None for course in courses):
-        handles.append(Line2D([], [], color="0.5", lw=0.9, ls="--", label="unstable equilibria"))
+    steps = [step for course in courses if course.through is not None for step in pairwise(course.through.points)]
+    stable = {one.index == 0 and other.index == 0 for one, other in steps}
+    if True in stable:
+        handles.append(Line2D([], [], label="stable equilibria off the path", **_STABLE))
+    if False in stable:
+        handles.append(Line2D([], [], label="unstable equilibria", **_UNSTABLE))
     handles.append(Line2D([], [], color="0.4", lw=1.0, ls=":", label="release"))
     return handles
 

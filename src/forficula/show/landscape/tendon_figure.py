@@ -18,13 +18,13 @@ from forficula.arrays import Array, Flags, Indices
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.quantities import reading_unit, show_value
+from forficula.show.landscape.close_up import add_legend, hinge_panels, write_sentence
 from forficula.show.landscape.landscape_marks import (
     hinge_measure,
     mark_barrier,
     mark_state,
     show_angle,
     state_handles,
-    write_note,
 )
 from forficula.show.structure.labels import label_of, parts_of, title_of
 from forficula.show.style import (
@@ -39,7 +39,6 @@ from forficula.show.style import (
     VERMILION,
     describe,
     figure_style,
-    fit_legend,
     in_column,
     is_narrow,
 )
@@ -49,8 +48,7 @@ _COLOURS = (BLUE, SKY, GREEN, PURPLE)
 _STOP = "0.87"
 _ALIKE = 1e-6  # relative difference of energies up to which two hinges share a line
 _APART = 12.0  # deg, distance between two points of the simulation
-_INSET = (0.62, 0.58, 0.34, 0.40)
-_WIDE_BOWL = 50.0  # deg, width of a moment's bowl with space for words
+_WIDE_BOWL = 75.0  # deg, width of a moment's bowl with space for words
 _CROSSING = 0.15  # share of the largest moment above which another hinge's curve crosses these words
 WIDEST = math.radians(60)  # largest angle from the overbend stop to the barrier that is shown enlarged
 _SPRING: dict[str, Any] = {"color": ORANGE, "ls": "--", "lw": 1.2, "zorder": 2}
@@ -80,8 +78,7 @@ def draw_tendon(
     energy_unit, energy_factor = reading_unit("J", max(float(energy.max()) for _, energy, _, _, _ in curves))
     torque_unit, torque_factor = reading_unit("N m", max(float(np.abs(moment).max()) for *_, moment, _, _ in curves))
     with figure_style():
-        figure = Figure(figsize=(width, 5.0), layout="constrained")
-        top, bottom = figure.subplots(2, 1, sharex=True, height_ratios=[1.3, 1])
+        figure, top, bottom, near = hinge_panels(width, enlarged=_is_enlarged(landscape, shown))
         for hinge, energy, moment, name, style in curves:
             top.plot(_place(hinge, hinge.angle), energy_factor * energy, label=name, **style)
             bottom.plot(_place(hinge, hinge.angle), torque_factor * moment, **style)
@@ -94,7 +91,7 @@ def draw_tendon(
             _plot_simulation(top, record, shown, energy_factor)
         others = [hinge for hinge, *_ in curves if hinge is not actual]
         _mark_moments(bottom, actual, others, torque_unit, torque_factor)
-        _close_up(top, landscape, shown)
+        _close_up(near, landscape, shown)
         _shade_stops(actual, top, bottom)
         title = title_of(hinge_measure(landscape.structure, shown.hinge))
         top.set_ylabel(f"{'tendon' if actual.spring is None else 'stored'} energy ({energy_unit})")
@@ -105,11 +102,11 @@ def draw_tendon(
             meaning = f"folding > 0, straight 0, {overbend} < 0"
         bottom.set_xlabel(f"{title} (deg){':' if not is_narrow(width) else chr(10)} {meaning}")
         handles, _ = top.get_legend_handles_labels()
-        simulated = [handle for handle in handles if handle.get_label().startswith("simulated")]
+        simulated = [handle for handle in handles if str(handle.get_label()).startswith("simulated")]
         lines = [handle for handle in handles if handle not in simulated]
         stops = Patch(color=_STOP, label="beyond the stops")
         handles = [*lines, stops, *simulated, *state_handles({state.kind for state in actual.states})]
-        fit_legend(figure, handles, 3, loc="outside upper center")
+        add_legend(figure, handles)
         return describe(figure, _text(landscape, shown, title))
 
 
@@ -219,7 +216,7 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, others: list[HingeLandscape
             axes.set(ylim=(-1, 1), yticks=[0])
         return
     largest, at = factor * peak.torque, float(_place(hinge, peak.angle))
-    low, high = -1.12 * largest, max(0.42 * largest, 1.3 * factor * (hinge.holding_torque or 0))
+    low, high = -1.12 * largest, max(0.5 * largest, 1.3 * factor * (hinge.holding_torque or 0))
     if hinge.spring is not None:
         parts = factor * np.array([hinge.moment, hinge.spring_moment, hinge.moment + hinge.spring_moment])
         low, high = min(low, 1.1 * float(parts.min())), max(high, 1.1 * float(parts.max()))
@@ -232,7 +229,7 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, others: list[HingeLandscape
     folding = hinge.angle[hinge.angle < 0]
     moment = hinge.hinge.moment(folding)
     free = all(float((other.hinge.moment(folding) - moment).max()) < _CROSSING * peak.torque for other in others)
-    if free and -end > _WIDE_BOWL * (2 if column else 1):
+    if free and -end > _WIDE_BOWL * (1 if not column else 1.4):
         axes.text(at, -0.55 * largest, words, ha="center", va="center", fontsize=7)
     else:
         axes.text(hinge.sense * (end - 3), -0.7 * largest, words, ha="left", va="center", fontsize=7)
@@ -241,10 +238,9 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, others: list[HingeLandscape
         place = (float(_place(hinge, hinge.hinge.overbend)), factor * hinge.holding_torque)
         axes.plot(*place, "o", color=BLUE, ms=4)
         words = f"pressed onto its stop: {factor * hinge.holding_torque:.4g} {unit}"
-        # in a column above the words on the slack range, which begins near, and above a
-        # spring's line
+        # above the words on the slack range, which may begin near, and above a spring's line
         above = 9 if hinge.spring is not None else 0
-        axes.annotate(words, place, xytext=(10, 12 + above) if column else (16, 7 + above), **beside)
+        axes.annotate(words, place, xytext=(10, 15 + above), **beside)
     if slack is not None and -slack < limit - math.radians(0.1):
         place = (float(_place(hinge, slack)), 0.0)
         axes.plot(*place, "o", color=BLUE, ms=4)
@@ -252,26 +248,38 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, others: list[HingeLandscape
         axes.annotate(words, place, xytext=(4, 9 if hinge.spring is None else -9), **beside)
 
 
-def _close_up(axes: Axes, landscape: EnergyLandscape, shown: CrossedHinge) -> None:
-    """Draw an inset of the barrier, relative to the overbend stop; a note if there is no barrier or no close-up."""
+def _enlarged_curves(landscape: EnergyLandscape, shown: CrossedHinge) -> list[tuple[HingeLandscape, dict[str, Any]]]:
+    """Return hinges whose barriers are enlarged, with their styles."""
+    if shown.actual.spring is not None:
+        return [(shown.actual, _BOTH)]
+    return [(hinge, style) for hinge, _, _, _, style in tendon_curves(landscape, shown)]
+
+
+def _reach(landscape: EnergyLandscape, shown: CrossedHinge) -> float:
+    """Return the angle from the overbend stop to the farthest barrier, rad; the hinge has a barrier."""
+    tops = [hinge.barrier_angle for hinge, _ in _enlarged_curves(landscape, shown) if hinge.barrier_angle is not None]
+    return shown.actual.hinge.overbend - min(tops)
+
+
+def _is_enlarged(landscape: EnergyLandscape, shown: CrossedHinge) -> bool:
+    """Return whether the barrier is too close to the stop to be seen along the whole fold."""
     actual = shown.actual
-    left, low, width, height = _INSET
+    return actual.barrier is not None and actual.barrier_angle is not None and _reach(landscape, shown) <= WIDEST
+
+
+def _close_up(near: Axes, landscape: EnergyLandscape, shown: CrossedHinge) -> None:
+    """Draw the barrier, relative to the overbend stop; a sentence if there is no barrier, or if it is wide."""
+    actual = shown.actual
     if actual.barrier is None or actual.barrier_angle is None:
         if actual.remarks:
-            write_note(axes, (left + width / 2, low + height / 2), actual.remarks[0])
+            write_sentence(near, actual.remarks[0])
         return
-    curves = [(hinge, style) for hinge, _, _, _, style in tendon_curves(landscape, shown)]
-    if actual.spring is not None:
-        curves = [(actual, _BOTH)]
-    overbend = actual.hinge.overbend
     unit, factor = reading_unit("J", actual.barrier)
-    tops = [hinge.barrier_angle for hinge, _ in curves if hinge.barrier_angle is not None]
-    reach = overbend - min(tops)
-    if reach > WIDEST:
+    if not _is_enlarged(landscape, shown):
         at = show_angle(actual.sense * actual.barrier_angle)
-        write_note(axes, (left + width / 2, low + height / 2), f"barrier {factor * actual.barrier:.4g} {unit} at {at}")
+        write_sentence(near, f"barrier {factor * actual.barrier:.4g} {unit} at {at}")
         return
-    near = axes.inset_axes(_INSET)
+    curves, overbend, reach = _enlarged_curves(landscape, shown), actual.hinge.overbend, _reach(landscape, shown)
     last = max(overbend - 2.5 * reach, -actual.hinge.fold_limit)
     for hinge, style in curves:
         angle = np.linspace(overbend, last, 121)
@@ -282,11 +290,9 @@ def _close_up(axes: Axes, landscape: EnergyLandscape, shown: CrossedHinge) -> No
     near.set_xlim(float(_place(actual, overbend + 0.12 * reach)), float(_place(actual, last)))
     place = float(_place(actual, actual.barrier_angle))
     mark_barrier(near, place, factor * actual.barrier, f"barrier {factor * actual.barrier:.4g} {unit}")
-    near.set_ylabel(f"above the stop ({unit})", fontsize=7, labelpad=2)
-    near.set_xlabel(f"{title_of(hinge_measure(landscape.structure, shown.hinge))} (deg)", fontsize=7, labelpad=1)
-    near.tick_params(labelsize=6)
-    if actual.hinge.offset_angle:
-        near.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
+    near.set_ylabel(f"energy above the stop ({unit})")
+    near.set_xlabel(f"{title_of(hinge_measure(landscape.structure, shown.hinge))} (deg)")
+    near.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
 
 
 def _shade_stops(hinge: HingeLandscape, *rows: Axes) -> None:

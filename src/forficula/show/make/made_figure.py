@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -13,16 +14,17 @@ from matplotlib.patches import Patch
 from forficula.errors import InputError
 from forficula.names import one_of
 from forficula.quantities import reading_unit, show_value
+from forficula.show.landscape.close_up import add_legend, hinge_panels, write_sentence
 from forficula.show.landscape.landscape_marks import show_angle
-from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, describe, figure_style, fit_legend, in_column, is_narrow
+from forficula.show.style import BLUE, ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
 from forficula.statics import HingeLandscape
 from forficula.study.made_comparison import HingePair, MadeComparison
 
 _DESIGNED: dict[str, Any] = {"color": ORANGE, "ls": "--", "lw": 1.4, "zorder": 2}
 _MADE: dict[str, Any] = {"color": BLUE, "ls": "-", "lw": 1.4, "zorder": 3}
 _STOP = "0.87"
-# share of the axis beyond its ends; length of the close-up, as a multiple of the distance to the barrier; its position
-_MARGIN, _NEAR, _INSET = 0.03, 2.5, (0.62, 0.56, 0.34, 0.40)
+# share of the axis beyond its ends; length of the close-up, as a multiple of the distance to the barrier
+_MARGIN, _NEAR = 0.03, 2.5
 
 
 def draw_made(compared: MadeComparison, width: float = PAGE_WIDTH, hinge: str | None = None) -> Figure:
@@ -41,15 +43,18 @@ def draw_made(compared: MadeComparison, width: float = PAGE_WIDTH, hinge: str | 
     energy_unit, energy_factor = reading_unit("J", max(float(it.energy.max()) for it, *_ in curves))
     torque_unit, torque_factor = reading_unit("N m", max(float(np.abs(it.moment).max()) for it, *_ in curves))
     with figure_style():
-        figure = Figure(figsize=(width, 4.6), layout="constrained")
-        top, bottom = figure.subplots(2, 1, sharex=True, height_ratios=[1.3, 1])
+        tops = [item for item in (pair.designed, pair.made) if item.barrier and item.barrier_angle is not None]
+        figure, top, bottom, near = hinge_panels(width, enlarged=bool(tops))
         for it, name, style in curves:
             label = f"{name}: {_numbers(it)}"
             top.plot(_degrees(it, it.angle), energy_factor * it.energy, label=label, **style)
             bottom.plot(_degrees(it, it.angle), torque_factor * it.moment, **style)
             _mark_stop(bottom, it, torque_factor, style)
         bottom.axhline(0, color="0.6", lw=0.5, zorder=0)
-        _close_up(top, pair)
+        if tops:
+            _close_up(near, pair, tops)
+        else:
+            write_sentence(near, "no barrier, neither as designed nor as made")
         _shade(pair.made, top, bottom)
         top.set_ylim(bottom=0)
         top.set_ylabel(f"tendon energy ({energy_unit})")
@@ -58,13 +63,7 @@ def draw_made(compared: MadeComparison, width: float = PAGE_WIDTH, hinge: str | 
         meaning = "overbend > 0, folding < 0" if pair.made.sense > 0 else "folding > 0, overbend < 0"
         bottom.set_xlabel(f"hinge angle of {pair.name} (deg):{line}{meaning}")
         handles, _ = top.get_legend_handles_labels()
-        columns = 1 if is_narrow(width) else 2
-        fit_legend(
-            figure,
-            [*handles, Patch(color=_STOP, label="beyond the stops as made")],
-            columns,
-            loc="outside lower center",
-        )
+        add_legend(figure, [*handles, Patch(color=_STOP, label="beyond the stops as made")])
         return describe(figure, _text(compared, pair))
 
 
@@ -89,13 +88,9 @@ def _mark_stop(axes: Axes, hinge: HingeLandscape, factor: float, style: dict[str
         axes.plot(place, factor * hinge.holding_torque, "o", color=style["color"], ms=4, zorder=4)
 
 
-def _close_up(axes: Axes, pair: HingePair) -> None:
-    """Draw an inset of the barriers, relative to the overbend stop; nothing if there is no barrier."""
-    tops = [item for item in (pair.designed, pair.made) if item.barrier and item.barrier_angle is not None]
-    if not tops:
-        return
+def _close_up(near: Axes, pair: HingePair, tops: Sequence[HingeLandscape]) -> None:
+    """Draw the barriers, relative to the overbend stop."""
     unit, factor = reading_unit("J", max(top.barrier or 0.0 for top in tops))
-    near = axes.inset_axes(_INSET)
     stop = max(top.hinge.overbend for top in tops)
     reach = _NEAR * (stop - min(top.barrier_angle or 0.0 for top in tops))
     last = max(stop - reach, -pair.made.hinge.fold_limit)
@@ -108,9 +103,8 @@ def _close_up(axes: Axes, pair: HingePair) -> None:
             near.plot(*place, "o", color=style["color"], ms=3.5, zorder=4)
     top = factor * max(top.barrier or 0.0 for top in tops)
     near.set(xlim=sorted(near.get_xlim(), reverse=pair.made.sense > 0), ylim=(-0.5 * top, 1.35 * top))
-    near.set_ylabel(f"above the stop ({unit})", fontsize=6 if in_column(axes) else 7, labelpad=2)
-    near.set_xlabel("angle (deg)", fontsize=7, labelpad=1)
-    near.tick_params(labelsize=6)
+    near.set_ylabel(f"energy above the stop ({unit})")
+    near.set_xlabel(f"hinge angle of {pair.name} (deg)")
 
 
 def _shade(hinge: HingeLandscape, *rows: Axes) -> None:

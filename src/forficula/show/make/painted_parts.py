@@ -18,7 +18,8 @@ from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion
 from forficula.show.make.part_looks import STOP_COLOUR, part_looks
 from forficula.show.make.part_mesh import PartMesh, part_mesh, sharp_edges
 from forficula.show.make.part_poses import apart, poses_at
-from forficula.show.structure.painted_shape import PaintedShape, Viewpoint, ribbons
+from forficula.show.structure.painted_shape import PaintedShape, ribbons
+from forficula.show.structure.viewpoint import Viewpoint
 
 _EDGE = "#2A2F35"
 # m, half the width of an edge, and the distance by which edges are moved towards the eye

@@ -18,7 +18,8 @@ from forficula.show.make.painted_parts import PlacedPart, paint_parts, placed_pa
 from forficula.show.make.part_facts import mass_text, masses_text, part_masses, total_mass
 from forficula.show.make.part_looks import PartLook, part_looks
 from forficula.show.make.part_poses import angle_range
-from forficula.show.structure.painted_shape import PaintedShape, Viewpoint, show_painted
+from forficula.show.structure.painted_shape import PaintedShape, show_painted
+from forficula.show.structure.viewpoint import Viewpoint
 from forficula.show.style import PAGE_WIDTH, describe, draw_bar, figure_style, is_narrow
 
 # direction to the eye in the axes of the first joint: along the arms, along its hinge, and up

@@ -15,7 +15,17 @@ from forficula.arrays import Array
 from forficula.material.characterisation import Characterisation
 from forficula.material.tensile.cycles import Cycle, CycleBranch
 from forficula.show.material.material_units import stress_unit
-from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, fit_legend, in_column, is_narrow
+from forficula.show.style import (
+    BLUE,
+    PAGE_WIDTH,
+    VERMILION,
+    describe,
+    figure_style,
+    fit_legend,
+    in_column,
+    is_narrow,
+    letter_panels,
+)
 
 WAYS = {"loading": (BLUE, "-"), "unloading": (VERMILION, "--")}
 _SLACK: dict[str, Any] = {"ls": "none", "marker": "o", "color": "white", "mec": VERMILION, "ms": 4.5}
@@ -35,22 +45,25 @@ def draw_cycles(material: Characterisation, width: float = PAGE_WIDTH) -> Figure
     peak = max(float(cycle.loading.stress.max()) for number in numbers for cycle in by_number[number])
     unit, factor = stress_unit(peak)
     most = 2 if is_narrow(width) else 3
-    columns = min(len(numbers), most)
+    # four beside and below one another, without an empty area
+    columns = 2 if len(numbers) == 4 else min(len(numbers), most)
     rows = math.ceil(len(numbers) / columns)
     with figure_style():
-        size = (width * max(columns, 2) / most, 2.1 * rows + 0.35)
+        size = (width if columns > 1 else 2 * width / most, 2.1 * rows + 0.35)
         figure = Figure(figsize=size, layout="constrained")
         grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False).ravel()
+        slack = False
         for place, (axes, number) in enumerate(zip(grid, numbers, strict=False)):
-            _draw_cycle(axes, by_number[number], factor)
-            axes.set_title(f"cycle {number}{', left out' if number in left_out else ''}", loc="left", fontweight="bold")
+            slack |= _draw_cycle(axes, by_number[number], factor)
+            axes.set_title(f"cycle {number}{', left out' if number in left_out else ''}", loc="left")
             if place % columns == 0:
                 axes.set_ylabel(f"engineering stress ({unit})")
             if place + columns >= len(numbers):
                 axes.set_xlabel("engineering strain (%)")
                 axes.tick_params(labelbottom=True)
         spare = list(grid[len(numbers) :])
-        _legend(figure, spare[:1], many=len(material.specimens) > 1)
+        letter_panels(grid[: len(numbers)].tolist())
+        _legend(figure, spare[:1], many=len(material.specimens) > 1, slack=slack)
         for axes in spare:
             axes.set_axis_off()
         return describe(figure, _text(material, numbers))
@@ -64,7 +77,8 @@ def _shown(numbers: Sequence[int]) -> list[int]:
     return [numbers[0], *(numbers[place] for place in places)]
 
 
-def _draw_cycle(axes: Axes, cycles: Sequence[Cycle], factor: float) -> None:
+def _draw_cycle(axes: Axes, cycles: Sequence[Cycle], factor: float) -> bool:
+    """Draw one cycle; returns whether the strain below which specimens are slack is marked."""
     for name, (colour, style) in WAYS.items():
         branches: list[CycleBranch] = [getattr(cycle, name) for cycle in cycles]
         if len(branches) > 1:
@@ -76,13 +90,15 @@ def _draw_cycle(axes: Axes, cycles: Sequence[Cycle], factor: float) -> None:
     slack = [cycle.slack_strain for cycle in cycles if math.isfinite(cycle.slack_strain)]
     place = 100 * float(np.median(slack)) if slack else 0.0
     # for a specimen that is never slack this is the strain at 1 % of its peak stress
-    if place > _LEAST_SLACK:
+    marked = place > _LEAST_SLACK
+    if marked:
         axes.plot(place, 0, **_SLACK, zorder=5, clip_on=False)
         words = f"no force below {place:.0f} %"
         if in_column(axes):  # too narrow for words beside the title
             axes.text(0.04, 0.96, words, transform=axes.transAxes, va="top", fontsize=7)
         else:
             axes.set_title(words, loc="right", fontsize=7)
+    return marked
 
 
 def _median_curve(branches: Sequence[CycleBranch]) -> tuple[Array, Array]:
@@ -97,7 +113,7 @@ def _median_curve(branches: Sequence[CycleBranch]) -> tuple[Array, Array]:
     return strain, np.median(curves, axis=0)
 
 
-def _legend(figure: Figure, spare: Sequence[Axes], *, many: bool) -> None:
+def _legend(figure: Figure, spare: Sequence[Axes], *, many: bool, slack: bool) -> None:
     """Draw the legend in the area of an unused panel, or below."""
     what = ", median of the specimens" if many else ""
     handles = [
@@ -105,7 +121,8 @@ def _legend(figure: Figure, spare: Sequence[Axes], *, many: bool) -> None:
     ]
     if many:
         handles.append(Line2D([], [], color="0.5", lw=0.6, label="each specimen"))
-    handles.append(Line2D([], [], label="unloading carries no force below", **_SLACK))
+    if slack:
+        handles.append(Line2D([], [], label="unloading carries no force below", **_SLACK))
     if spare and not is_narrow(figure.get_figwidth()):
         spare[0].legend(handles=handles, loc="center left", borderaxespad=0)
     else:

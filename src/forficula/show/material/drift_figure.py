@@ -14,7 +14,16 @@ from forficula.arrays import Array
 from forficula.material.characterisation import DRIFTING, Characterisation, common_cycles, cycle_table
 from forficula.material.law.drift import Drift
 from forficula.show.material.material_units import energy_unit, stress_unit
-from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, fit_legend, is_narrow
+from forficula.show.style import (
+    BLUE,
+    PAGE_WIDTH,
+    VERMILION,
+    describe,
+    figure_style,
+    fit_legend,
+    is_narrow,
+    letter_panels,
+)
 
 
 def draw_drift(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
@@ -27,8 +36,10 @@ def draw_drift(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
             _draw_value(axes, material, key)
             axes.set_xlabel("cycle N")
             axes.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
+        letter_panels(list(grid))
         left_out = any(specimen.left_out for specimen in material.specimens)
-        _legend(figure, many=len(material.specimens) > 1, left_out=left_out)
+        fitted = any(drift is not None for drift in material.drifts.values())
+        _legend(figure, many=len(material.specimens) > 1, left_out=left_out, fitted=fitted)
         return describe(figure, _text(material))
 
 
@@ -52,7 +63,13 @@ def _draw_value(axes: Axes, material: Characterisation, key: str) -> None:
         _draw_drift(axes, drift, numbers, table, factor)
     axes.set_title(title, loc="left", fontsize=7)
     axes.set_ylabel(label)
-    low, high = (float(finite.min()), float(finite.max())) if len(finite) else (0.0, 1.0)
+    if not len(finite):
+        axes.set_xlim(0.5, numbers[-1] + 0.5)
+        axes.set_yticks([])
+        words = "not determined:\ntoo few samples\nat low stress"
+        axes.text(0.5, 0.5, words, transform=axes.transAxes, ha="center", va="center", color="0.35")
+        return
+    low, high = float(finite.min()), float(finite.max())
     room = max(high - low, 0.1 * abs(high), 1e-12)
     axes.set_ylim((low - 0.25 * room) / factor, (high + 0.25 * room) / factor)
 
@@ -91,13 +108,16 @@ def _words(drift: Drift) -> str:
     return f"{change:+.3g} ± {half:.1g} {unit}, {course}".replace("-", "−")
 
 
-def _legend(figure: Figure, *, many: bool, left_out: bool) -> None:
+def _legend(figure: Figure, *, many: bool, left_out: bool, fitted: bool) -> None:
     handles = [
         Line2D([], [], color=BLUE, marker=".", lw=0.6, ms=5, mew=0, label="each specimen" if many else "specimen")
     ]
     if left_out:
-        handles.append(Line2D([], [], ls="none", marker="o", color="white", mec=BLUE, ms=3.5, label="left out"))
-    handles.append(Line2D([], [], ls="--", color=VERMILION, label="fitted drift and its 95 % interval"))
+        handles.append(
+            Line2D([], [], ls="none", marker="o", color="white", mec=BLUE, ms=3.5, label="left out of the fit")
+        )
+    if fitted:
+        handles.append(Line2D([], [], ls="--", color=VERMILION, label="fitted drift and its 95 % interval"))
     fit_legend(figure, handles, 3, loc="outside lower center")
 
 

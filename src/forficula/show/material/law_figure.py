@@ -13,7 +13,17 @@ from forficula.material.characterisation import Characterisation
 from forficula.material.fit.fit import LawFit, Residual
 from forficula.quantities import reading_unit
 from forficula.show.material.material_units import stress_unit
-from forficula.show.style import BLACK, PAGE_WIDTH, SKY, VERMILION, describe, figure_style, fit_legend, is_narrow
+from forficula.show.style import (
+    BLACK,
+    PAGE_WIDTH,
+    SKY,
+    VERMILION,
+    describe,
+    figure_style,
+    fit_legend,
+    is_narrow,
+    letter_panels,
+)
 
 _MINUTE, _HOUR = 60.0, 3600.0
 _SOME_ROWS = 1.5  # rows per point from which points count as means
@@ -59,6 +69,7 @@ def draw_fit(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
         panels[1, 0].set_ylabel(f"law − data\n({unit})")
         panels[1, 0].set_xlabel("engineering strain (%)")
         panels[1, 1].set_xlabel(f"time ({time_unit})")
+        letter_panels(panels.ravel().tolist())
         end = ":\n" if is_narrow(width) else ": "
         residual = f"residual {100 * fit.relative_misfit:.2g} % of the largest stress"
         figure.suptitle(f"{fit.form.name}{end}{residual}", fontsize=8)
@@ -90,10 +101,10 @@ def _draw_data(panels: Any, residual: Residual, factor: float, time: float, midd
     """Draw one specimen over strain and over time, and its residual below both; `middle` is its mean time, s."""
     stress = _without_zero(residual, residual.stress, middle) / factor
     left = (residual.fitted - residual.stress) / factor
-    look: dict[str, Any] = {"color": SKY, "lw": 1.2, "alpha": 0.6}
+    look: dict[str, Any] = {"color": SKY, "lw": 2.0, "alpha": 0.6}
     for column, across in enumerate((100 * residual.strain, residual.time / time)):
         panels[0, column].plot(across, stress, **look)
-        panels[1, column].plot(across, left, color=SKY, lw=0.7, alpha=0.9)
+        panels[1, column].plot(across, left, color=SKY, ls="none", marker=".", ms=2.0, mew=0, alpha=0.8)
 
 
 def _legend(figure: Figure, material: Characterisation, fit: LawFit, misfit: str, shown: Residual) -> None:
@@ -104,7 +115,7 @@ def _legend(figure: Figure, material: Characterisation, fit: LawFit, misfit: str
     rows = sum(len(cycle.loading.time) + len(cycle.unloading.time) for cycle in cycles) / fit.points
     means = f", means of {rows:.0f} rows" if rows >= _SOME_ROWS else ""
     handles = [
-        Line2D([], [], color=SKY, lw=1.6, label=f"{data}, zero of the force corrected{means}"),
+        Line2D([], [], color=SKY, lw=2.0, alpha=0.6, label=f"{data}, zero of the force corrected{means}"),
         Line2D([], [], color=VERMILION, label=along if many else "law"),
         Line2D([], [], color=BLACK, lw=0.7, ls=":", label=f"root mean square, {misfit}"),
     ]

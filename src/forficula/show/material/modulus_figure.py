@@ -25,6 +25,7 @@ from forficula.show.style import (
     fit_legend,
     in_column,
     is_narrow,
+    letter_panels,
 )
 
 Kind = Literal["secant_modulus", "local_modulus"]
@@ -37,6 +38,8 @@ _NAMES: dict[Kind, str] = {
     "local_modulus": "local modulus,\nd stress / d strain (MPa)",
 }
 _MPA = 1e6
+# ratio of moduli up to which the scale is linear, and its least span, as a share of the largest modulus
+_DECADE, _LEAST_SPAN = 10.0, 0.1
 _COLUMN_LINE = 54  # letters per line in a column
 _GAP = 0.2  # distance of the two boxes from the centre of their class, in classes
 
@@ -59,6 +62,9 @@ def draw_moduli(material: Characterisation, width: float = PAGE_WIDTH) -> Figure
             axes.set_ylabel(_NAMES[kind])
             axes.axhline(0, color="0.6", lw=0.5, zorder=1)
         _scale(panels[0], material)
+        for axes in panels:
+            _note_band(axes, material)
+        letter_panels(list(panels))
         _classes(panels[1], material)
         panels[0].tick_params(axis="x", length=0)
         panels[1].set_xlabel("engineering strain, in classes (%)")
@@ -115,20 +121,46 @@ def _single_values(material: Characterisation, entry: ModulusClass, kind: Kind) 
     return np.array([getattr(item, kind).median for item in same])
 
 
-def _straight(material: Characterisation) -> float:
-    """Return the decade below the largest secant modulus, MPa, below which the scale is linear."""
+def _straight(material: Characterisation) -> float | None:
+    """Return the modulus, MPa, below which a logarithmic scale is linear; None if the moduli fit on a linear scale.
+
+    It is the decade below the largest secant modulus. Moduli near 0 are those of slack specimens.
+    """
+    values = [getattr(item, kind).median for item in material.single for kind in _NAMES]
+    if min(values) > 0 and max(values) <= _DECADE * min(values):
+        return None
     largest = max(item.secant_modulus.upper for item in material.pooled) / _MPA
     return float(10.0 ** math.floor(math.log10(largest / 2)))
 
 
 def _scale(axes: Axes, material: Characterisation) -> None:
-    """Set a logarithmic scale over the decades of the moduli, linear about 0 for slack specimens."""
+    """Set a linear scale over the moduli, or a logarithmic one over their decades that is linear about 0."""
     values = [getattr(item, kind).median / _MPA for item in material.single for kind in _NAMES]
-    low, high = min(values), max(*values, material.simulated_moduli[1] / _MPA)
     straight = _straight(material)
+    if straight is None:
+        low, high = min(values), max(values)
+        room = max(high - low, _LEAST_SPAN * high) - (high - low)
+        low, high = low - room / 2, high + room / 2
+        axes.set_ylim(low - 0.08 * (high - low), high + 0.16 * (high - low))
+        return
+    low, high = min(values), max(*values, material.simulated_moduli[1] / _MPA)
     axes.set_yscale("symlog", linthresh=straight, linscale=0.8, subs=range(2, 10))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}".replace("-", "−")))
     axes.set_ylim(min(1.15 * low, -0.15 * straight), 1.6 * high)
+
+
+def _note_band(axes: Axes, material: Characterisation) -> None:
+    """Say where the required moduli are if they are beyond the axis."""
+    low, high = (modulus / _MPA for modulus in material.simulated_moduli)
+    bottom, top = axes.get_ylim()
+    words = (
+        f"↑ required from {low:.3g} MPa" if low > top else f"↓ required up to {high:.3g} MPa" if high < bottom else ""
+    )
+    if words:
+        above = low > top
+        place, side = (0.98, "top") if above else (0.02, "bottom")
+        look: dict[str, Any] = {"color": _BAND_INK, "fontsize": 7, "bbox": {"fc": "white", "ec": "none", "pad": 1}}
+        axes.text(0.995, place, words, transform=axes.transAxes, ha="right", va=side, **look)
 
 
 def _classes(axes: Axes, material: Characterisation) -> None:
@@ -157,7 +189,8 @@ def _legend(figure: Figure, material: Characterisation) -> None:
     handles.append(Patch(facecolor=_BAND, edgecolor=_BAND_INK, lw=0.4, label=band))
     count = max(item.values for item in material.pooled)
     what = f"box: quartiles, line: median, whiskers: extremes of up to {count} values, one per specimen and cycle"
-    note = f"{what}; linear scale below {_straight(material):g} MPa"
+    straight = _straight(material)
+    note = what if straight is None else f"{what}; linear scale below {straight:g} MPa"
     narrow = is_narrow(figure.get_figwidth())
     if narrow:
         note = textwrap.fill(note, _COLUMN_LINE)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +42,7 @@ from forficula.show.structure.labels import shown_angles, shown_distances, title
 from forficula.structure import Measure, drive_of, drive_unit
 
 _FEWEST, _MOST = 2, 12
+_SIMILAR = 5.0  # ratio of largest energies up to which runs share an axis
 _ELASTIC = ("tendons", "membrane", "hinges", "creases", "facet bends", "bars", "openings", "Maxwell branches")
 
 
@@ -146,7 +147,7 @@ def _data(clips: Sequence[Clip], distances: Sequence[Plot]) -> dict[str, Any]:
         "whole": whole,
         "clips": [clip_data(clip) for clip in clips],
         "spans": [span_data(span) for span in shared_spans(clips)],
-        "plots": plot_data([*distances, *([] if progress is None else [progress]), _energies(clips)]),
+        "plots": plot_data([*distances, *([] if progress is None else [progress]), *_energies(clips)]),
         "energy": energy_scale(clips),
         "legend": legend_data(clips),
         "text": f"The {whole}s of {names} side by side, with a common clock and camera.",
@@ -236,16 +237,42 @@ def _progress(clips: Sequence[Clip]) -> Plot | None:
     )
 
 
-def _energies(clips: Sequence[Clip]) -> Plot:
-    """Return a plot of the energy of all tendons, or of all elastic energy if a run has no tendons."""
+def _energies(clips: Sequence[Clip]) -> list[Plot]:
+    """Return plots of the energy of all tendons, or of all elastic energy if a run has no tendons.
+
+    Runs whose largest energies differ much are in different plots: on one axis the smaller ones would be flat lines.
+    """
     tendons = all(clip.structure.tendons for clip in clips)
     what, names = ("energy of all tendons", ("tendons",)) if tendons else ("elastic energy", _ELASTIC)
     lines = [
         (clip.name, index, _sum([clip.stored_energy[name] for name in names if name in clip.stored_energy], clip))
         for index, clip in enumerate(clips)
     ]
-    most = ", ".join(f"{name} {readable(float(values.max(initial=0.0)), 'J')}" for name, _, values in lines)
-    return energy_plot(what, lines, f"The {what} of every {structure_noun(clips)}; largest values: {most}.")
+    groups = _by_size(lines)
+    plots = []
+    for group in groups:
+        most = ", ".join(f"{name} {readable(float(values.max(initial=0.0)), 'J')}" for name, _, values in group)
+        every = len(groups) == 1
+        of = f"every {structure_noun(clips)}" if every else listed([name for name, _, _ in group])
+        title = what if every else f"{what}, {listed([name for name, _, _ in group])}"
+        plot = energy_plot(title, group, f"The {what} of {of}; largest values: {most}.")
+        # a run has one colour in all plots
+        plots.append(replace(plot, lines=tuple(replace(line, look=line.clip) for line in plot.lines)))
+    return plots
+
+
+def _by_size(lines: Sequence[tuple[str, int, Array]]) -> list[list[tuple[str, int, Array]]]:
+    """Group lines (name, clip and values) so that the largest values of a group differ by a small factor."""
+    groups: list[list[tuple[str, int, Array]]] = []
+    largest = 0.0
+    for line in sorted(lines, key=lambda line: -float(line[2].max(initial=0.0))):
+        value = float(line[2].max(initial=0.0))
+        if not groups or value * _SIMILAR < largest:
+            groups.append([])
+            largest = value
+        groups[-1].append(line)
+    # in the order of the runs
+    return sorted((sorted(group, key=lambda line: line[1]) for group in groups), key=lambda group: group[0][1])
 
 
 def _sum(energies: list[Array], clip: Clip) -> Array:

@@ -8,18 +8,21 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from forficula.analysis import Outcome
 from forficula.arrays import Array
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
+from forficula.pattern import ASSIGNMENTS
 from forficula.quantities import reading_unit, show_value
 from forficula.show.run.missed_goal import stalled_stage
 from forficula.show.run.outcome_rows import state_angles
 from forficula.show.run.state_names import state_letters
 from forficula.show.run.time_axes import (
-    LEAD,
     MOST_ENTRIES,
+    TimeSpan,
+    fit_values,
     mark_waits,
     row_legend,
     shade_stages,
@@ -29,11 +32,11 @@ from forficula.show.run.time_axes import (
     unit_of_run,
 )
 from forficula.show.structure.labels import (
+    by_role,
     counted,
     driven_angles,
     measure_labels,
     median,
-    role_groups,
     shown_angles,
     shown_distances,
     title_of,
@@ -46,21 +49,20 @@ from forficula.show.style import (
     ORANGE,
     PAGE_WIDTH,
     PURPLE,
-    QUANTITY_COLOURS,
     SKY,
     VERMILION,
     describe,
     figure_style,
 )
 from forficula.statics.slow_margin import LARGEST_TORQUE_FACTOR
-from forficula.structure import Drive, Measure, Structure, drive_of, drive_unit, measure_stops
+from forficula.structure import Drive, Measure, Structure, drive_of, drive_unit
 
 _COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
-_LEAST_SEEN = 0.05  # deg, least half range of an axis: smaller changes are rounding errors
-# range of an axis of angles to one side, deg, if hinges exceed a right angle; its least; its ratio to the stops
-_HALF_TURN, _LEAST_ROOM, _ROOM = 200.0, 25.0, 1.2
+# least range of an axis, in deg and in spans
+_LEAST_DEGREES, _LEAST_SPANS = 0.1, 2e-3
 _SHORTEST = 7  # letters of a label; four labels of this length fit into a row of a column
-_STEPS, _MOST_STEPS = (5, 10, 15, 30, 45, 90), 6
+_DEGREE_STEPS = (1, 1.5, 2, 3, 4.5, 5, 9, 10)  # steps of ticks, times a power of ten
+_VISIBLE = 0.01  # share of all values' range above which lines of a group are distinct
 
 
 def draw_angles(
@@ -95,23 +97,25 @@ def draw_angles(
         )
         for axes_row, measures in zip(rows, rows_of, strict=False):
             lines = _lines(record, measures)
-            for axes, (start, scale) in zip(axes_row, time_spans(record), strict=True):
-                time = time_in(record, start, scale)
-                if role_groups(record.structure, measures[0]):
-                    _draw_many(axes, time, record, measures[0])
+            groups = _groups(structure, measures, lines)
+            for axes, span in zip(axes_row, time_spans(record), strict=True):
+                if groups:
+                    _draw_groups(axes, time_in(record, span), lines, groups)
                 else:
                     for line, (name, values) in enumerate(lines.items()):
-                        axes.plot(time, values, **_look(line, len(lines)), label=name)
-                if measures[0].kind == "angle":
-                    _scale_degrees(axes, record, measures, stalled)
-                axes.axhline(0, color="0.6", lw=0.5, zorder=0)
-                shade_stages(axes, record, start, scale)
-                mark_waits(axes, record, start, scale)
-            if list(lines) != [title_of(measures[0])]:
+                        axes.plot(time_in(record, span), values, **_look(line), label=name)
+                shade_stages(axes, record, span)
+                mark_waits(axes, record, span)
+            seen = slice(None) if stalled is None else record.time >= stalled.start
+            fit_values(axes_row, np.array(list(lines.values()))[:, seen], _least_range(record, measures))
+            if measures[0].kind == "angle":
+                axes_row[0].yaxis.set_major_locator(MaxNLocator(nbins=6, steps=_DEGREE_STEPS))
+            if groups or list(lines) != [title_of(measures[0])]:
                 row_legend(axes_row, width, columns=4 if max(map(len, lines), default=0) <= _SHORTEST else 3)
         if torques and stalled is not None:
-            for axes, (start, scale) in zip(rows[-1], time_spans(record), strict=True):
-                _draw_torques(axes, record, stalled, torques, least, (start, scale, factor))
+            for axes, span in zip(rows[-1], time_spans(record), strict=True):
+                _draw_torques(axes, record, stalled, torques, least, (span, factor))
+            _note_torque(rows[-1][0], torques, least)
             row_legend(rows[-1], width, columns=2)
         if rows_of:
             _mark_states(rows[0][0], record, outcome, rows_of[0], unit_of_run(record)[1])
@@ -129,7 +133,8 @@ def _readings(structure: Structure) -> list[tuple[Measure, ...]]:
 def _row_label(record: Record, measures: tuple[Measure, ...]) -> str:
     kind, alone = measures[0].kind, len(measures) == 1
     unit = "deg" if kind == "angle" else _length_unit(record, measures)[0]
-    return f"{title_of(measures[0]) if alone else kind} ({unit})"
+    title = title_of(measures[0]).replace("_", " ")
+    return f"{title if alone else kind} ({unit})"
 
 
 def _length_unit(record: Record, measures: tuple[Measure, ...]) -> tuple[str, float]:
@@ -150,15 +155,53 @@ def _lines(record: Record, measures: tuple[Measure, ...]) -> dict[str, Array]:
     return lines
 
 
-def _draw_many(axes: Axes, time: Array, record: Record, measure: Measure) -> None:
+def _groups(structure: Structure, measures: tuple[Measure, ...], lines: dict[str, Array]) -> dict[str, list[int]]:
+    """Return the lines of a row by their names in the legend, if they coincide or are too many for line styles."""
+    measure, count = measures[0], len(measures[0].parts)
+    if len(measures) > 1 or measure.kind != "angle" or count == 1:
+        return {}
+    roles, values = _kinds(structure, measure), np.array(list(lines.values())).T
+    together = {counted(measure_labels(structure, measure), "hinge"): list(range(count))}
+    if _spread(values) <= _VISIBLE * _range(values):
+        return together
+    if count <= len(LINE_STYLES) or (len(roles) == 1 and count <= MOST_ENTRIES):
+        return {}
+    return together if len(roles) == 1 else {f"{role} ({len(places)})": places for role, places in roles.items()}
+
+
+def _kinds(structure: Structure, measure: Measure) -> dict[str, list[int]]:
+    """Return the indices of a measure's readings by role of their hinges, or by assignment if all have one role."""
+    roles = by_role(structure, measure)
+    if len(roles) > 1:
+        return roles
+    assigned: dict[str, list[int]] = {}
+    for place, part in enumerate(measure.parts):
+        assigned.setdefault(ASSIGNMENTS.get(structure.hinges[part[0]].assignment, ""), []).append(place)
+    return assigned
+
+
+def _spread(values: Array) -> float:
+    """Return the largest distance of lines, (time, line)."""
+    return float(np.nanmax(np.ptp(values, axis=1), initial=0.0))
+
+
+def _range(values: Array) -> float:
+    """Return the range of all finite values."""
+    finite = values[np.isfinite(values)]
+    return float(np.ptp(finite)) if finite.size else 0.0
+
+
+def _draw_groups(axes: Axes, time: Array, lines: dict[str, Array], groups: dict[str, list[int]]) -> None:
     """Draw many angles by role: every angle thin, and their median."""
-    values, groups = np.degrees(record.measured(measure.name)), role_groups(record.structure, measure)
-    for number, (role, indices) in enumerate(groups.items()):
-        look, role_values = _look(number, len(groups)), values[:, indices]
+    values = np.array(list(lines.values())).T
+    visible = _VISIBLE * _range(values)
+    for number, (name, indices) in enumerate(groups.items()):
+        look, group = _look(number), values[:, indices]
         # one line with gaps draws faster than many lines
-        lines = np.vstack([role_values, np.full(len(indices), np.nan)]).T.ravel()
-        axes.plot(np.tile([*time, np.nan], len(indices)), lines, color=look["color"], lw=0.5, alpha=0.35)
-        axes.plot(time, median(role_values), **look, lw=1.6, label=f"{role} ({len(indices)}), median")
+        single = np.vstack([group, np.full(len(indices), np.nan)]).T.ravel()
+        axes.plot(np.tile([*time, np.nan], len(indices)), single, color=look["color"], lw=0.5, alpha=0.35)
+        label = f"{name}, median" if _spread(group) > visible else name
+        axes.plot(time, median(group), **look, lw=1.6, label=label)
 
 
 def _draw_torques(
@@ -167,10 +210,10 @@ def _draw_torques(
     stalled: StageEnd,
     drives: Sequence[Drive],
     least: float | None,
-    scales: tuple[float, float, float],
+    scales: tuple[TimeSpan, float],
 ) -> None:
     """Draw the torques of a driven stage, and the least torque that would have reached its goal."""
-    start, scale, factor = scales
+    span, factor = scales
     first = np.nextafter(stalled.start, stalled.end)
     time = np.sort([*record.time, stalled.start, first, stalled.end])
     acts = (time >= first) & (time <= stalled.end)
@@ -178,45 +221,28 @@ def _draw_torques(
     for drive in drives:
         risen = np.clip((time - stalled.start) / drive.rise, 0, 1) if drive.rise > 0 else 1.0
         torque = np.where(acts, factor * abs(drive.strength) * risen, 0.0)
-        axes.plot((time - start) * scale, torque, color=BLACK, label=f"acting {drive.where}".rstrip())
+        axes.plot((time - span.start) * span.scale, torque, color=BLACK, label=f"acting {drive.where}".rstrip())
     if least is not None and np.isfinite(least):
         axes.axhline(factor * least, color=VERMILION, ls="--", label="least slow torque")
         highest = max(highest, least)
-    elif least is not None:
-        tried = show_value(LARGEST_TORQUE_FACTOR * abs(drives[0].strength), "N m", 3)
-        axes.plot([], [], ls="none", label=f"no slow torque up to {tried} suffices")
     axes.set_ylim(0, 1.2 * factor * highest or 1.0)
-    shade_stages(axes, record, start, scale)
+    shade_stages(axes, record, span)
 
 
-def _scale_degrees(axes: Axes, record: Record, measures: tuple[Measure, ...], stalled: StageEnd | None) -> None:
-    """Set the range of angles from stop to stop, limited to what half a turn needs.
-
-    If a stage missed its goal, only the range of its motion.
-    """
-    low, high = (_room(record, measures, side) for side in (-1, 1))
-    if stalled is not None:
-        rows = record.time >= stalled.start
-        seen = np.degrees(np.concatenate([record.measured(measure.name)[rows].ravel() for measure in measures]))
-        middle, half = (seen.max() + seen.min()) / 2, max(_LEAST_SEEN, (0.5 + LEAD) * np.ptp(seen))
-        if 2 * half < low + high:
-            axes.set_ylim(middle - half, middle + half)
-            return
-    axes.set_ylim(-low, high)
-    step = next(step for step in _STEPS if low + high <= _MOST_STEPS * step)
-    axes.set_yticks(np.arange(-step * (low // step), high, step))
+def _note_torque(axes: Axes, drives: Sequence[Drive], least: float | None) -> None:
+    """Write that no torque suffices."""
+    if least is None or np.isfinite(least):
+        return
+    tried = show_value(LARGEST_TORQUE_FACTOR * abs(drives[0].strength), "N m", 3)
+    words = f"no slow torque up to\n{tried} suffices"
+    axes.text(0.03, 0.97, words, transform=axes.transAxes, va="top", fontsize=7, color=VERMILION)
 
 
-def _room(record: Record, measures: tuple[Measure, ...], side: int) -> float:
-    """Return the range of an axis of angles to one side, deg: beyond all stops, or beyond all angles without stops."""
-    reach = 0.0
-    for measure in measures:
-        angles = side * record.measured(measure.name)
-        seen = angles.max(axis=0, initial=0.0, where=np.isfinite(angles))
-        for (low, high), most in zip(measure_stops(record.structure, measure), seen, strict=True):
-            stop = high if side > 0 else -low
-            reach = max(reach, float(np.degrees(min(stop, np.pi) if np.isfinite(stop) else min(most, np.pi))))
-    return _HALF_TURN if reach > _HALF_TURN / 2 else max(_LEAST_ROOM, _ROOM * reach)
+def _least_range(record: Record, measures: tuple[Measure, ...]) -> float:
+    """Return the least range of an axis in its unit: smaller changes are rounding errors."""
+    if measures[0].kind == "angle":
+        return _LEAST_DEGREES
+    return _LEAST_SPANS * record.structure.span * _length_unit(record, measures)[1]
 
 
 def _angles_text(record: Record, outcome: Outcome) -> str:
@@ -243,7 +269,10 @@ def _mark_states(axes: Axes, record: Record, outcome: Outcome, measures: tuple[M
             continue
         if measure.kind == "angle":
             angles = np.degrees(state_angles(state, measure))
-            value = float(median(angles) if role_groups(record.structure, measure) else angles.mean())
+            groups = _groups(record.structure, measures, _lines(record, measures))
+            # a mark is on a line
+            first = median(angles[next(iter(groups.values()))]) if groups else angles.mean()
+            value = float(angles[np.argmin(np.abs(angles - first))])
         else:
             value = _length_unit(record, measures)[1] * float(state.readings[measure.name].mean[0])
         time = scale * state.time
@@ -251,8 +280,6 @@ def _mark_states(axes: Axes, record: Record, outcome: Outcome, measures: tuple[M
         axes.text(time, value, letter, ha="center", va="center_baseline", fontsize=7, zorder=6)
 
 
-def _look(line: int, count: int) -> dict[str, Any]:
+def _look(line: int) -> dict[str, Any]:
     """Return the colour and style of a line."""
-    if count > MOST_ENTRIES:
-        return {"color": QUANTITY_COLOURS(0.9 * line / (count - 1)), "lw": 0.8}
     return {"color": _COLOURS[line % len(_COLOURS)], "ls": LINE_STYLES[line % len(LINE_STYLES)]}

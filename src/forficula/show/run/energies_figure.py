@@ -45,14 +45,14 @@ def draw_energies(record: Record, width: float = PAGE_WIDTH) -> Figure:
         for axes_row, (label, series) in zip(rows, tables.items(), strict=True):
             unit, factor = reading_unit("J", max(float(np.abs(values).max()) for values, _ in series.values()))
             axes_row[0].set_ylabel(f"{label} ({unit})")
-            for axes, (start, scale) in zip(axes_row, time_spans(record), strict=True):
+            for axes, span in zip(axes_row, time_spans(record), strict=True):
                 for index, (name, (values, colour)) in enumerate(series.items()):
                     style, time, drawn = LINE_STYLES[index % len(LINE_STYLES)], record.time, values
                     if name == "kinetic":
                         time, drawn = _with_peak(record, values)
-                    axes.plot((time - start) * scale, drawn * factor, style, color=colour, label=name)
-                shade_stages(axes, record, start, scale)
-                mark_waits(axes, record, start, scale)
+                    axes.plot((time - span.start) * span.scale, drawn * factor, style, color=colour, label=name)
+                shade_stages(axes, record, span)
+                mark_waits(axes, record, span)
             short = len(series) == 3 and max(map(len, series)) <= _SHORT
             row_legend(axes_row, width, columns=3 if short else 2)
         return describe(figure, _energies_text(record))

@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.transforms import offset_copy
 
 from forficula.analysis.package import Package, open_package, smallest_package
 from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
-from forficula.show.structure.painted_shape import Viewpoint, paint_shape, show_painted
+from forficula.show.structure.painted_shape import paint_shape, show_painted
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
-from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
+from forficula.show.structure.viewpoint import Viewpoint
+from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow, letter_panels
 
-_ROOM = 1.15  # size of a picture, as a multiple of its larger side
-_BESIDE = 0.06  # distance of a dimension from its picture, as a share of the picture's width
+_ROOM = 1.25  # size of a picture, as a multiple of its larger side
+_BESIDE, _WORDS = 8.0, 3.0  # pt, distance of a dimension from its picture, and of words from the dimension
 
 
 def draw_package(record: Record, width: float = PAGE_WIDTH) -> Figure:
@@ -47,12 +51,12 @@ def draw_package(record: Record, width: float = PAGE_WIDTH) -> Figure:
         for axes, (title, _, _), item, enlarged in zip(panels, pictures, painted, (False, False, True), strict=True):
             side = float(np.ptp(item.corners, axis=0).max()) if enlarged else largest
             window = item.corners.mean(axis=0) + _ROOM * side * np.array([[-0.5], [0.5]])
-            if enlarged:
-                window[:, 1] = item.corners[:, 1] + _BESIDE * side * np.array([-3, 2])
             show_painted(axes, item, window, width / columns)
             axes.set_title(title, pad=3)
-        _dimension(panels[1], sizes[1], package.width, package.length)
-        _dimension(panels[2], sizes[2], package.length, package.height)
+        spans = (opened.width, opened.length), (package.width, package.length), (package.length, package.height)
+        for axes, size, (across, upwards) in zip(panels, sizes, spans, strict=True):
+            _dimension(axes, size, across, upwards)
+        letter_panels(panels.tolist())
         return describe(figure, f"The {whole} {record.design.name}. {package_text(name, time, package)}")
 
 
@@ -83,11 +87,15 @@ def _from_the_side(package: Package) -> Viewpoint:
 
 
 def _dimension(axes: Axes, corners: Array, across: float, upwards: float) -> None:
-    """Write the size of a picture below and beside it."""
-    low, high = corners
-    beside = _BESIDE * max(high - low)
-    arrow = {"arrowstyle": "<->", "lw": 0.7, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", (low[0], low[1] - beside), (high[0], low[1] - beside), arrowprops=arrow, annotation_clip=False)
-    axes.text((low[0] + high[0]) / 2, low[1] - 1.5 * beside, _size(across), ha="center", va="top")
-    axes.annotate("", (high[0] + beside, low[1]), (high[0] + beside, high[1]), arrowprops=arrow, annotation_clip=False)
-    axes.text(high[0] + 1.5 * beside, (low[1] + high[1]) / 2, _size(upwards), ha="left", va="center")
+    """Write the size of a picture below and beside it, at lines with ticks at their ends."""
+    (left, low), (right, high) = corners.tolist()
+    line: dict[str, Any] = {"color": "black", "lw": 0.7, "ms": 5, "mew": 0.7, "clip_on": False}
+    figure = axes.get_figure(root=True)
+    below = offset_copy(axes.transData, figure, y=-_BESIDE, units="points")
+    axes.plot([left, right], [low, low], marker="|", transform=below, **line)
+    beside = offset_copy(axes.transData, figure, x=_BESIDE, units="points")
+    axes.plot([right, right], [low, high], marker="_", transform=beside, **line)
+    words: dict[str, Any] = {"textcoords": "offset points", "annotation_clip": False}
+    middle = (left + right) / 2, (low + high) / 2
+    axes.annotate(_size(across), (middle[0], low), (0, -_BESIDE - _WORDS), ha="center", va="top", **words)
+    axes.annotate(_size(upwards), (right, middle[1]), (_BESIDE + _WORDS, 0), ha="left", va="center", **words)

@@ -20,6 +20,7 @@ from forficula.show.style import (
     describe,
     figure_style,
     is_narrow,
+    letter_panels,
 )
 
 _COLOURS = (BLUE, VERMILION, GREEN, ORANGE)
@@ -59,6 +60,7 @@ def draw_storage(record: Record, width: float = PAGE_WIDTH) -> Figure:
         for axes in grid if narrow else grid[:1]:
             axes.set_ylabel(f"pull ({unit})")
         grid[0].set_ylim(bottom=0)
+        letter_panels(grid.tolist())
         grid[-1].legend(loc="best")
         sums = [[f"{factor * float(row.sum()):.4g}" for row in pull[[0, -1]]] for pull in pulls]
         changes = "; ".join(

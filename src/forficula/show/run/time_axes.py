@@ -2,34 +2,64 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 
 from forficula.arrays import Array
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit, show_duration
 from forficula.show.run.missed_goal import still_time
-from forficula.show.style import fit_legend, is_narrow
+from forficula.show.style import fit_legend, is_narrow, letter_panels
 
 # time shown before and after a driven stage, as a share of it
 LEAD = 0.15
-# entries of a legend; more lines take the colours of a scale, in their order
+# entries of a legend; more lines are grouped
 MOST_ENTRIES = 8
 _AFTER = 1.6  # time shown, as a multiple of the time until a stage reached its goal or came to rest
 _ROOMY = 0.25  # share of a time axis above which words fit
 _LABELS = 0.6  # inch, width of a vertical axis
+_MOST_CLOSE = 5  # largest number of driven stages that are drawn enlarged
+_LABELLED = 2  # largest number of enlarged stages that have a label each
+_BETWEEN = 1.06  # middle between two axes side by side, in widths of the left one
+_LETTER, _SPACE = 3.9, 4.0  # pt, mean width of a letter, and least distance of words
+_WHOLE = 1.5  # width of the axes of the whole run, in widths of those of a stage
+_BESIDE = 1.7  # inch, width of a legend beside the axes
+_EXTRA = 0.06  # range of a vertical axis beyond its values, as a share of their range
+
+
+@dataclass(frozen=True, kw_only=True)
+class TimeSpan:
+    """Time axis of a column.
+
+    Attributes:
+        start: its zero, s in the run.
+        scale: factor from s.
+        stage: driven stage that is enlarged; None for the whole run.
+    """
+
+    start: float
+    scale: float
+    stage: StageEnd | None = None
 
 
 def _driven(record: Record) -> list[StageEnd]:
     return [end for end in record.stages if stage_drives(end.stage)]
 
 
-def time_spans(record: Record) -> list[tuple[float, float]]:
-    """Return zero and scale of every column's time axis: the whole run, then each driven stage in ms."""
-    return [(0.0, unit_of_run(record)[1])] + [(end.start, 1e3) for end in _driven(record)]
+def _enlarged(record: Record) -> list[StageEnd]:
+    """Return the driven stages that have axes of their own: all, or none of very many."""
+    driven = _driven(record)
+    return driven if len(driven) <= _MOST_CLOSE else []
+
+
+def time_spans(record: Record) -> list[TimeSpan]:
+    """Return the time axes of the columns: the whole run, then each driven stage in ms."""
+    whole = TimeSpan(start=0.0, scale=unit_of_run(record)[1])
+    return [whole, *(TimeSpan(start=end.start, scale=1e3, stage=end) for end in _enlarged(record))]
 
 
 def unit_of_run(record: Record) -> tuple[str, float]:
@@ -39,13 +69,13 @@ def unit_of_run(record: Record) -> tuple[str, float]:
 
 def time_rows(record: Record, labels: list[str], width: float, height: float) -> tuple[Figure, list[list[Axes]]]:
     """Return for every label the axes of the whole run and of each stage; below each other if narrow."""
-    driven, narrow = _driven(record), is_narrow(width)
+    driven, narrow = _enlarged(record), is_narrow(width)
     run_unit, run_scale = unit_of_run(record)
     figure = Figure(figsize=(width, 3.3 * len(labels) if narrow else height), layout="constrained")
     if narrow:
         rows = stacked_axes(figure, len(labels), len(driven))
     else:
-        ratios = [1.5] + [1.0] * len(driven)
+        ratios = [_WHOLE] + [1.0] * len(driven)
         grid = figure.subplots(len(labels), len(ratios), sharey="row", squeeze=False, width_ratios=ratios)
         rows = [list(row) for row in grid]
     for row, label in zip(rows, labels, strict=True):
@@ -55,12 +85,35 @@ def time_rows(record: Record, labels: list[str], width: float, height: float) ->
             # then the stage holds its goal, or rests short of it, which takes long without motion
             moved = end.goal_time or still_time(record, end.start, end.end)
             duration = 1e3 * min(end.end - end.start, _AFTER * (moved - end.start) or end.end - end.start)
-            axes.set_xlim(-LEAD * duration, (1 + LEAD) * duration)
+            last = min((1 + LEAD) * duration, 1e3 * (float(record.time[-1]) - end.start))
+            axes.set_xlim(-LEAD * duration, last)
         if narrow or row is rows[-1]:
             row[0].set_xlabel(f"time ({run_unit})")
-            for axes in row[1:]:
-                axes.set_xlabel("since its start (ms)" if narrow else "time since its start (ms)")
+            _label_stages(row[1:])
+    # a quantity is one panel: the whole run, and its stages enlarged
+    letter_panels([row[0] for row in rows])
     return figure, rows
+
+
+def _label_stages(row: list[Axes]) -> None:
+    """Name the time axes of enlarged stages; of several narrow ones together."""
+    if len(row) <= _LABELLED:
+        for axes in row:
+            axes.set_xlabel("time since its start (ms)")
+    else:
+        middle = (len(row) - 1) // 2
+        row[middle].set_xlabel("time since the start of the stage (ms)", x=0.5 if len(row) % 2 else _BETWEEN)
+
+
+def fit_values(row: list[Axes], values: Array, least: float) -> None:
+    """Set the common range of vertical axes to that of finite values, but at least a range; mark 0 if it is inside."""
+    finite = values[np.isfinite(values)]
+    low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
+    half = max((0.5 + _EXTRA) * (high - low), least / 2)
+    row[0].set_ylim((low + high) / 2 - half, (low + high) / 2 + half)
+    if abs(low + high) / 2 < half:
+        for axes in row:
+            axes.axhline(0, color="0.6", lw=0.5, zorder=0)
 
 
 def stacked_axes(figure: Figure, count: int, stages: int) -> list[list[Axes]]:
@@ -78,12 +131,8 @@ def stacked_axes(figure: Figure, count: int, stages: int) -> list[list[Axes]]:
 
 
 def row_legend(row: list[Axes], width: float, columns: int) -> None:
-    """Draw the legend of some or all lines beside the axes, or above narrow axes."""
+    """Draw the legend of the lines beside the axes, or above narrow axes."""
     handles = row[0].get_legend_handles_labels()[0]
-    if len(handles) > MOST_ENTRIES:
-        places = np.linspace(0, len(handles) - 1, MOST_ENTRIES - 1).round().astype(int)
-        others = Line2D([], [], ls="none", label=f"and {len(handles) - len(places)} others")
-        handles, columns = [*(handles[place] for place in places), others], min(columns, 3)
     if is_narrow(width):
         above = {"bbox_to_anchor": (0, 1.14), "columnspacing": 1.2}
         fit_legend(row[0], handles, columns, room=width - _LABELS, loc="lower left", borderaxespad=0, **above)
@@ -91,27 +140,61 @@ def row_legend(row: list[Axes], width: float, columns: int) -> None:
         row[-1].legend(handles=handles, loc="upper left", bbox_to_anchor=(1.04, 1), borderaxespad=0)
 
 
-def time_in(record: Record, start: float, scale: float) -> Array:
-    """Return the times of a record since a start, s, in the scale of an axis, (time,)."""
-    return np.asarray((record.time - start) * scale)
+def time_in(record: Record, span: TimeSpan) -> Array:
+    """Return the times of a record on a time axis, (time,)."""
+    return np.asarray((record.time - span.start) * span.scale)
 
 
-def shade_stages(axes: Axes, record: Record, start: float, scale: float) -> None:
-    """Draw grey bands where torques act, with the stage's name above."""
-    for end in _driven(record):
-        left, right = ((moment - start) * scale for moment in (end.start, end.end))
-        axes.axvspan(left, right, color="0.92", zorder=-1, lw=0)
-        low, high = axes.get_xlim()
-        seen = (max(left, low) + min(right, high)) / 2
-        if max(left, low) < min(right, high):
+def shade_stages(axes: Axes, record: Record, span: TimeSpan) -> None:
+    """Draw grey bands where drives act, with the stages' names above.
+
+    Where the names do not fit above the whole run, they are numbered, there and above the enlarged stages.
+    """
+    driven, (low, high) = _driven(record), axes.get_xlim()
+    names = _stage_names(axes, record)
+    numbered = any(name.isdigit() for name in names)
+    for number, (end, name) in enumerate(zip(driven, names, strict=True), start=1):
+        left, right = ((moment - span.start) * span.scale for moment in (end.start, end.end))
+        # a white edge separates stages that follow one another
+        axes.axvspan(left, right, facecolor="0.92", edgecolor="white", zorder=-1, lw=0.8)
+        alone = (f"{number} " * numbered + end.stage.name) if end is span.stage else ""
+        words = name if span.stage is None else alone
+        if words and max(left, low) < min(right, high):
+            middle = (max(left, low) + min(right, high)) / 2
             place = axes.get_xaxis_transform()
-            axes.text(seen, 1.01, end.stage.name, transform=place, ha="center", va="bottom", fontsize=7)
+            axes.text(middle, 1.01, words, transform=place, ha="center", va="bottom", fontsize=7)
 
 
-def mark_waits(axes: Axes, record: Record, start: float, scale: float) -> None:
+def _stage_names(axes: Axes, record: Record) -> list[str]:
+    """Return the names of driven stages above the whole run; their numbers if the names do not fit, or some of them."""
+    driven, figure = _driven(record), axes.get_figure(root=True)
+    assert figure is not None
+    width = figure.get_size_inches()[0]
+    room = width - _LABELS - (0.0 if is_narrow(width) else _BESIDE)
+    share = 1.0 if is_narrow(width) else _WHOLE / (_WHOLE + len(_enlarged(record)))
+    scale = 72 * share * room / max(float(record.time[-1]), 1e-300)
+    middles = [scale * (end.start + end.end) / 2 for end in driven]
+    names = [end.stage.name for end in driven]
+    if _apart(middles, names) == names:
+        return names
+    return _apart(middles, [str(number) for number in range(1, len(driven) + 1)])
+
+
+def _apart(middles: list[float], words: list[str]) -> list[str]:
+    """Return words with the middles of their places (pt); words that would overlap the one before become empty."""
+    end, output = -np.inf, []
+    for middle, word in zip(middles, words, strict=True):
+        half = _LETTER * len(word) / 2
+        fits = middle - half >= end + _SPACE
+        output.append(word if fits else "")
+        end = middle + half if fits else end
+    return output
+
+
+def mark_waits(axes: Axes, record: Record, span: TimeSpan) -> None:
     """Draw hatched bands with durations over waits; the axis shows only the simulated part of a wait."""
     for end in record.stages:
-        left, right = ((moment - start) * scale for moment in (end.start, end.end))
+        left, right = ((moment - span.start) * span.scale for moment in (end.start, end.end))
         low, high = axes.get_xlim()
         if end.waited and max(left, low) < min(right, high):
             axes.axvspan(left, right, fc="none", ec="0.85", hatch="///", zorder=-1, lw=0)

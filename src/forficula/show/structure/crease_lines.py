@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
 
 from forficula.arrays import Array
-from forficula.pattern import CreasePattern
-from forficula.show.style import BLACK, BLUE, VERMILION
+from forficula.show.structure.flat_net import FlatNet
+from forficula.show.style import BLACK, BLUE, PURPLE, VERMILION, fit_legend
 
 _STYLES = {
     "M": (VERMILION, "-.", "mountain"),
@@ -19,14 +23,18 @@ _STYLES = {
     "F": ("0.6", "-", "flat"),
     "U": ("0.6", "-.", "unassigned"),
 }
+_SEAM = (PURPLE, (0, (1, 1)), "seam, joined")
 _WIDEST = 4.6  # inch: a single drawing gains nothing from a larger size
-_LOW = 0.5  # height by width below which the legend needs more space
 _LOWEST = 0.1  # least height by width, or width by height; more slender drawings are stretched across
+_MARGIN = 0.06  # of the drawing's size
+# inch beside and below axes for words
+_BESIDE, _BELOW = 0.6, 0.56
+_LEGEND_GAP = 0.08  # inch
 _MOST_LINES = 200  # number of creases and edges above which lines are thinner
 
 
 def sheet_axes(places: Array, span: float, unit: str, width: float) -> tuple[Figure, Axes]:
-    """Return a figure and axes for a sheet seen from above, with space for a legend above.
+    """Return a figure and axes for a sheet in the plane; `add_sheet_legend` adds the space for a legend above.
 
     Args:
         places: points to show, in the unit, (point, axis).
@@ -38,16 +46,23 @@ def sheet_axes(places: Array, span: float, unit: str, width: float) -> tuple[Fig
     width = min(width, _WIDEST)
     ratio = extent[1] / extent[0]
     stretch = float(np.clip(1.0, _LOWEST / ratio, 1 / _LOWEST / ratio))
-    tall = min(2.0, max(0.3 if ratio > 0.15 else _LOWEST, ratio))
-    # a low figure needs space for a second row of the legend
-    room = 0.9 if tall > _LOW else 1.1
-    figure = Figure(figsize=(width, (width - 0.5) * tall + room), layout="constrained")
+    tall = min(2.0, max(_LOWEST, ratio))
+    figure = Figure(figsize=(width, (width - _BESIDE) * tall + _BELOW), layout="constrained")
     axes = figure.subplots()
     axes.set_aspect(stretch)
     axes.set_xlabel(f"x ({unit}){_stretched(stretch)}")
     axes.set_ylabel(f"y ({unit})")
-    axes.margins(0.06)
+    axes.margins(_MARGIN)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(MaxNLocator(nbins="auto", steps=[1, 2, 2.5, 5, 10], min_n_ticks=2))
     return figure, axes
+
+
+def add_sheet_legend(figure: Figure, handles: Sequence[Artist], columns: int) -> None:
+    """Add a legend above a sheet, and as much height as the legend needs."""
+    legend = fit_legend(figure, handles, columns, loc="outside upper center")
+    height = legend.get_window_extent().height / figure.dpi
+    figure.set_figheight(figure.get_figheight() + height + _LEGEND_GAP)
 
 
 def _stretched(stretch: float) -> str:
@@ -56,14 +71,15 @@ def _stretched(stretch: float) -> str:
     return f"; {axis} is stretched {times:.2g} times" if times > 1 else ""
 
 
-def draw_creases(axes: Axes, pattern: CreasePattern, points: Array) -> list[Line2D]:
-    """Draw the edges of a pattern between its vertices, (vertex, 2); return the legend's entries."""
+def draw_creases(axes: Axes, net: FlatNet, factor: float) -> list[Artist]:
+    """Draw the edges of a flat pattern, times a factor; return the legend's entries."""
+    pattern, points = net.pattern, factor * net.pattern.vertices_coords[:, :2]
     lw = 1.1 if len(pattern.edges_vertices) <= _MOST_LINES else 0.5
-    for (start, end), assignment in zip(pattern.edges_vertices, pattern.edges_assignment, strict=True):
-        colour, style, _ = _STYLES[assignment]
-        axes.plot(*points[[start, end]].T, style, color=colour, lw=lw)
+    styles = [_SEAM if edge in net.seams else _STYLES[letter] for edge, letter in enumerate(pattern.edges_assignment)]
+    for (start, end), (colour, style, _) in zip(pattern.edges_vertices, styles, strict=True):
+        axes.plot(*points[[start, end]].T, ls=style, color=colour, lw=lw)
     return [
         Line2D([], [], color=colour, ls=style, label=name)
-        for letter, (colour, style, name) in _STYLES.items()
-        if letter in pattern.edges_assignment
+        for colour, style, name in (*_STYLES.values(), _SEAM)
+        if (colour, style, name) in styles
     ]

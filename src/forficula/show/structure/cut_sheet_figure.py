@@ -13,7 +13,17 @@ from matplotlib.path import Path
 
 from forficula.make.flat.cut_lines import CutSheet, Layer, layer_texts
 from forficula.quantities import round_below
-from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, PURPLE, VERMILION, describe, figure_style, fit_legend
+from forficula.show.style import (
+    BLACK,
+    BLUE,
+    PAGE_WIDTH,
+    PURPLE,
+    VERMILION,
+    describe,
+    figure_style,
+    fit_legend,
+    number_handle,
+)
 
 _MILLIMETRES = 1e3
 _STYLES: dict[Layer, tuple[str, str]] = {
@@ -110,14 +120,14 @@ def _handles(sheet: CutSheet) -> list[Line2D | Patch]:
         "cut": "cut through",
         "mountain": "mountain",
         "valley": "valley",
-        "mark": "1, 2, …: join edges with the same number",
+        "mark": "join edges with the same number",
     }
     method = {"score": "scored", "perforation": "cut as dashes", "lattice": "cut as slits"}[sheet.style]
     handles: list[Line2D | Patch] = [Patch(fc=_PAPER, label="sheet")]
     for layer in layer_texts(sheet):
         colour, style = _STYLES[layer]
         if layer == "mark" and sheet.labels:
-            handles.append(Line2D([], [], color=colour, ls="none", label=names[layer]))
+            handles.append(number_handle(1, names[layer], colour))
             continue
         folds = layer in ("mountain", "valley")
         if layer == "mark":

@@ -44,10 +44,14 @@ def measure_labels(structure: Structure, measure: Measure) -> list[str]:
 
 def role_groups(structure: Structure, measure: Measure) -> dict[str, list[int]]:
     """Return the indices of a measure's readings by role of their hinges; empty if every reading has its own row."""
+    return by_role(structure, measure) if len(measure.parts) > MOST_TOLD else {}
+
+
+def by_role(structure: Structure, measure: Measure) -> dict[str, list[int]]:
+    """Return the indices of a measure's readings by role of their hinges."""
     groups: dict[str, list[int]] = {}
-    if len(measure.parts) > MOST_TOLD:
-        for place, part in enumerate(measure.parts):
-            groups.setdefault(structure.hinges[part[0]].role, []).append(place)
+    for place, part in enumerate(measure.parts):
+        groups.setdefault(structure.hinges[part[0]].role, []).append(place)
     return groups
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -13,50 +12,34 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import ArrayLike
 
-from forficula.arrays import Array
+from forficula.arrays import Array, Flags, Indices
 from forficula.show.structure.raster import SAMPLES, Picture, rasterise
 from forficula.show.structure.shape import Shape
 from forficula.show.structure.surface import DrawnSurface
+from forficula.show.structure.viewpoint import Viewpoint
 from forficula.show.style import BLUE, PICTURE_RESOLUTION, VERMILION
-from forficula.structure import Structure, outer_ends
+from forficula.structure import Structure
 
 # colours of the regions of sheets and plates, in their order
 TINTS = ("#E2CF9F", "#C5BCD9", "#B7CFA2", "#D6AEB9", "#9CC4DD", "#CFCFCF")
 BAR = "#3A3A3A"
 _BACK = "#AEBFCB"  # back of a facet, the side away from which valleys fold
 _CREASE, _CASING = "#6E6E6E", "#FFFFFF"
-_LIGHT = np.array([0.35, -0.25, 0.9])
-# elevation of the eye, and angle between the viewing direction and that of the structure's centre
-_ELEVATION, _ASIDE = np.radians(47.0), np.radians(80.0)
+# direction to the light: right, up and towards the eye, as on the pages (web/src/stage.js)
+_LIGHT = np.array([-0.45, 0.75, 1.0])
+_SHADE, _LUMINOSITY = 0.6, 0.45  # brightness of a face along the light, and what is added across it
 # half widths, in radii of the thickest bar
 _TENDON, _CASED, _THIN, _FOLDED, _HELD = 0.62, 0.95, 0.14, 0.3, 1.0
 # in that radius: distance by which lines are painted closer to the eye than their face, or their bar's axis
 _ON_FACE, _ON_BAR = 0.5, 1.5
+# in that radius: depth behind a face up to which a whole tendon, or a part of one, counts as lying on the face
+_WHOLE_BEHIND, _PART_BEHIND = 1.5, 0.15
+_PIECES = 64  # pieces of a tendon that are each visible or hidden
 _CELLS = 12  # cells along a side of a twisted face, whose shade varies
 _TWIST = 1e-6  # volume between a face's corners, in cubes of the span, above which the face counts as twisted
 _SIDES = 12  # sides of a tube
 _DULL, _LUSTRE = 0.55, 0.95  # brightness of a tube seen from the side, and what is added seen from above
-_CENTRED = 1e-3  # distance from the origin, in spans, below which a structure counts as centred
 _FLAT = "#B8B8B8"  # colour of unfolded creases
-
-
-@dataclass(frozen=True, kw_only=True)
-class Viewpoint:
-    """Viewpoint of a structure, in parallel projection.
-
-    Attributes:
-        right: direction to the right of the picture, unit vector, (axis,).
-        up: upward direction of the picture, unit vector, (axis,).
-        towards: direction to the eye, unit vector, (axis,).
-    """
-
-    right: Array
-    up: Array
-    towards: Array
-
-    def project(self, points: Array) -> Array:
-        """Project points onto the picture, m, (..., 3) -> (..., 2)."""
-        return np.stack([points @ self.right, points @ self.up], axis=-1)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -95,19 +78,6 @@ class PaintedShape:
         return rasterise(placed, self.colours, size, samples)
 
 
-def structure_view(structure: Structure) -> Viewpoint:
-    """Return a view from above and beside the direction in which the built structure lies from the origin."""
-    ends = outer_ends(structure)
-    x, y, _ = ends.mean(axis=0) if len(ends) else np.zeros(3)
-    if math.hypot(x, y) < _CENTRED * structure.span:
-        x, y = 0.0, 0.0
-    azimuth = math.atan2(y, x) + _ASIDE
-    right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
-    level = np.array([math.cos(azimuth), math.sin(azimuth), 0.0])
-    towards = math.cos(_ELEVATION) * level + np.array([0.0, 0.0, math.sin(_ELEVATION)])
-    return Viewpoint(right=right, up=np.cross(towards, right), towards=towards)
-
-
 def paint_shape(
     surface: DrawnSurface,
     view: Viewpoint,
@@ -126,6 +96,8 @@ def paint_shape(
     """
     radius = surface.thickness / 2
     plain = np.isnan(surface.folds)
+    tendons, numbers = _in_front(surface.tendons, surface.faces, view, radius)
+    shades = np.broadcast_to(to_rgba_array(tendon_colours), (len(surface.tendons), 4))[numbers]
     folds = fold_colours(surface.folds[~plain])
     parts = [
         _faces(surface, view, face_colours),
@@ -133,8 +105,8 @@ def paint_shape(
         ribbons(surface.lines[~plain], view, folds, _FOLDED * radius, _ON_FACE * radius),
         _tubes(surface.bars, surface.radii, view),
         # the casing is wider than the tendon on top of it
-        ribbons(surface.tendons, view, _CASING, _CASED * radius, _ON_BAR * radius),
-        ribbons(surface.tendons, view, tendon_colours, _TENDON * radius, (_ON_BAR + _ON_FACE) * radius),
+        ribbons(tendons, view, _CASING, _CASED * radius, _ON_BAR * radius),
+        ribbons(tendons, view, shades, _TENDON * radius, (_ON_BAR + _ON_FACE) * radius),
         _squares(surface.held, view, _HELD * radius, _ON_BAR * radius),
     ]
     quads, colours = (np.concatenate(item) for item in zip(*parts, strict=True))
@@ -208,7 +180,7 @@ def _faces(surface: DrawnSurface, view: Viewpoint, textures: Array | None) -> tu
     colours = np.concatenate([tints[~twisted], np.repeat(tints[twisted], _CELLS**2, axis=0)])
     if surface.two_sided:
         colours[_normals(cells) @ view.towards < 0] = to_rgb(_BACK)
-    return cells, colours * _facing(cells)[:, np.newaxis]
+    return cells, colours * _facing(cells, view)[:, np.newaxis]
 
 
 def _cells(quads: Array) -> Array:
@@ -226,13 +198,62 @@ def _normals(quads: Array) -> Array:
     return np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
 
 
-def _facing(quads: Array) -> Array:
+def _facing(quads: Array, view: Viewpoint) -> Array:
     """Return the Lambert shading of cells, the same for both sides, (quad,)."""
-    return np.asarray(0.55 + 0.45 * np.abs(_unit(_normals(quads)) @ _unit(_LIGHT)))
+    light = _LIGHT @ np.stack([view.right, view.up, view.towards])
+    return np.asarray(_SHADE + _LUMINOSITY * np.abs(_unit(_normals(quads)) @ _unit(light)))
 
 
 def _unit(vectors: Array) -> Array:
     return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-300))
+
+
+def _in_front(lines: Array, faces: Array, view: Viewpoint, radius: float) -> tuple[Array, Indices]:
+    """Return the parts of lines that no face hides, m, (part, end, axis), and the line of each, (part,).
+
+    Lines are painted closer to the eye than they are. Without this test an end behind a face would be visible.
+
+    Args:
+        lines: m, (line, end, axis).
+        faces: m, (face, corner, axis).
+        view: viewpoint.
+        radius: reference for lengths, m.
+    """
+    shares = np.linspace(0, 1, _PIECES + 1)
+    corners = faces[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3)
+    flat, away = view.project(corners), corners @ view.towards
+    parts, numbers = list[Array](), list[int]()
+    for number, (start, end) in enumerate(lines):
+        points = start + shares[:, np.newaxis] * (end - start)
+        middles = (points[1:] + points[:-1]) / 2
+        places, depths = view.project(middles), middles @ view.towards
+        near = ((flat.max(axis=1) >= places.min(axis=0)) & (flat.min(axis=1) <= places.max(axis=0))).all(axis=1)
+        hidden = _hidden(places, depths + _WHOLE_BEHIND * radius, flat[near], away[near])
+        if hidden.any():
+            hidden = _hidden(places, depths + _PART_BEHIND * radius, flat[near], away[near])
+        edges = np.flatnonzero(np.diff(np.concatenate([[True], hidden, [True]])))
+        parts += [points[[first, last]] for first, last in edges.reshape(-1, 2)]
+        numbers += [number] * (len(edges) // 2)
+    return np.array(parts).reshape(-1, 2, 3), np.array(numbers, dtype=np.int64)
+
+
+def _hidden(places: Array, depths: Array, flat: Array, away: Array) -> Flags:
+    """Return whether points are behind triangles.
+
+    Args:
+        places: points in the picture, m, (point, 2).
+        depths: towards the eye, m, (point,).
+        flat: corners of the triangles in the picture, m, (triangle, 3, 2).
+        away: the corners towards the eye, m, (triangle, 3).
+    """
+    first, second = flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]
+    area = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
+    beside = places[:, np.newaxis] - flat[:, 0]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        u = (beside[..., 0] * second[:, 1] - beside[..., 1] * second[:, 0]) / area
+        v = (first[:, 0] * beside[..., 1] - first[:, 1] * beside[..., 0]) / area
+        above = away[:, 0] + u * (away[:, 1] - away[:, 0]) + v * (away[:, 2] - away[:, 0])
+        return np.asarray(((u >= 0) & (v >= 0) & (u + v <= 1) & (above > depths[:, np.newaxis])).any(axis=1))
 
 
 def _squares(places: Array, view: Viewpoint, half: float, above: float) -> tuple[Array, Array]:

@@ -1,18 +1,23 @@
-"""The crease pattern with its tendons; without a pattern, the built structure seen from above."""
+"""The crease pattern with its tendons, laid flat; without a pattern, the built structure seen from above."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from forficula.arrays import Array
 from forficula.quantities import reading_unit, show_value
-from forficula.show.structure.crease_lines import draw_creases, sheet_axes
+from forficula.show.structure.crease_lines import add_sheet_legend, draw_creases, sheet_axes
+from forficula.show.structure.flat_net import FlatNet, flat_net
 from forficula.show.structure.labels import counted, label_of, measure_labels, parts_of, shown_angles
-from forficula.show.structure.painted_shape import BAR, structure_view
-from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style, fit_legend
+from forficula.show.structure.painted_shape import BAR
+from forficula.show.structure.viewpoint import page_view
+from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style, number_handle
 from forficula.structure import Hinge, Structure, built_hinges, built_points, held_corners
 
 _MOST_NUMBERED, _NUMBERED = 20, 9  # largest number of hinges with numbers on their lines; number of these if more
@@ -21,49 +26,80 @@ _ON_AXIS = 1e-6  # distance in spans below which a point lies on an axis
 
 
 def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the crease pattern of a structure, its circles and its tendons; `width` is the largest width, inch."""
-    pattern, turn = structure.appearance.pattern, _turn(structure)
-    points = built_points(structure) @ turn
-    places = points if pattern is None else pattern.vertices_coords @ turn
-    unit, factor = reading_unit("m", float(np.abs(places).max(initial=structure.span)))
+    """Draw the crease pattern of a structure, its circles and its tendons; `width` is the largest width, inch.
+
+    A pattern that is built folded is drawn unfolded. A tendon is then a line between the points to which it is tied.
+    """
+    drawing = _drawing(structure)
+    unit, factor = reading_unit("m", float(np.abs(drawing.extent).max(initial=structure.span)))
     with figure_style():
-        figure, axes = sheet_axes(factor * places, factor * structure.span, unit, width)
-        if not np.array_equal(turn, np.eye(3)):
-            axes.set(xlabel=f"across ({unit}), seen obliquely from above", ylabel=f"upwards ({unit})")
-        if pattern is None:
-            handles = _draw_built(axes, structure, factor * points[:, :2])
+        figure, axes = sheet_axes(factor * drawing.extent, factor * structure.span, unit, width)
+        axes.set(xlabel=f"{drawing.across} ({unit}){drawing.note}", ylabel=f"{drawing.upwards} ({unit})")
+        points = factor * drawing.places(built_points(structure))
+        if drawing.net is None:
+            handles = _draw_built(axes, structure, points)
         else:
-            handles = draw_creases(axes, pattern, factor * places[:, :2])
+            handles = draw_creases(axes, drawing.net, factor)
         angle = np.linspace(0, 2 * np.pi, 200)
         for radius in (factor * circle for circle in structure.appearance.circles.values()):
             axes.plot(radius * np.cos(angle), radius * np.sin(angle), ":", color="0.5", lw=0.8)
         for tendon in structure.tendons:
-            ends = factor * points[list(tendon.points)]
-            axes.plot(*ends.T[:2], "o-", color=ORANGE, ms=3.5, lw=3, alpha=0.6)
-        _number(axes, structure, factor, turn)
+            axes.plot(*points[list(tendon.points)].T, "o-", color=ORANGE, ms=3.5, lw=3, alpha=0.6)
         if held := list(held_corners(structure)):
-            axes.plot(*(factor * points[held, :2]).T, "s", color=BAR, ms=3.5, zorder=3)
+            axes.plot(*points[held].T, "s", color=BAR, ms=3.5, zorder=3)
             handles.append(Line2D([], [], color=BAR, marker="s", ls="none", ms=3.5, label="support"))
         if structure.tendons:
             handles.append(Line2D([], [], color=ORANGE, marker="o", ms=3.5, lw=3, alpha=0.6, label="tendon"))
         handles += [Line2D([], [], color="0.5", ls=":", label=name) for name in structure.appearance.circles]
-        fit_legend(figure, handles, 5, loc="outside upper center")
+        handles += _number(axes, structure, drawing, factor)
+        add_sheet_legend(figure, handles, 5)
         return describe(figure, _text(structure))
 
 
-def _turn(structure: Structure) -> Array:
-    """Return the rotation of points, m, (point, 3), for the drawing: oblique if the sheet is tall."""
-    pattern = structure.appearance.pattern
-    extent = np.ptp(built_points(structure) if pattern is None else pattern.vertices_coords, axis=0)
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Drawing:
+    """What is drawn in the plane.
+
+    Attributes:
+        net: pattern; None without a pattern.
+        turn: rotation of points of the structure for a drawing without a pattern, (3, 3).
+        extent: points that the drawing contains, m, (point, 2).
+        across: name of the horizontal axis.
+        upwards: name of the vertical axis.
+        note: addition to the horizontal axis.
+    """
+
+    net: FlatNet | None
+    turn: Array
+    extent: Array
+    across: str
+    upwards: str
+    note: str
+
+    def places(self, points: Array) -> Array:
+        """Return the drawn positions of points of the structure, m, (point, 3) -> (point, 2)."""
+        return (points @ self.turn)[:, :2] if self.net is None else self.net.places(points)
+
+
+def _drawing(structure: Structure) -> _Drawing:
+    """Return the flat pattern; without one, the structure from above, or obliquely if it is tall."""
+    pattern, points = structure.appearance.pattern, built_points(structure)
+    if pattern is not None:
+        net = flat_net(pattern)
+        extent = net.pattern.vertices_coords[:, :2]
+        note = f", {net.view}" if net.view else ""
+        return _Drawing(net=net, turn=np.eye(3), extent=extent, across="x", upwards="y", note=note)
+    extent = np.ptp(points, axis=0)
     if extent[2] <= _TALL * extent[:2].min():
-        return np.eye(3)
-    view = structure_view(structure)
-    return np.stack([view.right, view.up, view.towards], axis=1)
+        return _Drawing(net=None, turn=np.eye(3), extent=points[:, :2], across="x", upwards="y", note="")
+    view, note = page_view(), ", seen obliquely from above"
+    turn = np.stack([view.right, view.up, view.towards], axis=1)
+    return _Drawing(net=None, turn=turn, extent=(points @ turn)[:, :2], across="across", upwards="upwards", note=note)
 
 
-def _draw_built(axes: Axes, structure: Structure, points: Array) -> list[Line2D]:
+def _draw_built(axes: Axes, structure: Structure, points: Array) -> list[Artist]:
     """Draw plates and bars between points, (point, 2); return the legend's entries."""
-    handles = []
+    handles = list[Artist]()
     for plate in structure.plates:
         axes.plot(*points[[*plate.points, plate.points[0]]].T, "-", color=BLACK, lw=1.1)
     if structure.plates:
@@ -75,46 +111,57 @@ def _draw_built(axes: Axes, structure: Structure, points: Array) -> list[Line2D]
     return handles
 
 
-def _number(axes: Axes, structure: Structure, factor: float, turn: Array) -> None:
-    """Label the angles that figures show: at the end of the last hinge's bar, or on the hinge's line."""
+def _number(axes: Axes, structure: Structure, drawing: _Drawing, factor: float) -> list[Artist]:
+    """Number the angles that figures show, at the end of the last hinge's bar or on the hinge's line.
+
+    Returns:
+        The entry of the legend for the numbers.
+    """
     labels = {
         part[-1]: label
         for measure in shown_angles(structure)
         for part, label in zip(measure.parts, measure_labels(structure, measure), strict=True)
     }
-    hinges, names = list(labels), parts_of(list(labels.values())).names
-    points, (origins, directions) = (
-        built_points(structure) @ turn,
-        (hinge @ turn for hinge in built_hinges(structure)),
-    )
+    hinges, words = list(labels), parts_of(list(labels.values()))
+    points, (origins, directions) = built_points(structure), built_hinges(structure)
     shown = range(len(hinges))
     if len(hinges) > _MOST_NUMBERED and structure.facets:
-        return
+        return []
     if len(hinges) > _MOST_NUMBERED:
         shown = np.linspace(0, len(hinges) - 1, _NUMBERED).round().astype(int).tolist()
-    for hinge, name in ((hinges[place], names[place]) for place in shown):
+    numbered = False
+    for hinge, name in ((hinges[place], words.names[place]) for place in shown):
         flaps = structure.hinges[hinge].flaps
-        if flaps is not None:
-            _label(axes, factor * points[list(flaps[:2])].mean(axis=0), name)
-            continue
         bar = next((bar for bar in structure.bars if bar.body == structure.hinges[hinge].body), None)
-        if bar is not None and len(hinges) == 1:
+        if flaps is None and bar is not None:
             # a single hinge needs no label
-            continue
-        if bar is not None:
-            place = factor * points[bar.points[1], :2]
-            outwards = place / max(float(np.linalg.norm(place)), 1e-300)
-            axes.annotate(
-                name,
-                (place[0], place[1]),
-                (8 * outwards[0], 8 * outwards[1]),
-                textcoords="offset points",
-                ha="center",
-                va="center",
+            if len(hinges) == 1:
+                continue
+            _label_beyond(axes, factor * drawing.places(points[[bar.points[1]]])[0], name)
+        else:
+            middle = (
+                points[list(flaps[:2])].mean(axis=0)
+                if flaps is not None
+                else _middle(structure, structure.hinges[hinge], points, origins[hinge], directions[hinge])
             )
-            continue
-        place = factor * _middle(structure, structure.hinges[hinge], points, origins[hinge], directions[hinge])[:2]
-        _label(axes, place, name)
+            _label(axes, factor * drawing.places(middle[np.newaxis])[0], name)
+        numbered = True
+    if not (numbered and words.heading):
+        return []
+    return [number_handle(0, f"{words.heading} number")]
+
+
+def _label_beyond(axes: Axes, place: Array, name: str) -> None:
+    """Write a name beyond a point, seen from the origin."""
+    outwards = place / max(float(np.linalg.norm(place)), 1e-300)
+    axes.annotate(
+        name,
+        (place[0], place[1]),
+        (8 * outwards[0], 8 * outwards[1]),
+        textcoords="offset points",
+        ha="center",
+        va="center",
+    )
 
 
 def _label(axes: Axes, place: Array, name: str) -> None:

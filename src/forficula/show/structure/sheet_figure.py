@@ -20,8 +20,9 @@ from forficula.pattern import (
     vertex_creases,
 )
 from forficula.quantities import reading_unit, show_value
-from forficula.show.structure.crease_lines import draw_creases, sheet_axes
-from forficula.show.style import PAGE_WIDTH, PURPLE, describe, figure_style, fit_legend
+from forficula.show.structure.crease_lines import add_sheet_legend, draw_creases, sheet_axes
+from forficula.show.structure.flat_net import FlatNet, flat_net
+from forficula.show.style import PAGE_WIDTH, PURPLE, describe, figure_style
 
 _MOST_LABELS = 8
 _LETTER, _LINE = 4.2, 9.5  # pt, slightly more than the width of a letter and the height of a line
@@ -32,7 +33,7 @@ _BESIDE = 0.8  # inch of the figure's width outside the axes
 
 
 def draw_sheet(pattern: CreasePattern, facts: PatternFacts, width: float = PAGE_WIDTH) -> Figure:
-    """Draw a crease pattern, seen from above.
+    """Draw a crease pattern, laid flat.
 
     Rings mark vertices that do not fold flat. Labels at the worst ones give the deviation of the sum of alternate
     sectors, an odd number of creases, or the difference of mountains and valleys.
@@ -43,15 +44,15 @@ def draw_sheet(pattern: CreasePattern, facts: PatternFacts, width: float = PAGE_
         width: largest width of the figure, inch.
     """
     faults = sorted((item for item in facts.inside if fault_labels(item)), key=_weight, reverse=True)
-    unit, factor = reading_unit("m", max(facts.size))
+    net, (unit, factor) = flat_net(pattern), reading_unit("m", max(facts.size))
     with figure_style():
-        figure, axes = sheet_axes(factor * pattern.vertices_coords, factor * max(facts.size), unit, width)
-        handles = draw_creases(axes, pattern, factor * pattern.vertices_coords[:, :2])
-        if not facts.flat:
-            axes.set_xlabel(f"{axes.get_xlabel()}, seen from above")
+        figure, axes = sheet_axes(factor * net.pattern.vertices_coords, factor * max(facts.size), unit, width)
+        handles = draw_creases(axes, net, factor)
+        if net.view:
+            axes.set_xlabel(f"{axes.get_xlabel()}, {net.view}")
         if faults:
-            handles.append(_mark(axes, pattern, faults, factor, figure.get_figwidth()))
-        fit_legend(figure, handles, 3, loc="outside upper center")
+            handles.append(_mark(axes, net, faults, factor, figure.get_figwidth()))
+        add_sheet_legend(figure, handles, 4)
         return describe(figure, _text(facts, faults))
 
 
@@ -61,9 +62,9 @@ def _weight(vertex: VertexFacts) -> tuple[float, int]:
     return lacks, -vertex.vertex
 
 
-def _mark(axes: Axes, pattern: CreasePattern, faults: list[VertexFacts], factor: float, width: float) -> Line2D:
+def _mark(axes: Axes, net: FlatNet, faults: list[VertexFacts], factor: float, width: float) -> Line2D:
     """Mark vertices with rings, and label as many as fit into a width, inch; return the legend's entry."""
-    points = factor * pattern.vertices_coords[:, :2]
+    pattern, points = net.built, factor * net.places(net.built.vertices_coords)
     rings, many = points[[fault.vertex for fault in faults]], len(faults) > _MANY
     wide = _RING / 2 if many else _RING
     axes.plot(*rings.T, "o", ms=wide, mec=PURPLE, mfc="none", mew=0.6 if many else 1.2, zorder=3)
@@ -121,7 +122,7 @@ def _text(facts: PatternFacts, faults: list[VertexFacts]) -> str:
     """Describe the sheet."""
     edges = ", ".join(f"{count} {ASSIGNMENTS[letter]}" for letter, count in facts.edges.items())
     size = " by ".join(show_value(length, "m") for length in facts.size[: 2 if facts.flat else 3])
-    seen = "" if facts.flat else " The sheet is folded, and seen from above."
+    seen = "" if facts.flat else " The sheet is folded, and drawn unfolded."
     verdict = "Every interior vertex folds flat." if facts.flat else ""
     if faults:
         worst = max((fault.missing for fault in faults if math.isfinite(fault.missing)), default=0.0)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import textwrap
+from collections.abc import Sequence
 from typing import Any
 
 from matplotlib.axes import Axes
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
@@ -20,15 +22,17 @@ from forficula.show.style import (
     figure_style,
     fit_legend,
     is_narrow,
+    letter_panels,
 )
 from forficula.study.assumptions.assumptions import AssumptionRun, Assumptions, Effect
 
 # inch, height of a row, and of everything above and below the rows
-_ROW, _AROUND = 0.19, 1.0
+_ROW, _NARROW_ROW, _AROUND = 0.19, 0.23, 1.0
 _INK, _BAND = "0.45", "0.85"
 # %; smaller changes are on a linear scale, larger ones on a logarithmic scale
 _EVEN = 10.0
 _NAME_LETTERS = 22  # letters per line of a name in a column-wide figure
+_LABEL_LETTERS = 20  # letters per line of the label of an axis
 _LOOKS: dict[Effect, tuple[str, dict[str, Any]]] = {
     Effect.VERDICT: ("changes the verdict", {"marker": "D", "color": VERMILION, "ms": 5}),
     Effect.NUMBERS: ("changes numbers", {"marker": "o", "color": BLUE, "ms": 4.5}),
@@ -59,25 +63,33 @@ def draw_assumptions(results: Assumptions, width: float = PAGE_WIDTH) -> Figure:
     with figure_style():
         across = max(1, min(len(panels), 2 if narrow else 4))
         down = max(1, math.ceil(len(panels) / across))
-        height = down * (_ROW * len(results.runs) + 0.5) + _AROUND
+        height = down * ((_NARROW_ROW if narrow else _ROW) * len(results.runs) + 0.5) + _AROUND
         figure = Figure(figsize=(width, height), layout="constrained")
         every = figure.subplots(down, across, squeeze=False).ravel().tolist()
         for axes in every[max(len(panels), 1) :]:
             axes.set_visible(False)
         for axes, (label, name, kind) in zip(every, panels, strict=False):
             _draw_panel(axes, results, name, kind)
-            axes.set_xlabel(f"{label},\nchange (%)", fontsize=7 if narrow else 8)
+            axes.set_xlabel(f"{textwrap.fill(label, _LABEL_LETTERS)},\nchange (%)", fontsize=7)
         for number, axes in enumerate(every[: max(len(panels), 1)]):
             _name_rows(axes, results if number % across == 0 else None, len(results.runs), narrow=narrow)
-        handles = [Line2D([], [], ls="", label=label, **look) for label, look in _LOOKS.values()]
-        handles.append(Line2D([], [], ls="", color=VERMILION, label="fails with the change", **_MISSED))
-        fit_legend(
-            figure,
-            [*handles, Patch(fc=_BAND, label="numerical uncertainty")],
-            3,
-            loc="outside upper center",
-        )
+        shown = every[: len(panels)]
+        letter_panels(shown)
+        fit_legend(figure, _handles(results, shown), 3, loc="outside upper center")
         return describe(figure, f"Effects of modelling assumptions on {results.design.name}. {_sentence(results)}")
+
+
+def _handles(results: Assumptions, panels: Sequence[Axes]) -> list[Line2D | Patch]:
+    """Return the legend's entries of what the panels show."""
+    drawn = {(line.get_marker(), to_hex(line.get_markerfacecolor())) for axes in panels for line in axes.lines}
+    looks = [*_LOOKS.values(), ("fails with the change", {"color": VERMILION, **_MISSED})]
+    entries = [Line2D([], [], ls="", label=label, **look) for label, look in looks]
+    handles: list[Line2D | Patch] = [
+        entry for entry in entries if (entry.get_marker(), to_hex(entry.get_markerfacecolor())) in drawn
+    ]
+    if any(results.uncertainty.values()):
+        handles.append(Patch(fc=_BAND, label="numerical uncertainty"))
+    return handles
 
 
 def _value(run: AssumptionRun, name: str, kind: str) -> float | None:
@@ -108,14 +120,14 @@ def _draw_panel(axes: Axes, results: Assumptions, name: str, kind: str) -> None:
     axes.set_xlim(min(2 * least, -1.2 * _EVEN), max(4 * most, 1.2 * _EVEN))
     axes.set_xticks(_ticks(*axes.get_xlim()), minor=False)
     axes.xaxis.set_minor_locator(_none())
-    axes.xaxis.set_major_formatter(lambda tick, _: f"{tick:+.0f}" if tick else "0")
+    axes.xaxis.set_major_formatter(lambda tick, _: f"{tick:+.0f}".replace("-", "−") if tick else "0")
 
 
 def _ticks(low: float, high: float) -> list[float]:
     """Return powers of ten of both signs between two bounds, %, and 0; only some of them if there are many."""
     powers = [10.0**power for power in range(1, 9)]
     within = [tick for tick in powers if tick <= max(-low, high)]
-    kept = within[:: 1 + len(within) // 3]
+    kept = within[:: 1 + len(within) // 2]
     return [tick for tick in (*(-item for item in reversed(kept)), 0.0, *kept) if low <= tick <= high]
 
 

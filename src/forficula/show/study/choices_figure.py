@@ -19,7 +19,7 @@ from forficula.reproduction import named_reproduction
 from forficula.show.study.factor_text import display_values, factor_label, number_text, value_text
 from forficula.show.study.maps import energy_noun, missing_reasons
 from forficula.show.study.outcome_looks import look_of, map_style
-from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, fit_legend, is_narrow
+from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, fit_legend, is_narrow, letter_panels
 from forficula.study.assumptions.choice_groups import choice_groups, count_all, count_first, count_unknown
 from forficula.study.assumptions.choices import CHOICE
 from forficula.study.tables.outcome_kinds import studied_verbs, table_transitions, whole_of
@@ -39,6 +39,7 @@ _DID_ALL: dict[str, Any] = {"ls": "", "marker": "D", "ms": 3, "color": "white", 
 # for single structures
 _MOST_PANELS = 3
 _SMALL = 1e-3
+_BESIDE = 0.12  # space beside the dots, as a share of their range
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -77,6 +78,7 @@ def draw_choices(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         else:
             grid = [figure.subplots()]
             _draw_counts(grid[0], table, rows)
+        letter_panels(grid)
         _name_rows(grid, rows)
         return describe(figure, _text(table, rows))
 
@@ -176,9 +178,10 @@ def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -
             axes.plot(factor * values[row.place], row.height, "o", ms=4, color=_colour(row.place), mec=BLUE, mew=0.6)
         else:
             axes.text(0.02, row.height, str(reasons[row.place]), transform=foot, va="center", fontsize=6, color=_INK)
-    # least values of a key may be negative
-    low, high = (1.08 * factor * float(end(values, initial=0.0)) for end in (np.nanmin, np.nanmax))
-    axes.set_xlim(low, high or (0 if low else 1))
+    if np.isfinite(values).any():
+        low, high = factor * float(np.nanmin(values)), factor * float(np.nanmax(values))
+        room = _BESIDE * ((high - low) or abs(high) or 1.0)
+        axes.set_xlim(low - room, high + room)
     axes.set_xlabel(f"{_numbers(table)[name]} ({unit})" if unit else _numbers(table)[name])
 
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from forficula.arrays import Array
 from forficula.names import ordinal
@@ -22,6 +24,7 @@ from forficula.show.style import (
     figure_style,
     fit_legend,
     is_narrow,
+    letter_panels,
 )
 from forficula.structure import Measure, Structure, measure_stops, structure_of
 from forficula.study.convergence.convergence import Convergence
@@ -69,18 +72,20 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
         whole.set_xlabel("time (s)")
         whole.set_title("whole run")
         whole.set_ylabel(f"{which} (deg)")
-        whole.set_ylim(low - 20, max(25, high + 20 if high > 90 else 1.2 * high))
-        whole.set_yticks(np.arange(45 * math.ceil(low / 45), max(1, high - 44), 45))
+        whole.set_ylim(low, high)
+        whole.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 1.5, 3, 4.5, 9, 10]))
         for axes, (name, starts, times) in zip(close, spans, strict=True):
             _plot_angles(axes, convergence, starts, 1e3)
             axes.set_xlim(*(1e3 * np.nanmax(times) * np.array([-_BEFORE, _AFTER])))
             axes.set_xlabel("since its start (ms)" if narrow else "time since its start (ms)")
             axes.set_title(name)
+        letter_panels([whole, *close])
         lines = whole.get_legend_handles_labels()[0]
+        label_of_values = _AXIS[convergence.key][0].partition(" (")[0]
         if narrow:
-            fit_legend(figure, lines, 3, loc="outside upper center")
+            fit_legend(figure, lines, 3, loc="outside upper center", title=label_of_values, title_fontsize=7)
         else:
-            figure.legend(handles=lines, loc="outside right upper")
+            figure.legend(handles=lines, loc="outside right upper", title=label_of_values, title_fontsize=7)
         runs = f"in {len(convergence.values)} runs of {convergence.design.name}"
         return describe(figure, f"{which.capitalize()} over time {runs}. {_text(convergence)}")
 
@@ -93,8 +98,10 @@ def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) 
         label, factor = _AXIS[convergence.key]
         labels = time_labels(convergence)
         places = factor * _positions(convergence)
+        shape = (len(labels), 1) if narrow else (1, len(labels))
+        panels = figure.subplots(*shape, squeeze=False).ravel().tolist()
         for axes, name, times, fit in zip(
-            figure.subplots(*((len(labels), 1) if narrow else (1, len(labels))), squeeze=False).ravel(),
+            panels,
             labels.values(),
             convergence.transition_times.values(),
             convergence.orders.values(),
@@ -102,21 +109,18 @@ def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) 
         ):
             style = "o" if fit is not None else "o-"
             axes.plot(places, 1e3 * times, style, color=BLUE, ms=5, lw=0.8, label="simulated", zorder=3)
-            at_design = (convergence.values == convergence.design_value) & np.isfinite(times)
-            axes.plot(
-                places[at_design],
-                1e3 * times[at_design],
-                "o",
-                mfc="none",
-                mec="black",
-                ms=10,
-                ls="none",
-                label="design value",
-            )
+            known = np.isfinite(times)
+            at_design = (convergence.values == convergence.design_value) & known
+            look: dict[str, Any] = {"mfc": "none", "mec": "black", "ms": 10, "ls": "none"}
+            axes.plot(places[at_design], 1e3 * times[at_design], "o", label="design value", **look)
             if fit is not None:
                 _plot_law(axes, fit, convergence, factor)
-            if not np.isfinite(times).any():
+            if not known.any():
                 axes.text(0.5, 0.5, "none", ha="center", va="center", transform=axes.transAxes)
+            elif not known.all():
+                foot = axes.get_xaxis_transform()
+                at = np.full(int((~known).sum()), 0.04)
+                axes.plot(places[~known], at, "x", color="0.35", transform=foot, label="no reliable time")
             axes.set_xlabel(label)
             axes.set_ylabel(f"{name} (ms)")
             if convergence.key == YOUNGS_MODULUS:
@@ -125,7 +129,10 @@ def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) 
                 axes.minorticks_off()
             elif convergence.key == MESH:
                 axes.set_xticks(places)
-            axes.legend(loc="best")
+        letter_panels(panels)
+        # the order of a law may differ from panel to panel
+        handles = {handle.get_label(): handle for axes in panels for handle in axes.get_legend_handles_labels()[0]}
+        fit_legend(figure, list(handles.values()), 3 if narrow else 5, loc="outside lower center")
         names = " and ".join(text.removesuffix(" time") for text in labels.values())
         what = f"{names} times of {convergence.design.name} over the {label.partition(' (')[0]}"
         return describe(figure, f"{what[:1].upper()}{what[1:]}. {_text(convergence)}")
@@ -145,12 +152,14 @@ def _text(convergence: Convergence) -> str:
 
 
 def _range(structure: Structure, measure: Measure, convergence: Convergence) -> tuple[float, float]:
-    """Return the range of the shown hinge, deg: its stops, or its largest and smallest angle without stops."""
-    low, high = measure_stops(structure, measure)[convergence.hinge]
-    if not np.isfinite([low, high]).all():
-        low = min(np.nanmin(angle) for angle in convergence.angles)
-        high = max(np.nanmax(angle) for angle in convergence.angles)
-    return math.degrees(low), math.degrees(high)
+    """Return the range of the shown hinge, deg: that of its angles, within 20 deg of its stops."""
+    angles = [np.degrees(angle[np.isfinite(angle)]) for angle in convergence.angles]
+    low = min(float(angle.min(initial=0.0)) for angle in angles)
+    high = max(float(angle.max(initial=0.0)) for angle in angles)
+    room = 0.1 * ((high - low) or 1.0)
+    first, last = (math.degrees(stop) for stop in measure_stops(structure, measure)[convergence.hinge])
+    # the angles of a run that diverges are meaningless; without stops the bounds are infinite
+    return max(low - room, first - 20), min(high + room, last + 20)
 
 
 def _time(time: float) -> str:

@@ -29,13 +29,15 @@ from forficula.show.style import (
     describe,
     fit_legend,
     is_narrow,
+    letter_panels,
 )
 from forficula.study.tables.outcome_kinds import whole_of
 
 # largest number of values for which cells contain numbers and every value has a tick
 _MOST_NUMBERS = 12
 _NUMBER, _CELL_FILLED = 6.0, 0.86  # pt, size of a number in a cell; its largest width, as a share of the cell
-_POINTS_HEIGHT, _UPWARDS = 1.7, 27  # inch, height of axes with points; letters that fit along the height
+_POINTS_HEIGHT, _STRIP = 1.7, 0.15  # inch, height of axes with points; strip of failures, as a share of the values
+_ONE_UNIT = 1e-2  # ratio of sizes down to which panels have one unit
 _SHAPE = {"handleheight": 1.4, "handlelength": 2.2, "fontsize": 7}
 _LEGEND_HEIGHT = 0.4  # inch, height that is reserved for the legend below the maps
 _APART = 0.12  # distance of maps with colour bars, as a share of a map's width
@@ -50,13 +52,19 @@ _READABLE = {
 
 @dataclass(frozen=True, kw_only=True)
 class _Scale:
-    """Unit of a quantity, its factor from SI, and its colour scale."""
+    """Unit of a quantity, its factor from SI, and its colour scale; `single` is whether all values are equal."""
 
     unit: str
     factor: float
     norm: Normalize
     colours: Colormap
     empty: bool
+    single: bool
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Return the least and the largest value, in the unit."""
+        return float(self.norm.vmin or 0.0), float(self.norm.vmax or 0.0)
 
 
 def draw_page(
@@ -82,13 +90,13 @@ def draw_page(
     columns = _columns(len(panels), width)
     width = width if columns > 1 else min(width, 0.6 * PAGE_WIDTH)
     figure, grid = _empty_page(view, len(panels), columns, width, cells)
-    scales = [_scale(panels)] * len(panels) if one_scale else [_scale([panel]) for panel in panels]
+    scales = [_scale(panels)] * len(panels) if one_scale else _own_scales(panels)
     for index, (axes, panel, scale) in enumerate(zip(grid, panels, scales, strict=True)):
         axes.set_title(_wrapped(panel.title, width / columns))
         if cells:
             _draw_cells(axes, view, panel, scale)
         else:
-            _draw_points(axes, view, panel, scale)
+            _draw_points(axes, view, panel, scale, quantity)
         if index + columns >= len(panels):
             axes.set_xlabel(factor_label(view.table[view.x]))
         if view.y and index % columns == 0:
@@ -103,6 +111,7 @@ def draw_page(
             layout.set(wspace=_APART)
     if (cells or view.y) and one_scale and not scales[0].empty:
         _colour_bar(figure, grid, f"{quantity} ({scales[0].unit})", scales[0])
+    letter_panels(grid)
     if text := ", ".join(part for part in (view.note, note) if part):
         figure.suptitle(text, fontsize=8)
     _legend(figure, view, panels, cells=cells)
@@ -161,7 +170,8 @@ def _scale(panels: Sequence[MapPanel]) -> _Scale:
     low, high = (0.0, 0.0) if empty else (float(finite.min()), float(finite.max()))
     largest = max(abs(low), abs(high))
     unit, factor = next((pair for pair in units if largest * pair[1] >= 0.999), units[-1] if largest else units[0])
-    if low == high:
+    single = low == high
+    if single:
         low, high = low - 0.1 * largest - (not largest), high + 0.1 * largest + (not largest)
     return _Scale(
         unit=unit,
@@ -169,7 +179,20 @@ def _scale(panels: Sequence[MapPanel]) -> _Scale:
         norm=Normalize(low * factor, high * factor),
         colours=colours_of(panels[0].unit),
         empty=empty,
+        single=single and not empty,
     )
+
+
+def _own_scales(panels: Sequence[MapPanel]) -> list[_Scale]:
+    """Return a scale for each panel; panels of the same quantity have the same unit, unless their sizes differ much."""
+    scales = [_scale([panel]) for panel in panels]
+    common = _scale(panels)
+    for number, (panel, scale) in enumerate(zip(panels, scales, strict=True)):
+        share = common.factor / scale.factor
+        if panel.unit == panels[0].unit and not scale.empty and share >= _ONE_UNIT:
+            low, high = (share * end for end in scale.ends)
+            scales[number] = replace(scale, unit=common.unit, factor=common.factor, norm=Normalize(low, high))
+    return scales
 
 
 def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> None:
@@ -180,6 +203,8 @@ def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> 
         mappable, ax=axes, pad=0.015, aspect=25, fraction=0.06, location="bottom" if beneath else "right"
     )
     bar.set_label(label, labelpad=1.5)
+    if scale.single:
+        bar.set_ticks([sum(scale.ends) / 2])
     bar.outline.set_visible(False)
 
 
@@ -283,7 +308,18 @@ def _short_texts(values: Array, digits: int) -> dict[tuple[int, ...], str]:
     return texts
 
 
-def _draw_points(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale) -> None:
+def _space_for_failures(axes: Axes, values: Array, failures: bool) -> None:
+    """Set the vertical range to the values; below it, a strip without numbers where failures are marked."""
+    low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 1.0)
+    span = (high - low) or 0.2 * abs(high) or 1.0
+    bottom = low - 0.08 * span
+    axes.set_ylim(bottom - failures * _STRIP * span, high + 0.08 * span)
+    if failures:
+        axes.axhline(bottom, color="0.8", lw=0.5, zorder=0)
+        axes.set_yticks([tick for tick in axes.get_yticks() if bottom <= tick <= high + 0.08 * span])
+
+
+def _draw_points(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale, quantity: str) -> None:
     """Draw samples over two factors, coloured by value; or values over one factor, with failures at the bottom."""
     values = panel.values.values.astype(float) * scale.factor
     across = _positions(axes, view, "x")
@@ -296,20 +332,14 @@ def _draw_points(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale) -> N
             axes.scatter(*positions, c=values[present], cmap=scale.colours, norm=scale.norm, s=16, ec=INK, lw=0.3)
         foot = axes.transData
     else:
-        upwards = np.full(len(values), 0.05 if panel.unit else 0.5)
+        upwards = np.full(len(values), 0.055 if panel.unit else 0.5)
         foot = axes.get_xaxis_transform()
         margin = 0.05 * float(np.ptp(across)) or 0.5
         axes.set_xlim(across.min() - margin, across.max() + margin)
         if panel.unit:
             axes.plot(across, values, "o" if view.sampled else "o-", color=BLUE, ms=3.5)
-            axes.set_ylabel(textwrap.fill(f"{panel.title} ({scale.unit})", _UPWARDS))
-            # space for the failures below the least value
-            low, high = (
-                (0.0, 1.0)
-                if not np.isfinite(values).any()
-                else (min(0.0, float(np.nanmin(values))), float(np.nanmax(values)))
-            )
-            axes.set_ylim(low - 0.12 * ((high - low) or 1), high + 0.08 * ((high - low) or 1))
+            axes.set_ylabel(f"{quantity or panel.title} ({scale.unit})")
+            _space_for_failures(axes, values[np.isfinite(values)], any(where.any() for where in missing.values()))
         else:
             axes.set_yticks([])
     for word, where in missing.items():

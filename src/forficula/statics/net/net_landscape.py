@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
+from dataclasses import replace
 
 import numpy as np
 from scipy.sparse import coo_array
@@ -28,6 +29,7 @@ _TRIES = 16  # pushes of a search for stable states
 _SHOWN = 4  # number of listed states that no protocol names
 _PATHS, _INCREMENTS = 4, 100  # paths tried for a saddle, and increments of each
 _SAME = 1e-3  # rad; resting angles within this difference are equal in tables
+_NO_DISTANCE = 1e-12  # between states that a saddle joins; a spanning tree takes 0 for no edge
 
 
 def net_landscape(design: Design, structure: Structure, progress: Progress = lambda _: None) -> EnergyLandscape:
@@ -51,7 +53,7 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
     search = find_stable_states(net, [rest.shape for _, rest, _ in rests], tries=_TRIES)
     states = _states(structure, net, search, rests, progress)
     progress("saddles between states")
-    passes = _passes(net, states)
+    search, states, passes = _joined(structure, net, search, states)
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -177,26 +179,78 @@ def _name(net: Net, state: NetRest, rests: Sequence[tuple[str, NetRest, bool]]) 
     return ""
 
 
-def _passes(net: Net, states: Sequence[NetState]) -> tuple[Pass, ...]:
+def _joined(
+    structure: Structure, net: Net, search: StableStates, listed: Sequence[NetState]
+) -> tuple[StableStates, list[NetState], tuple[Pass, ...]]:
     """Find saddles between neighbouring states: pairs that form the minimum spanning tree of all states.
 
-    A saddle that joins two other states than the requested ones is kept for those.
+    A saddle that joins two other states than the requested ones is kept for those. A state beyond a saddle that the
+    search has missed, such as the mirror image of a listed one, is listed as well, and its neighbours are tried.
+
+    Returns:
+        The search and the listed states, with these states, by rising energy; and the passes.
     """
+    states, passes, tried = list(listed), dict[tuple[int, int], Pass](), set[tuple[int, int]]()
+    while pairs := _neighbours(states, passes.keys(), tried):
+        count = len(states)
+        for start, end in pairs:
+            tried.add((start, end))
+            saddle = find_saddle(net, states[start].rest, states[end].rest, increments=_INCREMENTS, tries=_PATHS)
+            if saddle is None:
+                continue
+            for rest in saddle.ends:
+                if _is_missing(structure, net, search, states, rest):
+                    states.append(net_state(structure, net, rest, f"state {len(states) + 1}", 0, loads=False))
+            one, other = (_state_number(net, states, rest) for rest in saddle.ends)
+            if one is not None and other is not None and one != other:
+                barriers = saddle.barriers if one < other else saddle.barriers[::-1]
+                ends = min(one, other), max(one, other)
+                passes[ends] = Pass(ends=ends, barriers=barriers, energy=saddle.rest.energy, shape=saddle.rest.shape)
+        if len(states) == count:
+            break
+    order = sorted(range(len(states)), key=lambda number: states[number].energy)
+    added = states[len(listed) :]
+    rests = [*zip(search.states, search.counts, strict=True), *((state.rest, 0) for state in added)]
+    rests.sort(key=lambda pair: pair[0].energy)
+    search = replace(search, states=tuple(rest for rest, _ in rests), counts=tuple(hits for _, hits in rests))
+    return search, [states[number] for number in order], _renumbered(passes.values(), order)
+
+
+def _neighbours(
+    states: Sequence[NetState], joined: Collection[tuple[int, int]], tried: Collection[tuple[int, int]]
+) -> list[tuple[int, int]]:
+    """Return the pairs of a minimum spanning tree that are neither joined nor tried; joined states have no distance."""
     if len(states) < 2:
-        return ()
+        return []
     apart = np.array([[_shape_difference(one.rest.shape, other.rest.shape) for other in states] for one in states])
+    for pair in joined:
+        apart[pair] = _NO_DISTANCE
+    for pair in set(tried) - set(joined):
+        apart[pair] = 0.0  # no edge
     tree = minimum_spanning_tree(np.triu(apart, 1)).tocoo()
-    result = dict[tuple[int, int], Pass]()
-    for start, end in sorted(zip(tree.row.tolist(), tree.col.tolist(), strict=True)):
-        saddle = find_saddle(net, states[start].rest, states[end].rest, increments=_INCREMENTS, tries=_PATHS)
-        if saddle is None:
-            continue
-        one, other = (_state_number(net, states, rest) for rest in saddle.ends)
-        if one is not None and other is not None and one != other:
-            barriers = saddle.barriers if one < other else saddle.barriers[::-1]
-            ends = min(one, other), max(one, other)
-            result[ends] = Pass(ends=ends, barriers=barriers, energy=saddle.rest.energy, shape=saddle.rest.shape)
-    return tuple(result[ends] for ends in sorted(result))
+    return sorted(set(zip(tree.row.tolist(), tree.col.tolist(), strict=True)) - set(joined))
+
+
+def _is_missing(
+    structure: Structure, net: Net, search: StableStates, states: Sequence[NetState], rest: NetRest
+) -> bool:
+    """Return whether a rest is a stable state that the search has missed and that may be listed."""
+    if not rest.stable or _state_number(net, states, rest) is not None:
+        return False
+    if any(same_shape(net, known.shape, rest.shape) for known in search.states):
+        return False  # found, but not listed
+    others = sum(not state.withstands for state in states)
+    return others < _SHOWN and not panels_cross(net, rest.shape, panels(structure))
+
+
+def _renumbered(passes: Iterable[Pass], order: Sequence[int]) -> tuple[Pass, ...]:
+    """Return passes with the places of their states in an order, by these places."""
+    result = []
+    for course_pass in passes:
+        one, other = (order.index(end) for end in course_pass.ends)
+        barriers = course_pass.barriers if one < other else course_pass.barriers[::-1]
+        result.append(replace(course_pass, ends=(min(one, other), max(one, other)), barriers=barriers))
+    return tuple(sorted(result, key=lambda course_pass: course_pass.ends))
 
 
 def _state_number(net: Net, states: Sequence[NetState], rest: NetRest) -> int | None:

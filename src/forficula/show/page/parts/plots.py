@@ -24,11 +24,13 @@ class Line:
         name: text in the plot's legend.
         clip: index of the clip whose frames give the time.
         values: values in the plot's unit, (time,), or a reference to the clip's data: name of the readings and index.
+        look: number of its colour and dashes; its index in the plot by default.
     """
 
     name: str
     clip: int
     values: Array | tuple[str, int]
+    look: int | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -88,7 +90,9 @@ def plot_data(plots: Sequence[Plot]) -> list[dict[str, Any]]:
 
 
 def _line_data(line: Line) -> dict[str, Any]:
-    values = line.values
+    values, data = line.values, {"name": line.name, "clip": line.clip}
+    if line.look is not None:
+        data["look"] = line.look
     if isinstance(values, tuple):
-        return {"name": line.name, "clip": line.clip, "readings": values[0], "part": values[1]}
-    return {"name": line.name, "clip": line.clip, "values": packed(values, "f4")}
+        return data | {"readings": values[0], "part": values[1]}
+    return data | {"values": packed(values, "f4")}
