@@ -62,8 +62,10 @@ def _states(run: ff.Run) -> dict[str, float]:
 
 def draw_states(run: ff.Run, states: dict[str, float]) -> Figure:
     """Draw a structure at times (s) of a run beside one another, at one scale and from one viewpoint."""
-    shape, view = shape_of(run.structure), structure_view(run.structure)
-    drawn = [paint_shape(surface_at(run.record, shape, time), view, ORANGE) for time in states.values()]
+    shape = shape_of(run.structure)
+    surfaces = [surface_at(run.record, shape, time) for time in states.values()]
+    view = structure_view(run.structure)
+    drawn = [paint_shape(surface, view, ORANGE) for surface in surfaces]
     sizes = np.array([np.ptp(painted.corners, axis=0) for painted in drawn])
     column = PAGE_WIDTH / len(drawn)
     scale = min((column - _GAP) / sizes[:, 0].max(), _TALLEST / sizes[:, 1].max())
