@@ -23,6 +23,7 @@ extensions = [
     "executed",
     "formulas",
     "measured",
+    "named_designs",
     "reference",
     "validation",
 ]

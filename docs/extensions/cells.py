@@ -94,9 +94,9 @@ def folder_of(page: str) -> Path:
 
 
 def sources_digest() -> str:
-    """Return a hash of the package and of this module. If it changes, any result of a cell may change."""
-    digest = hashlib.sha256(Path(__file__).read_bytes())
-    for path in sorted((DOCS.parent / "src").rglob("*")):
+    """Return a hash of the package and of this folder. If it changes, any result of a cell may change."""
+    digest = hashlib.sha256()
+    for path in sorted([*(DOCS.parent / "src").rglob("*"), *Path(__file__).parent.glob("*.py")]):
         if path.suffix in {".py", ".pyi", ".toml", ".js", ".css"}:
             digest.update(path.read_bytes())
     return digest.hexdigest()

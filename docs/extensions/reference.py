@@ -2,12 +2,13 @@
 
 `{keys} earwig-fan` lists the keys of a kind of design, `{keys} study` those of a study file. `:section:` selects one
 section, `:without:` omits sections. The role {key} links to the row of a key, and an unknown key stops the build.
-`{commands}` lists all commands with their options, `{results}` the keys of the JSON of all results.
+`{commands}` lists all commands with their options and examples, `{results}` the keys of the JSON of all results.
 """
 
 from __future__ import annotations
 
 import re
+import textwrap
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
@@ -149,8 +150,20 @@ class CommandsDirective(SphinxDirective):
             section += nodes.title("", "", nodes.literal("", title))
             self.state.document.note_explicit_target(section)
             self.state.nested_parse(StringList(lines, "commands"), self.content_offset, section)
+            if examples := examples_of(title):
+                section += nodes.paragraph("", "", nodes.strong("", "Examples"), nodes.Text(":"))
+                section += nodes.literal_block(examples, examples, language="bash")
             shown.append(section)
         return shown
+
+
+def examples_of(title: str) -> str:
+    """Return the examples at the end of a command's help, one per line."""
+    command = cli
+    for name in title.split()[1:]:
+        command = command[name]
+    _, _, lines = (command.help_epilogue or "").partition("Examples:\n")
+    return textwrap.dedent(lines)
 
 
 class ResultsDirective(SphinxDirective):
