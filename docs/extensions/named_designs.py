@@ -20,9 +20,10 @@ from sphinx.util.docutils import SphinxDirective
 import forficula as ff
 from forficula.design import stage_drives
 from forficula.show.run.state_names import states_reached
-from forficula.show.structure.painted_shape import paint_shape, show_painted, structure_view
+from forficula.show.structure.painted_shape import paint_shape, show_painted
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
+from forficula.show.structure.viewpoint import readable_view
 from forficula.show.style import ORANGE, PAGE_WIDTH, figure_style
 
 LIST = "named-designs.json"
@@ -64,7 +65,7 @@ def draw_states(run: ff.Run, states: dict[str, float]) -> Figure:
     """Draw a structure at times (s) of a run beside one another, at one scale and from one viewpoint."""
     shape = shape_of(run.structure)
     surfaces = [surface_at(run.record, shape, time) for time in states.values()]
-    view = structure_view(run.structure)
+    view = readable_view(surfaces)
     drawn = [paint_shape(surface, view, ORANGE) for surface in surfaces]
     sizes = np.array([np.ptp(painted.corners, axis=0) for painted in drawn])
     column = PAGE_WIDTH / len(drawn)
