@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from forficula.commands.cost import CountEstimate, RunEstimate
+from forficula.commands.cost import CountEstimate, RunEstimate, write_survey_estimate
 from forficula.commands.law_timestep import with_timestep_for_law
 from forficula.errors import InputError
 from forficula.options import (
@@ -138,6 +138,7 @@ def _survey(design: Design, *, simulation: bool) -> tuple[EnergyLandscape, Recor
             warnings = timestep_warnings(design)
         for warning in warnings:
             warn(warning)
+    write_survey_estimate(structure)
     first = f"building the {whole}" if simulation else "surveying its energy"
     with survey_progress(first, "surveying") as (progress, steps):
         estimate = RunEstimate(progress, searches=design.protocol.timestep == "auto")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from forficula.commands.cost import runs_estimated
+from forficula.commands.cost import RunEstimate, runs_estimated
 from forficula.errors import InputError
 from forficula.names import counted, listed
 from forficula.options import (
@@ -274,7 +274,8 @@ def assumptions(
 
     note_replaced(folder, "table of assumptions")
     with run_progress("building the changed designs") as progress:
-        result = run_assumptions(chosen, assumptions=to_change, progress=progress)
+        estimate = RunEstimate(progress, searches=chosen.protocol.timestep == "auto", several=True)
+        result = run_assumptions(chosen, assumptions=to_change, progress=estimate)
     print_assumptions(result)
     write_assumptions(result, folder)
     finish_folder(folder, "table of assumptions")
