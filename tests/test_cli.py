@@ -14,7 +14,6 @@ import pytest
 import forficula as ff
 from forficula.cli import app, main
 from forficula.commands.cost import CountEstimate, RunEstimate
-from forficula.commands.law_timestep import with_timestep_for_law
 from forficula.design import design_pattern
 from forficula.goals import load_goal
 from forficula.show.style import figure_files
@@ -1177,22 +1176,6 @@ def test_the_estimate_of_a_run_is_an_upper_limit(capsys, monkeypatch, searches, 
 
 
 VISCOUS = 'name = "{0}"\nsource = ""\n[modulus]\nlinear = "4.8 MPa"\n[viscosity]\nlinear = "{1} MPa s"\n'
-
-
-def test_a_law_that_needs_a_shorter_timestep_has_an_automatic_one(in_an_empty_folder, capsys):
-    (in_an_empty_folder / "viscous.toml").write_text(VISCOUS.format("viscous", 12))
-    (in_an_empty_folder / "mild.toml").write_text(VISCOUS.format("mild", 0.01))
-    viscous = {"tendon.law": "viscous.toml", "tendon.area": "5 mm^2"}
-    design = with_timestep_for_law(ff.load_design("binder2025-joint", viscous), viscous)
-    assert design.protocol.timestep == "auto"
-    assert capsys.readouterr().err.startswith('warning: protocol.timestep: "auto" is used, because the law of the')
-    # a timestep that was set, and one that the law allows, are kept
-    for settings in (viscous | {"protocol.timestep": "0.1 ms"}, viscous | {"tendon.law": "mild.toml"}):
-        design = ff.load_design("binder2025-joint", settings)
-        assert with_timestep_for_law(design, settings) is design
-    design = ff.load_design("binder2025-joint", viscous | {"protocol.timestep": "0.2 ms"})
-    assert with_timestep_for_law(design, {}) is design
-    assert capsys.readouterr().err == ""
 
 
 @pytest.mark.usefixtures("no_figures")

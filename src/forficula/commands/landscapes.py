@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.commands.cost import CountEstimate, RunEstimate, write_survey_estimate
-from forficula.commands.law_timestep import with_timestep_for_law
 from forficula.errors import InputError
 from forficula.options import (
     DesignName,
@@ -73,7 +72,9 @@ def landscape(
             raise InputError(f"--over: {min(repeated)} is also under --set; need it in one of them")
         chosen = read_design(design, settings, unit)
         if simulation:
-            chosen = with_timestep_for_law(chosen, read_settings(settings))
+            from forficula.study.running.law_timestep import with_timestep_for_law
+
+            chosen = with_timestep_for_law(chosen)
         folder = out or Path("out") / f"{chosen.name}-landscape"
         check_verdicts(ok_if)
         check_folder(folder, "landscape")

@@ -45,6 +45,7 @@ from forficula.quantities import as_written
 from forficula.toml_text import check_levels, with_remarks
 
 _MOST_FILES = 50  # in a chain of files that are based on each other
+_TIMESTEP = "protocol.timestep"
 _SURROGATE = re.compile("[\ud800-\udfff]")
 
 # a design, its name, or the path of its file
@@ -96,11 +97,12 @@ def _load(name_or_path: str | Path, settings: Mapping[str, object] | None, unit:
             tables = _with_source(before, tables, file_values)
         before, tables = tables, _with_settings(tables, settings or {}, si=False)
         design = _validate(tables, si=False)
-        if not settings or "source" in settings:
-            return design
-        named = str(name_or_path) in _named()
-        base = _named_design(str(name_or_path)) if named else _validate_or_none(before)
-        return design if base is None else design.model_copy(update={"source": derived_source(base, design)})
+        if settings and "source" not in settings:
+            named = str(name_or_path) in _named()
+            base = _named_design(str(name_or_path)) if named else _validate_or_none(before)
+            if base is not None:
+                design = design.model_copy(update={"source": derived_source(base, design)})
+        return _marked(design, is_set=_sets_timestep(settings or {}))
     except RejectedError as error:
         # name entries as the settings do, not by number
         keys_set, message = {numbered(key, tables): key for key in dotted_keys(settings or {})}, str(error)
@@ -133,9 +135,23 @@ def with_values(design: Design, values: Mapping[str, object]) -> Design:
         changed = _validate_changed(design, _with_settings(design.si_tables(), values, si=True))
     except RejectedError as error:
         raise InputError(f"{design.name}: {error}") from None
-    if "source" in values:
-        return changed
-    return changed.model_copy(update={"source": derived_source(design, changed)})
+    if "source" not in values:
+        changed = changed.model_copy(update={"source": derived_source(design, changed)})
+    return _marked(changed, is_set=is_timestep_set(design) or _sets_timestep(values))
+
+
+def is_timestep_set(design: Design) -> bool:
+    """Return whether the settings of `load_design`, or `with_values`, have set the timestep."""
+    return bool(design.once(_TIMESTEP, lambda: False))
+
+
+def _marked(design: Design, *, is_set: bool) -> Design:
+    design.once(_TIMESTEP, lambda: is_set)
+    return design
+
+
+def _sets_timestep(settings: Mapping[str, object]) -> bool:
+    return _TIMESTEP in dotted_keys(settings)
 
 
 def named_designs() -> dict[str, str]:
