@@ -1178,6 +1178,7 @@ def test_the_estimate_of_a_run_is_an_upper_limit(capsys, monkeypatch, searches, 
 VISCOUS = 'name = "{0}"\nsource = ""\n[modulus]\nlinear = "4.8 MPa"\n[viscosity]\nlinear = "{1} MPa s"\n'
 
 
+@pytest.mark.filterwarnings("default:protocol.timestep")
 @pytest.mark.usefixtures("no_figures")
 def test_a_run_with_a_viscous_law_keeps_its_energy(in_an_empty_folder, call):
     (in_an_empty_folder / "viscous.toml").write_text(VISCOUS.format("viscous", 3))
