@@ -215,12 +215,12 @@ def pattern(
     settings: Settings = None,
 ) -> None:
     """Analyse a crease pattern: flat-foldability, faults and degrees of freedom; or write it to a file."""
-    from forficula.pattern.files.fold_frame import CHOSEN_UNIT
+    from forficula.pattern.files.fold_frame import CHOSEN_UNIT, UNIT_OPTION
 
     sheet, remarks, frames, attachments = _sheet(design, unit, settings)
     if CHOSEN_UNIT in remarks:
         remarks.remove(CHOSEN_UNIT)
-        warn(f"{design}: {CHOSEN_UNIT}")
+        warn(f"{design}: {CHOSEN_UNIT}; {UNIT_OPTION}")
     if out is None:
         from forficula.pattern import pattern_facts
         from forficula.show.structure.pattern_table import print_pattern
