@@ -455,7 +455,7 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
     [
         (
             ["run", "bindr2025"],
-            '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?',
+            '"bindr2025" is neither a named design nor a .toml, .fold, .svg or .dxf file; did you mean "binder2025"?',
         ),
         (["run", "none.toml"], "none.toml: no such file"),
         (["run", "folder.toml"], "folder.toml: cannot be read: Is a directory"),
@@ -493,7 +493,7 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
         (["landscape", "binder2025", "--out", "bad.toml"], "--out: need a folder, got the file bad.toml"),
         (
             ["landscape", "bindr2025"],
-            '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?',
+            '"bindr2025" is neither a named design nor a .toml, .fold, .svg or .dxf file; did you mean "binder2025"?',
         ),
         (["run", "binder2025", "--out", "bad.toml/a/b"], "--out: need a folder, got the file bad.toml"),
         (
@@ -517,7 +517,7 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
         (["scale", "binder2025", "--length", "1e-12"], "--length: need >= 1e-09 and <= 1e+09, got 1e-12"),
         (
             ["scale", "bindr2025", "--length", "2"],
-            '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?',
+            '"bindr2025" is neither a named design nor a .toml, .fold, .svg or .dxf file; did you mean "binder2025"?',
         ),
         (
             ["scale", "binder2025", "--length", "2", "--out", "bad.toml"],

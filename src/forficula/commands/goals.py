@@ -21,6 +21,7 @@ from forficula.options import (
     check_folder,
     finish_folder,
     note_replaced,
+    options_named,
     read_option,
     read_settings,
     read_shard,
@@ -174,10 +175,13 @@ def tolerance(
 ) -> int:
     """Estimate the probability that a design works within its manufacturing tolerances, and which matter most."""
     from forficula.goals.tolerance import estimate_tolerance
+    from forficula.goals.tolerance.assess_tolerance import check_numbers
     from forficula.study.running.kept_runs import check_most
 
     check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})
     widths = read_settings(tolerances, "--tolerance", 'tendon.stiffness="5 %"')
+    with options_named(minutes="--minutes", seed="--seed", runs="--runs"):
+        check_numbers(minutes, seed, runs)
     question = _question(design, read_settings(settings), widths or None, goal)
     folder = _folder(out, f"{question.design.name}-tolerance", "tolerance")
     read_option("--keep", lambda: check_most(keep))
@@ -230,7 +234,8 @@ def _question(
     if design is None and goal is None:
         raise InputError("tolerance: need a design, or --goal with a file that has one")
     chosen = None if design is None else load_design(design, settings)
-    question = question_of(chosen, tolerances, goal=goal, settings=settings)
+    with nullcontext() if tolerances is None else options_named(tolerances="--tolerance"):
+        question = question_of(chosen, tolerances, goal=goal, settings=settings)
     if chosen is not None and (keys := differing_keys(chosen, question.design)):
         note(f"{chosen.name}: {listed(keys)} set to the value{'s' * (len(keys) != 1)} of {goal}")
     _note_assumed(question)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from forficula.commands.cost import CountEstimate, RunEstimate, write_survey_estimate
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.options import (
     DesignName,
     DrawingUnit,
@@ -103,7 +103,8 @@ def _map(design: Design, varied: dict[str, object], simulated: Path | None) -> C
     from forficula.structure import structure_of
     from forficula.study.tables.static_map import map_study, static_map
 
-    study = map_study(design, varied)
+    with error_prefix("--over: "):
+        study = map_study(design, varied)
     compared = None if simulated is None else read_simulated(simulated, design)
 
     def write(folder: Path) -> None:

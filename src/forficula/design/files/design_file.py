@@ -23,6 +23,7 @@ from forficula.design.fans.fan_sections import MOST_UNITS
 from forficula.design.fans.joint import JointDesign
 from forficula.design.fans.joint_sections import JointTendon
 from forficula.design.files.file_design import file_tables
+from forficula.design.files.file_words import check_file_kind
 from forficula.design.files.kept_sections import with_kept_sections
 from forficula.design.files.kinds import KINDS, design_class, kind_of
 from forficula.design.files.provenance import derived_source
@@ -40,11 +41,13 @@ from forficula.design.files.tendon_tables import entries_over, is_by_vein, tendo
 from forficula.design.sheets.sheet_tables import with_sheet_read
 from forficula.errors import InputError
 from forficula.files import as_path, read_toml, write_text
+from forficula.names import listed
 from forficula.pattern import PATTERN_FILES
 from forficula.quantities import as_written
 from forficula.toml_text import check_levels, with_remarks
 
 _MOST_FILES = 50  # in a chain of files that are based on each other
+_LISTED = 4  # named designs in the message for an unknown one
 _TIMESTEP = "protocol.timestep"
 _SURROGATE = re.compile("[\ud800-\udfff]")
 
@@ -224,15 +227,20 @@ def _file_tables(name: str, above: Sequence[Path]) -> dict[str, Any]:
     """Read the tables of a file; `above` are the files that are based on it."""
     path = Path(name)
     if path.suffix.lower() != ".toml":
-        known = [*_named(), *sorted(str(file) for file in Path().glob("*.toml") if may_read(file))]
-        hint = _nearest(name, known) or f"the named designs are {', '.join(_named())}"
-        raise InputError(f"{as_written(name)} is neither a named design nor a .toml file; {hint}")
+        readable = (".toml", *PATTERN_FILES)
+        files = sorted(str(file) for file in Path().glob("*.*") if file.suffix.lower() in readable and may_read(file))
+        known = [*_named(), *files]
+        some = ", ".join(_named()[:_LISTED])
+        hint = _nearest(name, known) or f"forficula designs lists the named designs: {some}, ..."
+        endings = listed((".toml", *PATTERN_FILES), "or")
+        raise InputError(f"{as_written(name)} is neither a named design nor a {endings} file; {hint}")
     if len(above) == _MOST_FILES:
         raise InputError(f"need at most {_MOST_FILES} files that are based on each other, got more")
     tables = read_toml(path, "a design")
     if path.resolve() in [other.resolve() for other in above]:
         raise InputError(f"{path}: is based on itself, directly or through other files")
     try:
+        check_file_kind(tables, "design")
         if "name" not in tables:
             tables["name"] = _name_of(path)
         tables = {key: value_from_folder(key, value, path.parent) for key, value in tables.items()}
