@@ -486,7 +486,7 @@ def test_a_structure_without_a_sheet_has_no_fold_file(tmp_path):
 @pytest.mark.parametrize(("module", "ending"), [("trimesh", "obj"), ("trimesh", "stl"), ("meshio", "pvd")])
 def test_a_missing_library_is_named_with_how_to_install_it(letter_run, tmp_path, monkeypatch, module, ending):
     monkeypatch.setitem(__import__("sys").modules, module, None)
-    with pytest.raises(ff.InputError, match=rf'needs? {module}; install it with pip install "forficula\[export\]"$'):
+    with pytest.raises(ff.InputError, match=rf'needs? {module}: pip install "forficula\[export\]"$'):
         ff.export(letter_run, tmp_path / f"a.{ending}")
     assert not list(tmp_path.iterdir())
 
