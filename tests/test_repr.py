@@ -27,10 +27,9 @@ def test_hinges_of_a_landscape_print_their_states_with_units(landscape_of):
 
 
 def test_balances_print_their_energies_with_units(letter_run):
-    text = repr(energy_balance(letter_run))
-    assert re.fullmatch(
-        r"<EnergyBalance: work [\d.]+ m?J, exchanged [\d.]+ m?J, missing -?[\d.]+ [nµm]?J \(.* %\)>", text
-    )
+    energy = r"-?[\d.]+ [nµm]?J"
+    text = rf"<EnergyBalance: work {energy}, exchanged {energy}, missing {energy} \(.* %\)>"
+    assert re.fullmatch(text, repr(energy_balance(letter_run)))
 
 
 def test_checks_print_value_and_limit_with_their_unit():
