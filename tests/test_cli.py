@@ -1096,7 +1096,7 @@ def test_a_new_design_has_the_size_that_is_wanted(call, kind):
 
 
 def test_a_size_that_cannot_be_is_refused(refusal):
-    assert refusal("new", "design", "a.toml", "--size", "0 cm") == "--size: need > 0, got 0 cm"
+    assert refusal("new", "design", "a.toml", "--size", "0 cm") == "--size: need >= 0.1 mm and <= 10 km, got 0 m"
     assert refusal("new", "design", "a.toml", "--size", "8 N").startswith('--size: "N" is not a unit of the right kind')
     assert refusal("new", "design", "a.toml", "--kind", "fold-file", "--size", "8 cm").startswith("--size: a fold-file")
     assert refusal("new", "a.toml", "--study", "--size", "8 cm").startswith("--size: cannot be used with --study")
