@@ -7,7 +7,7 @@ from typing import Any
 
 from forficula.errors import InputError
 
-# for each kind of file: keys, at least one of which it has and no other kind has, and the command that reads the file
+# for each kind of file: keys that only this kind has, and the command that reads the file; a file has one of the keys
 _TYPICAL_KEYS = {
     "design": (("pattern", "based_on"), "run"),
     "study": (("factors",), "study"),
