@@ -10,7 +10,7 @@ from forficula.workbench.requests import DesignRequest, Opened
 from forficula.workbench.responses import model_response
 
 VISCOUS = 'name = "{0}"\nsource = ""\n[modulus]\nlinear = "4.8 MPa"\n[viscosity]\nlinear = "{1} MPa s"\n'
-USED = 'protocol.timestep: "auto" is used, because the law of the tendons does not allow 0.1 ms'
+USED = 'protocol.timestep: "auto" is used, because the viscous law of the tendons does not allow 0.1 ms'
 
 STAGES = ("settle", "push", "snap", "unfold", "release opened")
 SHORT = {f"protocol.stages.{stage}.time_limit": "2 ms" for stage in STAGES}

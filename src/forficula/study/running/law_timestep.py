@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from forficula.design import Design, is_timestep_set, load_design, with_values
 from forficula.dynamics import timestep_warnings
+from forficula.structure import structure_of
 
 
 def with_timestep_for_law(design: Design) -> Design:
@@ -20,8 +21,8 @@ def with_timestep_for_law(design: Design) -> Design:
 def law_timestep(design: Design) -> tuple[Design, str]:
     """Return a design with the timestep "auto" where its tendon law does not allow the timestep of its reference.
 
-    A law that was fitted to slow tests may have a viscosity with which the timestep of the reference loses energy or
-    diverges. A timestep that was set, or another than that of the reference, is kept.
+    A law that was fitted to slow tests may have a viscosity, or Maxwell branches, with which the timestep of the
+    reference loses energy or diverges. A timestep that was set, or another than that of the reference, is kept.
 
     Returns:
         The design and a warning; the same design and an empty text where its timestep is kept.
@@ -31,11 +32,14 @@ def law_timestep(design: Design) -> tuple[Design, str]:
         return design, ""
     if not _has_law(design.si_tables().get("tendon")) or timestep != load_design(design.reference).protocol.timestep:
         return design, ""
-    if not timestep_warnings(design):
+    # the limit of the timestep takes longer to compute than the structure
+    viscous = any(any(tendon.law.damping or ()) or tendon.law.branches for tendon in structure_of(design).tendons)
+    if not (viscous and timestep_warnings(design)):
         return design, ""
     return with_values(design, {"protocol.timestep": "auto"}), (
-        f'protocol.timestep: "auto" is used, because the law of the tendons does not allow {1e3 * timestep:.3g} ms, the'
-        f" timestep of {design.reference}; a value for protocol.timestep among the settings is kept"
+        'protocol.timestep: "auto" is used, because the viscous law of the tendons does not allow'
+        f" {1e3 * timestep:.3g} ms, the timestep of {design.reference}; a value for protocol.timestep among the settings"
+        " is kept"
     )
 
 
