@@ -168,6 +168,14 @@ SQUARE = (
         (("run", "miura-sheet", "--unit", "1 cm"), '--unit: a design already has units, got "1 cm"'),
         (("run", "square.fold", "--unit=-1 cm"), '--unit: need > 0, got "-1 cm"'),
         (("open", "miura-sheet", "--unit", "1 cm"), '--unit: a design already has units, got "1 cm"'),
+        *(
+            ((command, "miura-sheet", "--unit", "1 cm"), '--unit: a design already has units, got "1 cm"')
+            for command in ("assumptions", "converge", "tolerance")
+        ),
+        (
+            ("tolerance", "--unit", "1 cm", "--goal", "light-wing"),
+            "--unit: needs a FOLD file or a drawing as the design",
+        ),
         (("landscape", "letter-fold", "--over", "facet.thick=1"), "--over: facet.thick: unknown key"),
         (("run", "letter-fold", "--out", "aux"), "Invalid value for --out: need a path that every system can have"),
         (("run", "letter-fold", "--out", "out/NUL.txt/a"), "Invalid value for --out: need a path that every system"),

@@ -38,8 +38,8 @@ def law_timestep(design: Design) -> tuple[Design, str]:
         return design, ""
     return with_values(design, {"protocol.timestep": "auto"}), (
         'protocol.timestep: "auto" is used, because the viscous law of the tendons does not allow'
-        f" {1e3 * timestep:.3g} ms, the timestep of {design.reference}; a value for protocol.timestep among the settings"
-        " is kept"
+        f" {1e3 * timestep:.3g} ms, the timestep of {design.reference}; a value for protocol.timestep among the"
+        " settings is kept"
     )
 
 
