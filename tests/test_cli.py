@@ -14,7 +14,6 @@ import pytest
 import forficula as ff
 from forficula.cli import app, main
 from forficula.commands.cost import CountEstimate, RunEstimate
-from forficula.commands.law_timestep import with_timestep_for_law
 from forficula.design import design_pattern
 from forficula.goals import load_goal
 from forficula.show.style import figure_files
@@ -456,7 +455,7 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
     [
         (
             ["run", "bindr2025"],
-            '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?',
+            '"bindr2025" is neither a named design nor a .toml, .fold, .svg or .dxf file; did you mean "binder2025"?',
         ),
         (["run", "none.toml"], "none.toml: no such file"),
         (["run", "folder.toml"], "folder.toml: cannot be read: Is a directory"),
@@ -494,7 +493,7 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
         (["landscape", "binder2025", "--out", "bad.toml"], "--out: need a folder, got the file bad.toml"),
         (
             ["landscape", "bindr2025"],
-            '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?',
+            '"bindr2025" is neither a named design nor a .toml, .fold, .svg or .dxf file; did you mean "binder2025"?',
         ),
         (["run", "binder2025", "--out", "bad.toml/a/b"], "--out: need a folder, got the file bad.toml"),
         (
@@ -518,7 +517,7 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
         (["scale", "binder2025", "--length", "1e-12"], "--length: need >= 1e-09 and <= 1e+09, got 1e-12"),
         (
             ["scale", "bindr2025", "--length", "2"],
-            '"bindr2025" is neither a named design nor a .toml file; did you mean "binder2025"?',
+            '"bindr2025" is neither a named design nor a .toml, .fold, .svg or .dxf file; did you mean "binder2025"?',
         ),
         (
             ["scale", "binder2025", "--length", "2", "--out", "bad.toml"],
@@ -1097,7 +1096,7 @@ def test_a_new_design_has_the_size_that_is_wanted(call, kind):
 
 
 def test_a_size_that_cannot_be_is_refused(refusal):
-    assert refusal("new", "design", "a.toml", "--size", "0 cm") == "--size: need > 0, got 0 cm"
+    assert refusal("new", "design", "a.toml", "--size", "0 cm") == "--size: need >= 0.1 mm and <= 10 km, got 0 m"
     assert refusal("new", "design", "a.toml", "--size", "8 N").startswith('--size: "N" is not a unit of the right kind')
     assert refusal("new", "design", "a.toml", "--kind", "fold-file", "--size", "8 cm").startswith("--size: a fold-file")
     assert refusal("new", "a.toml", "--study", "--size", "8 cm").startswith("--size: cannot be used with --study")
@@ -1179,22 +1178,7 @@ def test_the_estimate_of_a_run_is_an_upper_limit(capsys, monkeypatch, searches, 
 VISCOUS = 'name = "{0}"\nsource = ""\n[modulus]\nlinear = "4.8 MPa"\n[viscosity]\nlinear = "{1} MPa s"\n'
 
 
-def test_a_law_that_needs_a_shorter_timestep_has_an_automatic_one(in_an_empty_folder, capsys):
-    (in_an_empty_folder / "viscous.toml").write_text(VISCOUS.format("viscous", 12))
-    (in_an_empty_folder / "mild.toml").write_text(VISCOUS.format("mild", 0.01))
-    viscous = {"tendon.law": "viscous.toml", "tendon.area": "5 mm^2"}
-    design = with_timestep_for_law(ff.load_design("binder2025-joint", viscous), viscous)
-    assert design.protocol.timestep == "auto"
-    assert capsys.readouterr().err.startswith('warning: protocol.timestep: "auto" is used, because the law of the')
-    # a timestep that was set, and one that the law allows, are kept
-    for settings in (viscous | {"protocol.timestep": "0.1 ms"}, viscous | {"tendon.law": "mild.toml"}):
-        design = ff.load_design("binder2025-joint", settings)
-        assert with_timestep_for_law(design, settings) is design
-    design = ff.load_design("binder2025-joint", viscous | {"protocol.timestep": "0.2 ms"})
-    assert with_timestep_for_law(design, {}) is design
-    assert capsys.readouterr().err == ""
-
-
+@pytest.mark.filterwarnings("default:protocol.timestep")
 @pytest.mark.usefixtures("no_figures")
 def test_a_run_with_a_viscous_law_keeps_its_energy(in_an_empty_folder, call):
     (in_an_empty_folder / "viscous.toml").write_text(VISCOUS.format("viscous", 3))

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from forficula.cli import app, main
+from forficula.cli import _COMMANDS, app, main
 from forficula.errors import InputError
 from forficula.files import replacing_all
 from forficula.options import read_settings, read_shard, read_size
@@ -148,3 +148,59 @@ def test_rows_of_a_study_are_kept_apart_from_runs(tmp_path):
     check_own_kind(tmp_path, "study")
     with pytest.raises(InputError, match=r"which holds rows of a study \(journal-1-of-2\.jsonl\)"):
         check_own_kind(tmp_path, "run")
+
+
+SQUARE = (
+    '{"file_spec": 1.1, "vertices_coords": [[0, 0], [1, 0], [1, 1], [0, 1]], "edges_assignment": ["B", "B", "B", "B",'
+    ' "V"], "edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]]}'
+)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("new", "design", "a.toml", "--size", "1e30 m"), "--size: need >= 0.1 mm and <= 10 km, got 1e+30 m"),
+        (("new", "design", "a.toml", "--size", "1e-9 m"), "--size: need >= 0.1 mm and <= 10 km, got 0.001 µm"),
+        (("tolerance", "letter-fold", "--minutes", "-1"), "--minutes: need a number > 0, got -1.0"),
+        (("tolerance", "letter-fold", "--runs", "0"), "--runs: need a whole number >= 1, got 0"),
+        (("tolerance", "letter-fold", "--seed", "-1"), "--seed: need a whole number >= 0, got -1"),
+        (("tolerance", "letter-fold", "--tolerance", 'facet.thick="5 %"'), "--tolerance: facet.thick: unknown key"),
+        (("run", "miura-sheet", "--unit", "1 cm"), '--unit: a design already has units, got "1 cm"'),
+        (("run", "square.fold", "--unit=-1 cm"), '--unit: need > 0, got "-1 cm"'),
+        (("open", "miura-sheet", "--unit", "1 cm"), '--unit: a design already has units, got "1 cm"'),
+        *(
+            ((command, "miura-sheet", "--unit", "1 cm"), '--unit: a design already has units, got "1 cm"')
+            for command in ("assumptions", "converge", "tolerance")
+        ),
+        (
+            ("tolerance", "--unit", "1 cm", "--goal", "light-wing"),
+            "--unit: needs a FOLD file or a drawing as the design",
+        ),
+        (("landscape", "letter-fold", "--over", "facet.thick=1"), "--over: facet.thick: unknown key"),
+        (("run", "letter-fold", "--out", "aux"), "Invalid value for --out: need a path that every system can have"),
+        (("run", "letter-fold", "--out", "out/NUL.txt/a"), "Invalid value for --out: need a path that every system"),
+        (("run", "sqare.fold2"), '"sqare.fold2" is neither a named design nor a .toml, .fold, .svg or .dxf file; did'),
+        (("study", "study.toml"), "study.toml: design: study.toml: need a design, got a study, because it has factors"),
+        (
+            ("study", "wing.toml"),
+            "wing.toml: need a study, got a design, because it has based_on; give it to",
+        ),
+    ],
+)
+def test_an_error_names_the_option_and_comes_before_any_note(refusal, tmp_path, arguments, message):
+    (tmp_path / "square.fold").write_text(SQUARE)
+    (tmp_path / "study.toml").write_text('design = "study.toml"\n[factors]\n"facet.thickness" = ["1 mm"]\n')
+    (tmp_path / "wing.toml").write_text('based_on = "binder2025"\n')
+    assert refusal(*arguments).startswith(message)
+
+
+def test_a_list_of_names_in_an_error_is_short(refusal):
+    assert refusal("run", "none") == (
+        '"none" is neither a named design nor a .toml, .fold, .svg or .dxf file; forficula designs lists the named'
+        " designs: binder2025, binder2025-built, binder2025-coupled, binder2025-joint, ..."
+    )
+
+
+def test_examples_of_help_fit_on_a_line_of_a_terminal():
+    for command in _COMMANDS:
+        assert all(len(f"  forficula {example}") < 80 for example in command.examples), command.examples

@@ -74,7 +74,7 @@ _COMMANDS = (
         group=_PREDICT,
         examples=(
             "run binder2025 --open",
-            'run my-wing.toml --set tendon.stiffness="20 N/cm" --set protocol.stages.fold.time_limit="3 s"',
+            'run my-wing.toml --set protocol.stages.fold.time_limit="3 s"',
         ),
         has_json=True,
     ),
@@ -83,7 +83,7 @@ _COMMANDS = (
         group=_PREDICT,
         examples=(
             "landscape binder2025",
-            'landscape binder2025 --no-simulation --over tendon.rest_length="0..9 cm step 1"',
+            'landscape binder2025 --over tendon.rest_length="0..9 cm step 1"',
         ),
         has_json=True,
     ),
@@ -156,7 +156,7 @@ _COMMANDS = (
         group=_DESIGN,
         examples=(
             'size binder2025 --material tpu-95a --stiffness "10 N/cm"',
-            'size binder2025 --material petg --stiffness "10..60 N/cm step 10" --out sizes.csv',
+            'size binder2025 --material petg --stiffness "10..60 N/cm step 10"',
         ),
         has_json=True,
     ),

@@ -34,6 +34,8 @@ OLD_NAMES: dict[str, OldName] = {
     "Part": OldName("forficula.make:Part", "ff.make.Part"),
     "PartSet": OldName("forficula.make:PartSet", "ff.make.PartSet"),
     "Check": OldName("forficula.make:Check", "ff.make.Check"),
+    # The next two lists contain what was public at the top of 0.1. They do not follow the public names of ff.pattern
+    # and ff.material, which change from now on.
     **{
         name: OldName(f"forficula.pattern:{name}", f"ff.pattern.{name}")
         for name in (

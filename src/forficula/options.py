@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
 from cyclopts import Parameter, Token
 
 from forficula.errors import InputError, error_prefix
-from forficula.names import listed, one_of
+from forficula.names import is_device_name, listed, one_of
 from forficula.quantities import as_written
 from forficula.terminal import end_with, note, set_result
 
@@ -50,7 +51,13 @@ def _read_out(_: object, tokens: Sequence[Token]) -> Path:
     # an empty path would be the current folder
     if not tokens[0].value:
         raise InputError("need the name of a file or a folder, got an empty text")
-    return Path(tokens[0].value)
+    path = Path(tokens[0].value)
+    if device := next((part for part in path.parts if is_device_name(part)), None):
+        raise InputError(
+            "need a path that every system can have: Windows refuses device names such as aux and nul; got"
+            f" {as_written(device)}"
+        )
+    return path
 
 
 Out = Annotated[Path, Parameter(converter=_read_out)]
@@ -128,6 +135,24 @@ def read_option(option: str, read: Callable[[], T]) -> T:
     """
     with error_prefix(f"{option}: "):
         return read()
+
+
+@contextmanager
+def options_named(**options: str) -> Iterator[None]:
+    """Name the options of the command line in error messages, instead of the arguments of a Python function.
+
+    Args:
+        **options: option by the name of the argument, such as unit="--unit".
+
+    Raises:
+        InputError: the error of the block.
+    """
+    try:
+        yield
+    except InputError as error:
+        argument = re.compile(rf"(^|: )({'|'.join(options)})(?:: |\.)")
+        message = argument.sub(lambda match: f"{match[1]}{options[match[2]]}: ", str(error), count=1)
+        raise InputError(message) from None
 
 
 def read_quantity(option: str, text: object, unit: Unit) -> float:
@@ -275,15 +300,27 @@ def end_with_page(folder: Path, *, show: bool = False) -> None:
         webbrowser.open(page.resolve().as_uri())
 
 
-def read_unit(unit: str | None) -> float | None:
+def read_unit(unit: str | None, name: str) -> float | None:
     """Return the length of one unit of a drawing, m; None without the option.
 
+    Args:
+        unit: value of the option.
+        name: name or path of the design.
+
     Raises:
-        InputError: the text is not a length.
+        InputError: the text is not a length > 0, or the design is not a FOLD file or a drawing.
     """
     from forficula.design.section import LENGTH
+    from forficula.pattern import PATTERN_FILES
 
-    return None if unit is None else read_quantity("--unit", unit, LENGTH)
+    if unit is None:
+        return None
+    if Path(name).suffix.lower() not in PATTERN_FILES:
+        raise InputError(f"--unit: a design already has units, got {as_written(unit)}")
+    length = read_quantity("--unit", unit, LENGTH)
+    if not length > 0:
+        raise InputError(f"--unit: need > 0, got {as_written(unit)}")
+    return length
 
 
 def read_design(name: str, settings: Sequence[str] | None, unit: str | None) -> Design:
@@ -295,8 +332,9 @@ def read_design(name: str, settings: Sequence[str] | None, unit: str | None) -> 
     from forficula.design import load_design
     from forficula.pattern.files.pattern_file import PATTERN_FILES, read_pattern
 
-    length = read_unit(unit)
-    chosen = load_design(name, read_settings(settings), unit=length)
+    length = read_unit(unit, name)
+    with nullcontext() if length is None else options_named(unit="--unit"):
+        chosen = load_design(name, read_settings(settings), unit=length)
     if Path(name).suffix.lower() in PATTERN_FILES:
         from forficula.pattern.files.fold_frame import CHOSEN_UNIT
 

@@ -16,6 +16,7 @@ from forficula.argument_checks import checked
 from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.names import one_of
+from forficula.optional_module import optional_module
 from forficula.quantities import as_written
 from forficula.serial import schema_of
 
@@ -135,10 +136,7 @@ def pandas_module() -> Any:
     Raises:
         InputError: it is not installed.
     """
-    try:
-        return import_module("pandas")
-    except ImportError:
-        raise InputError("tables of this kind need pandas, which is not installed: pip install pandas") from None
+    return optional_module("pandas", "tables of this kind need pandas", "pandas")
 
 
 def call(name: str) -> Any:

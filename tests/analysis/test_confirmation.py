@@ -10,7 +10,14 @@ import pytest
 
 import forficula as ff
 from forficula.analysis import Ending, Verdict, measure, summary
-from forficula.analysis.confirmation import HALF_STEP, OTHER_START, confirm, same_ending, uncertainties
+from forficula.analysis.confirmation import (
+    HALF_STEP,
+    OTHER_START,
+    confirm,
+    confirmation_text,
+    same_ending,
+    uncertainties,
+)
 from forficula.cli import main
 from forficula.design import with_values
 from forficula.dynamics import NumericalCheck, load_record, save_record
@@ -203,3 +210,12 @@ def test_a_run_of_the_command_line_that_is_undecided_ends_with_status_3(monkeypa
         main(["run", "binder2025-joint", "--out", str(tmp_path / "x"), "--no-engine"])
     assert stopped.value.code == 3
     assert "undecided: folded and opened at 0.1 ms" in capsys.readouterr().out
+
+
+def test_the_search_of_a_timestep_is_not_called_a_confirmation(confirmed):
+    outcome = measure(confirmed)
+    (half, *_) = outcome.confirmation.checks
+    searched = replace(outcome.confirmation, checks=(replace(half, name="80 µs instead of 40 µs"),))
+    text = confirmation_text(outcome.ending, searched)
+    assert text == "the search of the timestep found the same at 80 µs instead of 40 µs"
+    assert confirmation_text(outcome.ending, outcome.confirmation).startswith("confirmed at half the timestep")

@@ -1,5 +1,6 @@
 """Designs made from FOLD files and drawings without a design file."""
 
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -64,3 +65,37 @@ def test_the_largest_dimension_of_a_file_without_a_unit_is_20_cm():
         design = load_design(FILES / "simple.fold")
     assert np.ptp(design.sheet.vertices_coords, axis=0).max() == pytest.approx(0.2)
     assert "[chosen] its largest dimension is 20 cm" in design.source
+
+
+DESIGN = """
+source = "from a test"
+based_on = "letter-fold"
+tendon = []
+[pattern]
+kind = "fold-file"
+path = "diagonal-cp.fold"
+"""
+
+
+@pytest.fixture
+def named_file(tmp_path):
+    """Return the path of a design file that names a FOLD file without a unit."""
+    shutil.copy(FILES / "diagonal-cp.fold", tmp_path)
+    (tmp_path / "mine.toml").write_text(DESIGN)
+    return tmp_path / "mine.toml"
+
+
+def test_a_design_file_may_name_a_file_without_a_unit_as_the_command_line_may(named_file):
+    with pytest.warns(UserWarning, match=r'cp.fold: the file states no unit .* \[chosen\]; .* pattern.unit = "1 cm"'):
+        design = load_design(named_file)
+    with pytest.warns(UserWarning, match="--unit"):
+        alone = load_design(named_file.parent / "diagonal-cp.fold")
+    assert np.array_equal(design.sheet.vertices_coords, alone.sheet.vertices_coords)
+    assert design.source == "from a test; [chosen] its largest dimension is 20 cm, because it states no unit of length"
+
+
+def test_the_unit_of_a_design_file_is_beside_its_path(named_file):
+    named_file.write_text(DESIGN + 'unit = "5 cm"\n')
+    assert np.ptp(load_design(named_file).sheet.vertices_coords) == pytest.approx(0.05)
+    with pytest.raises(InputError, match=r"pattern.unit: needs pattern.path beside it"):
+        load_design(named_file, {"pattern.unit": "1 cm"})

@@ -120,6 +120,14 @@ def test_the_summary_has_units_in_its_keys(landscape):
     assert len(result["wing"]["pleat_angle_deg"]) == len(result["wing"]["energy_J"])
 
 
-def test_the_table_of_a_hinge_without_a_fold_path_lists_its_stable_states(landscape_of):
+def test_a_hinge_without_a_fold_path_has_stable_states_and_the_closed_form_of_its_barrier(landscape_of):
+    """The hinge is the only coordinate, so its top is the saddle between its two states."""
     landscape = landscape_of(ff.load_design("binder2025-joint"))
-    assert landscape.to_dataframe().index.tolist() == ["flat", "folded"]
+    flat, folded = landscape.states
+    assert (flat.name, folded.name) == ("flat", "folded")
+    assert landscape.to_dataframe()["energy_J"].tolist() == [flat.energy, folded.energy]
+    hinge = landscape.tendons[0]
+    assert landscape.barrier("flat", "folded") == pytest.approx(hinge.barrier, rel=1e-6)
+    assert landscape.barrier("flat", "folded") == pytest.approx(landscape.easiest_barrier, rel=1e-6)
+    top = float(hinge.hinge.energy(hinge.hinge.top))
+    assert landscape.barrier("folded", "flat") == pytest.approx(top - folded.energy, rel=1e-9)

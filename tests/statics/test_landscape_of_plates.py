@@ -15,7 +15,7 @@ from scipy.optimize import minimize
 import forficula as ff
 from forficula.design import with_values
 from forficula.errors import InputError
-from forficula.statics import landscape_summary, stable_states
+from forficula.statics import landscape_summary
 from forficula.statics.tree.potential import ensemble, potential
 from forficula.statics.tree.quasi_static import least_slow_torque, start_state
 from forficula.structure import structure_of
@@ -133,14 +133,17 @@ def test_the_least_torque_that_opens_it_is_the_steepest_climb_back(landscape):
 def test_results_that_need_a_single_folding_path_are_left_out_or_rejected(landscape):
     assert (landscape.fold_path, landscape.tips, landscape.hinge) == (None, None, None)
     assert landscape.fold_barrier is None
-    with pytest.raises(InputError, match="letter-fold: has no single folding path"):
-        stable_states(landscape)
-    with pytest.raises(InputError, match="has no single folding path"):
-        landscape.barrier("flat", "closed")
     summary = landscape_summary(landscape)
     assert summary["wing"] is None
     assert [state["name"] for state in summary["rests"]] == ["flat", "closed", "opened"]
     json.dumps(summary, allow_nan=False)
+
+
+def test_states_of_several_hinges_are_their_rests_and_a_barrier_between_them_is_not_claimed(landscape):
+    assert [state.name for state in landscape.states] == ["flat", "closed"]
+    assert landscape.states == (landscape.rests[0], landscape.rests[1])
+    with pytest.raises(InputError, match=r'no saddle .* from "flat" to "closed"; one hinge folds alone .* 53.17 µJ'):
+        landscape.barrier("flat", "closed")
 
 
 LEFT = {"from": "facet 0 at 0.5, 0.5", "to": "facet 1 at 0.4, 0.5", "rest_length": "5 cm"}

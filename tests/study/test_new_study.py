@@ -3,11 +3,15 @@
 import re
 import tomllib
 
+import numpy as np
 import pytest
 
 import forficula as ff
 from forficula.design.files.key_table import key_facts
 from forficula.design.files.kinds import KINDS
+from forficula.design.section import STIFFNESS
+from forficula.errors import InputError
+from forficula.quantities import parse_quantity
 from forficula.study.files.study_file import STUDY, StudyFile, named_studies
 from forficula.study.new_file import write_new_file
 
@@ -77,3 +81,21 @@ def test_an_unknown_table_of_a_study_is_rejected():
     ]
     with pytest.raises(ff.InputError, match=r"serch: unknown key; did you mean search\?"):
         key_facts("serch", StudyFile)
+
+
+def test_numbers_of_a_study_in_python_are_in_si():
+    length = ff.new_study("binder2025", {"tendon.rest_length": [0.05, "6 cm"]})
+    assert [point["tendon.rest_length"] for point in length.points] == ["5 cm", "6 cm"]
+    angles = ff.new_study("binder2025", {"hinge.overbend": np.radians([1, 2])})
+    assert [float(str(point["hinge.overbend"]).split()[0]) for point in angles.points] == pytest.approx([1, 2])
+    counts = ff.new_study("binder2025", {"pattern.units": [1, 2]})
+    assert [point["pattern.units"] for point in counts.points] == [1, 2]
+    drawn = ff.new_study(
+        "binder2025",
+        {"tendon.stiffness": {"distribution": "uniform", "low": 900.0, "high": "11 N/cm"}},
+        sampling={"count": 4},
+    )
+    values = [parse_quantity(point["tendon.stiffness"], STIFFNESS) for point in drawn.points]
+    assert all(900 <= value <= 1100 for value in values)
+    with pytest.raises(InputError, match=r"factors.tendon.length: unknown key"):
+        ff.new_study("binder2025", {"tendon.length": [0.05]})

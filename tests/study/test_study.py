@@ -133,7 +133,7 @@ def test_sampled_studies_have_the_requested_points_and_depend_only_on_the_seed(s
         ("a = " + "[" * 20_000, "not TOML for a study: nested too deeply"),
         (f"[factors]\n{LISTED}", "design: is missing; give the name or path of a design"),
         (f"design = 3\n[factors]\n{LISTED}", 'design: need the name or path of a design, such as "binder2025", got 3'),
-        (f'design = "bindr2025"\n[factors]\n{LISTED}', '"bindr2025" is neither a named design nor'),
+        (f'design = "bindr2025"\n[factors]\n{LISTED}', 'design: "bindr2025" is neither a named design nor'),
         (f'design = "none.toml"\n[factors]\n{LISTED}', ""),
         ('design = "binder2025"', "factors: need a table with at least one"),
         ('design = "binder2025"\nfactors = 3', "factors: need a table, got 3"),

@@ -165,10 +165,14 @@ def _values_of(state: str, values: Values) -> dict[str, Array]:
 
 
 def confirmation_text(ending: Ending, confirmation: Confirmation) -> str:
-    """Return the result of the second runs as a clause: that they confirm the verdict, or their own outcomes."""
+    """Return the result of the second runs as a clause: that they confirm the verdict, or their own outcomes.
+
+    The runs at longer timesteps in the search for an automatic timestep are not called a confirmation.
+    """
     names = [f"{'from' if check.name == OTHER_START else 'at'} {check.name}" for check in confirmation.checks]
     if confirmation.agree:
-        return f"confirmed {listed(names)}"
+        confirms = any(check.name in (HALF_STEP, OTHER_START) for check in confirmation.checks)
+        return f"{'confirmed' if confirms else 'the search of the timestep found the same'} {listed(names)}"
     others = [
         f"{check.status} {name}"
         for name, check in zip(names, confirmation.checks, strict=True)

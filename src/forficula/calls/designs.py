@@ -65,9 +65,11 @@ def check_design(design: AnyDesign) -> tuple[str, ...]:
     """
     from forficula.dynamics import timestep_warnings
     from forficula.structure import structure_of, structure_warnings
+    from forficula.study.running.law_timestep import law_timestep
 
     read = as_design(design)
-    return (*structure_warnings(read, structure_of(read)), *timestep_warnings(read))
+    run, of_law = law_timestep(read)
+    return (*structure_warnings(read, structure_of(read)), *[of_law] * bool(of_law), *timestep_warnings(run))
 
 
 def _designs() -> dict[str, str]:

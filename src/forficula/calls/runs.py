@@ -28,7 +28,8 @@ def run(design: AnyDesign, progress: ProgressOption = None, *, confirm: bool = T
 
     Returns:
         Run with its record, outcome, figures and page. If the timestep is "auto", the design of the run has the
-        timestep that was found.
+        timestep that was found. A timestep that the law of the tendons does not allow becomes "auto", with a warning,
+        unless it was set.
 
     Raises:
         InputError: no such design, or it cannot be built.
@@ -38,9 +39,10 @@ def run(design: AnyDesign, progress: ProgressOption = None, *, confirm: bool = T
     'closed and opened'
     """
     from forficula.analysis.run import Run
+    from forficula.study.running.law_timestep import with_timestep_for_law
     from forficula.study.running.runs import run as run_one
 
-    read = as_design(design)
+    read = with_timestep_for_law(as_design(design))
     with reporting(progress, simulated) as tell:
         return Run(run_one(read, tell, confirm=confirm))
 

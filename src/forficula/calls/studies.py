@@ -132,7 +132,8 @@ def new_study(
 
     Args:
         design: design to vary, its name or its path.
-        factors: by key of the design: a list of values, a range, or a distribution, as in a study file.
+        factors: by key of the design: a list of values, a range, or a distribution, as in a study file; numbers of keys
+            with a unit are in SI.
         name: name of the study in outputs.
         rng: seed of factors that are distributions, or a generator that draws the seed; None for a new seed each time.
         **tables: further tables and keys of a study file, such as `ask="least-torques"` or
@@ -145,20 +146,19 @@ def new_study(
     >>> study.run()["status"].values.tolist()
     ['closed and opened', 'closed and opened']
     """
+    from forficula.study.factors import written_in_units
     from forficula.study.files.study_file import study_of
 
     if not (isinstance(rng, int) and rng == 0):
         sampling = tables.get("sampling", {})
         if isinstance(sampling, Mapping):
             tables["sampling"] = {**sampling, "seed": seed_of(rng, None)}
-    return study_of(
-        {
-            **tables,
-            "name": name,
-            "design": as_design(design),
-            "factors": dict(factors) if isinstance(factors, Mapping) else factors,
-        }
-    )
+    base = as_design(design)
+    for table, values in (*tables.items(), ("factors", factors)):
+        if table in ("factors", "grid") and isinstance(values, Mapping):
+            with error_prefix(f"{table}."):
+                tables[table] = {key: written_in_units(key, value, type(base)) for key, value in values.items()}
+    return study_of({"factors": factors, **tables, "name": name, "design": base})
 
 
 def run_study(
@@ -244,7 +244,7 @@ def sweep(
 
     Args:
         design: design to vary, its name or its path.
-        factors: by key of the design: a list of values, a range, or a distribution, as in a study file.
+        factors: by key of the design: a list of values, a range, or a distribution, as in `new_study`.
         out: folder of the journal, in which an interrupted sweep continues; a temporary one if not given.
         threads: number of threads; 0 for one per core.
         rng: as in `new_study`.

@@ -5,9 +5,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from time import monotonic
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from forficula.terminal import is_quiet
+
+if TYPE_CHECKING:
+    from forficula.structure import Structure
 
 LONG = 10.0  # s; a shorter command is not announced
 _MEASURED = 1.0  # s of work from which the rest is estimated
@@ -46,11 +49,12 @@ class RunEstimate(_Estimate):
     Args:
         progress: receives every call.
         searches: whether the timestep is searched by halving.
+        several: whether the run is the first of several runs side by side, which are followed by others.
     """
 
-    def __init__(self, progress: Callable[[str, float, float], None], *, searches: bool) -> None:
+    def __init__(self, progress: Callable[[str, float, float], None], *, searches: bool, several: bool = False) -> None:
         super().__init__()
-        self._progress, self._searches = progress, searches
+        self._progress, self._searches, self._several = progress, searches, several
 
     def __call__(self, stage: str, time: float, longest: float) -> None:
         """Report a stage, the simulated time and its upper limit, s."""
@@ -58,8 +62,22 @@ class RunEstimate(_Estimate):
         if not self._done and elapsed >= _MEASURED and time > 0:
             left = elapsed * (longest - time) / time
             more = ", and twice as long at each finer timestep" if self._searches else ""
-            self.write(left, f"estimate: at most {_rounded(left)}, less if stages reach their goals early{more}")
+            # runs side by side may have different timesteps, and the progress is that of one of them
+            limit, runs = ("about", " for the first runs") if self._several else ("at most", "")
+            further = "; some runs are repeated at a shorter timestep" if self._several else ""
+            text = f"{limit} {_rounded(left)}{runs}, less if stages reach their goals early{more}{further}"
+            self.write(left, f"estimate: {text}")
         self._progress(stage, time, longest)
+
+
+def write_survey_estimate(structure: Structure) -> None:
+    """Write how long the landscape of a net will take, where that may exceed ten seconds."""
+    from forficula.statics.net.survey_cost import survey_time
+
+    times = survey_time(structure)
+    if times is not None:
+        least, most = times
+        _Estimate().write(most, f"estimate: {_rounded(least)} to {_rounded(most)} for the static analysis")
 
 
 class CountEstimate(_Estimate):

@@ -19,6 +19,7 @@ from forficula.options import (
     OutIfGiven,
     Settings,
     check_apart,
+    options_named,
     read_design,
     read_option,
     read_ratio,
@@ -26,7 +27,6 @@ from forficula.options import (
     read_unit,
     setting_texts,
 )
-from forficula.quantities import as_written
 from forficula.terminal import note, set_result, warn
 
 if TYPE_CHECKING:
@@ -124,7 +124,7 @@ def open_design(
 
     from forficula.workbench import open_workbench
 
-    open_workbench(design, setting_texts(settings), read_unit(unit), port, browser=not no_browser)
+    open_workbench(design, setting_texts(settings), read_unit(unit, design), port, browser=not no_browser)
 
 
 def scale(
@@ -215,12 +215,12 @@ def pattern(
     settings: Settings = None,
 ) -> None:
     """Analyse a crease pattern: flat-foldability, faults and degrees of freedom; or write it to a file."""
-    from forficula.pattern.files.fold_frame import CHOSEN_UNIT
+    from forficula.pattern.files.fold_frame import CHOSEN_UNIT, UNIT_OPTION
 
     sheet, remarks, frames, attachments = _sheet(design, unit, settings)
     if CHOSEN_UNIT in remarks:
         remarks.remove(CHOSEN_UNIT)
-        warn(f"{design}: {CHOSEN_UNIT}")
+        warn(f"{design}: {CHOSEN_UNIT}; {UNIT_OPTION}")
     if out is None:
         from forficula.pattern import pattern_facts
         from forficula.show.structure.pattern_table import print_pattern
@@ -271,16 +271,14 @@ def _sheet(
 
     kind = PATTERN_FILES.get(Path(name).suffix.lower())
     if kind is None:
-        if unit is not None:
-            raise InputError(f"--unit: a design already has units, got {as_written(unit)}")
+        read_unit(unit, name)
         chosen = load_design(name, read_settings(settings))
         return design_pattern(chosen), [], lambda: design_frames(chosen), lambda: _attachments(chosen)
     if settings:
         raise InputError(f"--set: a {kind} file has no values to replace, got {settings[0]}")
-    metres = read_unit(unit)
-    if metres is not None and not metres > 0:
-        raise InputError(f"--unit: need > 0, got {as_written(unit)}")
-    sheet, remarks = read_pattern(name, metres, choose_unit=True)
+    metres = read_unit(unit, name)
+    with options_named(unit="--unit"):
+        sheet, remarks = read_pattern(name, metres, choose_unit=True)
     return (
         sheet,
         remarks,

@@ -14,6 +14,7 @@ from forficula.names import counted, listed
 from forficula.options import (
     WHOLE_NUMBER,
     Dask,
+    DrawingUnit,
     OpenReport,
     OutIfGiven,
     Settings,
@@ -21,6 +22,8 @@ from forficula.options import (
     check_folder,
     finish_folder,
     note_replaced,
+    options_named,
+    read_design,
     read_option,
     read_settings,
     read_shard,
@@ -145,6 +148,7 @@ def tolerance(
     /,
     *,
     settings: Settings = None,
+    unit: DrawingUnit = None,
     tolerances: Annotated[
         list[str] | None,
         Parameter(
@@ -161,7 +165,7 @@ def tolerance(
     runs: Annotated[
         int | None,
         WHOLE_NUMBER,
-        Parameter(help="Maximum number of runs, which replaces the time limit."),
+        Parameter(help="Maximum number of runs, which replaces the time limit; the smallest sample needs 17."),
     ] = None,
     seed: Annotated[int, WHOLE_NUMBER, Parameter(help="Seed of the random sample within the tolerances.")] = 0,
     keep: Annotated[
@@ -174,14 +178,20 @@ def tolerance(
 ) -> int:
     """Estimate the probability that a design works within its manufacturing tolerances, and which matter most."""
     from forficula.goals.tolerance import estimate_tolerance
+    from forficula.goals.tolerance.assess_tolerance import check_numbers
+    from forficula.goals.tolerance.plan import PLANS
     from forficula.study.running.kept_runs import check_most
 
     check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})
     widths = read_settings(tolerances, "--tolerance", 'tendon.stiffness="5 %"')
-    question = _question(design, read_settings(settings), widths or None, goal)
+    with options_named(minutes="--minutes", seed="--seed", runs="--runs"):
+        check_numbers(minutes, seed, runs)
+    question = _question(design, settings, unit, widths or None, goal)
     folder = _folder(out, f"{question.design.name}-tolerance", "tolerance")
     read_option("--keep", lambda: check_most(keep))
     share = read_shard(shard)
+    if runs is not None and (fewest := PLANS[-1].most_runs(len(question.deviations))) > runs:
+        note(f"--runs: the smallest sample needs {fewest} runs, which are more than {runs}")
     if dry_run:
         _print_plan(question, *estimate_tolerance(question, folder, minutes, seed, runs))
         return 0
@@ -221,16 +231,23 @@ def _assessed(
 
 
 def _question(
-    design: str | None, settings: dict[str, object], tolerances: dict[str, object] | None, goal: str | None
+    design: str | None,
+    settings: list[str] | None,
+    unit: str | None,
+    tolerances: dict[str, object] | None,
+    goal: str | None,
 ) -> Question:
     """Return the question of a design, or of the design of a goal, and report values that the goal changes."""
-    from forficula.design import differing_keys, load_design
+    from forficula.design import differing_keys
     from forficula.goals.tolerance.question_file import question_of
 
     if design is None and goal is None:
         raise InputError("tolerance: need a design, or --goal with a file that has one")
-    chosen = None if design is None else load_design(design, settings)
-    question = question_of(chosen, tolerances, goal=goal, settings=settings)
+    if design is None and unit is not None:
+        raise InputError("--unit: needs a FOLD file or a drawing as the design")
+    chosen = None if design is None else read_design(design, settings, unit)
+    with nullcontext() if tolerances is None else options_named(tolerances="--tolerance"):
+        question = question_of(chosen, tolerances, goal=goal, settings=read_settings(settings))
     if chosen is not None and (keys := differing_keys(chosen, question.design)):
         note(f"{chosen.name}: {listed(keys)} set to the value{'s' * (len(keys) != 1)} of {goal}")
     _note_assumed(question)

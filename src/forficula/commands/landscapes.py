@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from forficula.commands.cost import CountEstimate, RunEstimate
-from forficula.commands.law_timestep import with_timestep_for_law
-from forficula.errors import InputError
+from forficula.commands.cost import CountEstimate, RunEstimate, write_survey_estimate
+from forficula.errors import InputError, error_prefix
 from forficula.options import (
     DesignName,
     DrawingUnit,
@@ -73,7 +72,9 @@ def landscape(
             raise InputError(f"--over: {min(repeated)} is also under --set; need it in one of them")
         chosen = read_design(design, settings, unit)
         if simulation:
-            chosen = with_timestep_for_law(chosen, read_settings(settings))
+            from forficula.study.running.law_timestep import with_timestep_for_law
+
+            chosen = with_timestep_for_law(chosen)
         folder = out or Path("out") / f"{chosen.name}-landscape"
         check_verdicts(ok_if)
         check_folder(folder, "landscape")
@@ -102,7 +103,8 @@ def _map(design: Design, varied: dict[str, object], simulated: Path | None) -> C
     from forficula.structure import structure_of
     from forficula.study.tables.static_map import map_study, static_map
 
-    study = map_study(design, varied)
+    with error_prefix("--over: "):
+        study = map_study(design, varied)
     compared = None if simulated is None else read_simulated(simulated, design)
 
     def write(folder: Path) -> None:
@@ -138,6 +140,7 @@ def _survey(design: Design, *, simulation: bool) -> tuple[EnergyLandscape, Recor
             warnings = timestep_warnings(design)
         for warning in warnings:
             warn(warning)
+    write_survey_estimate(structure)
     first = f"building the {whole}" if simulation else "surveying its energy"
     with survey_progress(first, "surveying") as (progress, steps):
         estimate = RunEstimate(progress, searches=design.protocol.timestep == "auto")

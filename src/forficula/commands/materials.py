@@ -66,11 +66,13 @@ def material(
         read.tests, name=out.resolve().name, source=read.source, drop_first=not keep_first, band=share, forms=forms
     )
 
-    from forficula.show.folder.material_folder import write_material
+    from forficula.show.folder.material_folder import LAW_FILE, write_material
     from forficula.show.material.material_table import print_material
 
     print_material(result)
     write_material(result, out)
+    if result.law is not None:
+        print(f'use the law in a design with --set tendon.law="{out / LAW_FILE}" and --set tendon.area="5 mm^2"')
     finish_folder(out, "material", show=open_report)
 
 

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from forficula.commands.cost import CountEstimate, RunEstimate, runs_estimated
-from forficula.commands.law_timestep import with_timestep_for_law
 from forficula.errors import InputError, error_prefix
 from forficula.options import (
     WHOLE_NUMBER,
@@ -29,7 +28,6 @@ from forficula.options import (
     read_design,
     read_option,
     read_quantity,
-    read_settings,
     read_size,
 )
 from forficula.terminal import result_first, warn
@@ -77,7 +75,9 @@ def run(
 ) -> int:
     """Simulate a design through its protocol: verdict, energies, work, times and figures."""
     with result_first() as release:
-        chosen = with_timestep_for_law(read_design(design, settings, unit), read_settings(settings))
+        from forficula.study.running.law_timestep import with_timestep_for_law
+
+        chosen = with_timestep_for_law(read_design(design, settings, unit))
         folder = out or Path("out") / chosen.name
         check_verdicts(ok_if)
         copies = _copies(figures)

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from forficula.commands.cost import runs_estimated
+from forficula.commands.cost import RunEstimate, runs_estimated
 from forficula.errors import InputError
 from forficula.names import counted, listed
 from forficula.options import (
     WHOLE_NUMBER,
     Dask,
     DesignName,
+    DrawingUnit,
     NoEngine,
     OkIf,
     OpenReport,
@@ -28,8 +29,8 @@ from forficula.options import (
     exit_status,
     finish_folder,
     note_replaced,
+    read_design,
     read_option,
-    read_settings,
     read_shard,
 )
 from forficula.terminal import note, set_result
@@ -203,14 +204,13 @@ def converge(
     moduli: Annotated[str | None, Parameter(help='Young\'s moduli of the membrane, such as "0.5 1 2 4 MPa".')] = None,
     meshes: Annotated[str | None, Parameter(help='Refinements of the rows of the membrane, such as "1 2 3".')] = None,
     settings: Settings = None,
+    unit: DrawingUnit = None,
     out: Annotated[OutIfGiven, Parameter(help="Output folder; default: out/<name of the design>-converge.")] = None,
     tolerate: Tolerate = False,
     ok_if: OkIf = None,
 ) -> int:
     """Run a design at several timesteps, membrane moduli or meshes, and report how its times converge."""
-    from forficula.design import load_design
-
-    chosen = load_design(design, read_settings(settings))
+    chosen = read_design(design, settings, unit)
     folder = out or Path("out") / f"{chosen.name}-converge"
     check_verdicts(ok_if)
     check_folder(folder, "convergence study")
@@ -248,6 +248,7 @@ def assumptions(
         Parameter(help='Change only this assumption, such as "slow rise"; may be repeated.', negative=()),
     ] = None,
     settings: Settings = None,
+    unit: DrawingUnit = None,
     out: Annotated[OutIfGiven, Parameter(help="Output folder; default: out/<name of the design>-assumptions.")] = None,
     tolerate: Tolerate = False,
     ok_if: OkIf = None,
@@ -257,11 +258,10 @@ def assumptions(
     The assumptions are: rise of drives, armature, damping, height of tendons, masses, air, gravity, contact, stops,
     timestep and start.
     """
-    from forficula.design import load_design
     from forficula.study.assumptions.assumptions_file import FOLDER_ENDING
     from forficula.study.assumptions.modelling_assumptions import selected
 
-    chosen = load_design(design, read_settings(settings))
+    chosen = read_design(design, settings, unit)
     folder = out or Path("out") / f"{chosen.name}{FOLDER_ENDING}"
     check_verdicts(ok_if)
     check_folder(folder, "table of assumptions")
@@ -274,7 +274,8 @@ def assumptions(
 
     note_replaced(folder, "table of assumptions")
     with run_progress("building the changed designs") as progress:
-        result = run_assumptions(chosen, assumptions=to_change, progress=progress)
+        estimate = RunEstimate(progress, searches=chosen.protocol.timestep == "auto", several=True)
+        result = run_assumptions(chosen, assumptions=to_change, progress=estimate)
     print_assumptions(result)
     write_assumptions(result, folder)
     finish_folder(folder, "table of assumptions")

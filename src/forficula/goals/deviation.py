@@ -152,7 +152,11 @@ def _deviation(key: str, table: ToleranceEntry, design: Design) -> Deviation:
     quantity = key_quantity(key, type(design), table.size)
     value = key_value(design, key)
     if value is None:
-        raise InputError(f"{key}: is not given in {design.name}, so it cannot have a tolerance")
+        example = "..." if quantity is None else f'"{quantity.unit.example}"'
+        raise InputError(
+            f"{key}: has no value in {design.name}, so it cannot have a tolerance; set one first, as in --set"
+            f" {key}={example}"
+        )
     if isinstance(value, bool) or not isinstance(value, float):
         raise InputError(f"{key}: need a key whose value is a number with fractions, {design.name} has {value!r}")
     if table.size is None:

@@ -7,8 +7,8 @@ coordinates, and `forficula.statics.net.net_landscape` for nets, in the coordina
 from __future__ import annotations
 
 import difflib
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
@@ -32,6 +32,8 @@ from forficula.structure import Drive, Structure
 
 if TYPE_CHECKING:
     from forficula.results import DataFrame
+
+AT_START = "at the start"  # name of a first state that the protocol does not name
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -131,9 +133,9 @@ class EnergyLandscape(Result):
         design: the design.
         structure: structure of the design.
         rests: where it rests when released from the start of the protocol, and after each transition.
-        states: stable states, along the single folding path from its start to its end, or of a net by rising energy;
-            empty for a tree without a single folding path.
-        passes: between neighbouring states.
+        states: stable states: along the single folding path from its start to its end, or of a net by rising energy;
+            for a tree without a single folding path, the different stable ones of the rests.
+        passes: between neighbouring states; of a tree without a single folding path only if it has one hinge.
         courses: effects of slowly growing drives: of the protocol's transitions, and for nets of all other drives.
         remarks: sentences on missing results and on limits of the others.
         hinges: every hinge that one tendon lies across, by tendon, with the hinge's spring.
@@ -150,7 +152,7 @@ class EnergyLandscape(Result):
     design: Design
     structure: Structure
     rests: tuple[Rest, ...]
-    states: tuple[StableState | NetState, ...]
+    states: tuple[StableState | NetState | Rest, ...]
     passes: tuple[Pass, ...]
     courses: tuple[LeastTorque | Course, ...]
     remarks: tuple[str, ...]
@@ -180,16 +182,10 @@ class EnergyLandscape(Result):
         return barrier(self, start, end)
 
     def to_dataframe(self) -> DataFrame:
-        """Return the stable states as a pandas table: name and energy, J.
-
-        For a tree without a single folding path, these are the different stable states among the `rests`.
-        """
+        """Return the stable states as a pandas table: name and energy, J."""
         pandas = pandas_module()
 
-        stable: tuple[StableState | NetState | Rest, ...] = self.states
-        if not stable:
-            stable = tuple(rest for rest in self.rests if rest.stable and not rest.same_as)
-        rows = [(state.name, state.energy) for state in stable]
+        rows = [(state.name, state.energy) for state in self.states]
         return pandas.DataFrame(rows, columns=["state", "energy_J"]).set_index("state")
 
     @property
@@ -227,15 +223,15 @@ class EnergyLandscape(Result):
         return _fold_barrier(self, back=True)
 
 
-def stable_states(landscape: EnergyLandscape) -> tuple[StableState | NetState, ...]:
-    """Return the stable states of a structure: along its fold, from camber to folded, or of a net by rising energy.
-
-    Raises:
-        InputError: the structure is a tree without a single folding path.
-    """
-    if landscape.net is None:
-        rigid_fold(landscape.structure)
+def stable_states(landscape: EnergyLandscape) -> tuple[StableState | NetState | Rest, ...]:
+    """Return the stable states of a structure; see `EnergyLandscape.states`."""
     return landscape.states
+
+
+def stable_rests(rests: Sequence[Rest]) -> tuple[Rest, ...]:
+    """Return the different stable ones of the resting shapes of a tree; the first may lack a name and gets one."""
+    stable = (rest for rest in rests if rest.stable and not rest.same_as)
+    return tuple(rest if rest.name else replace(rest, name=AT_START) for rest in stable)
 
 
 def fold_states(landscape: EnergyLandscape) -> tuple[StableState, ...]:
@@ -271,12 +267,14 @@ def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
     Raises:
         InputError: there is no stable state of that name, or no known saddles connect both states.
     """
-    states = stable_states(landscape)
+    states = landscape.states
     numbers = {state.name: number for number, state in enumerate(states)}
     first, last = (_numbered(landscape, numbers, name) for name in (start, end))
     top = _lowest_top(landscape, first, last)
     if top is None:
-        raise InputError(f'{landscape.design.name}: no saddle was found that leads from "{start}" to "{end}"')
+        alone = landscape.easiest_barrier
+        known = "" if alone is None else f"; one hinge folds alone from the first state over {show_value(alone, 'J')}"
+        raise InputError(f'{landscape.design.name}: no saddle was found that leads from "{start}" to "{end}"{known}')
     return top - states[first].energy
 
 

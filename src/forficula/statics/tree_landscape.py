@@ -8,11 +8,12 @@ from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
+import scipy
 
 from forficula.arrays import Array
 from forficula.design import TORQUE, Design
 from forficula.quantities import show_quantity, show_value
-from forficula.statics.landscape import EnergyLandscape, LeastTorque, Pass, Rest
+from forficula.statics.landscape import EnergyLandscape, LeastTorque, Pass, Rest, stable_rests
 from forficula.statics.tree.equilibrium import Equilibria
 from forficula.statics.tree.fold_path import FoldPath, fold_path, fold_states
 from forficula.statics.tree.hinge_landscape import CrossedHinge, crossed_hinges
@@ -24,7 +25,7 @@ from forficula.statics.tree.partial_folds import (
     single_hinge_barriers,
     soft_stiffness,
 )
-from forficula.statics.tree.potential import Ensemble, ensemble, slight_energy, stored_energy
+from forficula.statics.tree.potential import Ensemble, ensemble, potential, slight_energy, stored_energy
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
     at_goal,
@@ -41,6 +42,7 @@ from forficula.structure import Structure, Transition, drive_of, first_state, go
 _KICKS = (0.0, *[math.radians(0.3)] * 3)
 _STRAIGHT = math.radians(1)  # tolerance of straight
 _ALIKE = 0.03  # relative difference below which torques count as equal
+_FINE = 721  # number of angles in the search for the highest energy between two states of one hinge
 _SAME = math.radians(0.05)  # resting angles within this difference are equal in tables
 
 
@@ -51,12 +53,13 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     path = None if structure.rigid_fold is None else fold_path(structures, points)
     start = start_state(structures)
     rests, courses, torque_remarks = _protocol(structures, start, hinges)
+    stable = stable_rests(rests)
     return EnergyLandscape(
         design=design,
         structure=structure,
         rests=rests,
-        states=() if path is None else fold_states(structure, path),
-        passes=() if path is None else _passes(path),
+        states=stable if path is None else fold_states(structure, path),
+        passes=_hinge_passes(structures, stable) if path is None else _passes(path),
         courses=courses,
         remarks=(
             *structure.remarks,
@@ -127,6 +130,33 @@ def _passes(path: FoldPath) -> tuple[Pass, ...]:
         top = max(state.energy for state in path.states[low : high + 1])
         barriers = (top - path.states[low].energy, top - path.states[high].energy)
         passes.append(Pass(ends=(number, number + 1), barriers=barriers, energy=top))
+    return tuple(passes)
+
+
+def _hinge_passes(structures: Ensemble, states: Sequence[Rest]) -> tuple[Pass, ...]:
+    """Return the passes between stable states of a single hinge, over the highest energy between their angles.
+
+    There are none with several hinges, because paths between their states are not computed.
+    """
+    if structures.size != 1:
+        return ()
+
+    def energy(angles: Array) -> Array:
+        return potential(structures.repeated(len(angles)), angles[:, None])[0]
+
+    passes = []
+    order = sorted(range(len(states)), key=lambda number: float(states[number].angles[0]))
+    for ends in map(sorted, pairwise(order)):
+        first, last = (states[end] for end in ends)
+        angles = np.linspace(first.angles[0], last.angles[0], _FINE)
+        highest = int(energy(angles).argmax())
+        around = sorted((angles[max(highest - 1, 0)], angles[min(highest + 1, _FINE - 1)]))
+        refined = scipy.optimize.minimize_scalar(
+            lambda angle: -energy(np.array([angle]))[0], bounds=around, method="bounded", options={"xatol": 1e-10}
+        )
+        top = max(-float(refined.fun), first.energy, last.energy)
+        barriers = (top - first.energy, top - last.energy)
+        passes.append(Pass(ends=(ends[0], ends[1]), barriers=barriers, energy=top))
     return tuple(passes)
 
 

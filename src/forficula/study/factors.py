@@ -143,6 +143,32 @@ def read_factor(key: str, value: object, model: type[Design]) -> Factor:
     raise InputError(f"{key}: need {rule}, got {value!r}")
 
 
+def written_in_units(key: str, value: object, model: type[Design]) -> object:
+    """Return the value of a factor in the form of a study file: numbers in SI become text with the unit of the key.
+
+    Args:
+        key: dotted key of the design.
+        value: a list of values, a table of a distribution, or any other value, which is returned unchanged.
+        model: class of the design.
+
+    Raises:
+        InputError: an unknown key.
+    """
+    value = plain_value(value)
+    if not isinstance(value, list | tuple | Mapping) or (quantity := key_quantity(key, model, value)) is None:
+        return value
+
+    def written(number: object) -> object:
+        number = plain_value(number)
+        if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
+            return number
+        return format_quantity(float(number), quantity.unit)
+
+    if isinstance(value, Mapping):
+        return {name: written(number) for name, number in value.items()}
+    return [written(number) for number in value]
+
+
 def range_values(key: str, text: str, *, numbers: bool = False) -> tuple[object, ...]:
     """Return the values of a range such as "10..60 N/cm step 10", ends included, as in a design file.
 

@@ -20,6 +20,7 @@ from forficula.show.page.parts.design_rows import design_title, section_heading,
 from forficula.show.structure.sheet_figure import draw_sheet
 from forficula.show.style import description, save_figure
 from forficula.structure import structure_warnings
+from forficula.study.running.law_timestep import law_timestep
 from forficula.workbench.requests import DesignRequest, Opened, design_source, requested_design
 
 # text that a shell does not change between double quotes
@@ -66,7 +67,7 @@ def model_response(request: DesignRequest, opened: Opened) -> dict[str, Any]:
     """
     with warnings.catch_warnings(record=True) as reading:
         warnings.simplefilter("always", UserWarning)
-        requested = requested_design(request, opened)
+        requested, of_law = law_timestep(requested_design(request, opened))
     design = with_timestep(requested)
     clip = start_clip(design)
     measures = [reading.measure for reading in clip.readings]
@@ -76,6 +77,7 @@ def model_response(request: DesignRequest, opened: Opened) -> dict[str, Any]:
         "warnings": [
             *(str(warning.message).rpartition("/")[2] for warning in reading),
             *structure_warnings(design, clip.structure),
+            *[of_law] * bool(of_law),
             *timestep_warnings(requested),
         ],
     }

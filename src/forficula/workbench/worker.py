@@ -22,6 +22,7 @@ from forficula.reproduction import shown_tendon
 from forficula.show.folder.landscape_folder import write_landscape
 from forficula.show.folder.run_folder import write_run
 from forficula.statics import energy_landscape
+from forficula.study.running.law_timestep import with_timestep_for_law
 from forficula.study.running.runs import run
 from forficula.workbench.requests import DesignRequest, Opened, reading_for_page, requested_design
 
@@ -193,7 +194,7 @@ def _write_run(request: DesignRequest, opened: Opened, folder: Path, report: Rep
     Raises:
         InputError: the design cannot be read or built.
     """
-    design = requested_design(request, opened)
+    design = with_timestep_for_law(requested_design(request, opened))
     report("building the structure")
     record = run(
         design,

@@ -433,5 +433,5 @@ def test_a_zs2_that_unpacks_to_a_gigabyte_is_refused_without_loading_it(tmp_path
 
 def test_a_zs2_without_its_library_says_what_to_install(tmp_path, monkeypatch):
     path = file(tmp_path, zs2([TEST]), name="a.zs2")
-    monkeypatch.setitem(sys.modules, "zs2decode", None)
-    assert refusal(path) == 'a .zs2 is read by zs2decode; pip install "forficula[zs2]"'
+    monkeypatch.setitem(sys.modules, "zs2decode.parser", None)
+    assert refusal(path) == 'a .zs2 file needs zs2decode: pip install "forficula[zs2]"'

@@ -2,8 +2,10 @@
 
 import csv
 import json
+import os
 import shutil
 import subprocess
+import sys
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -17,6 +19,7 @@ from scipy.spatial.transform import Rotation
 
 import forficula as ff
 from forficula.analysis.strength import membrane_peaks
+from forficula.dynamics import save_record
 from forficula.show.export.gltf import linear_colour, morph_targets
 from forficula.show.export.scene import ball, cylinder, frame_times, rod_directions, sampled, turned
 from forficula.show.export.vtk import green_strains, membrane_stresses
@@ -486,7 +489,7 @@ def test_a_structure_without_a_sheet_has_no_fold_file(tmp_path):
 @pytest.mark.parametrize(("module", "ending"), [("trimesh", "obj"), ("trimesh", "stl"), ("meshio", "pvd")])
 def test_a_missing_library_is_named_with_how_to_install_it(letter_run, tmp_path, monkeypatch, module, ending):
     monkeypatch.setitem(__import__("sys").modules, module, None)
-    with pytest.raises(ff.InputError, match=rf'needs? {module}; install it with pip install "forficula\[export\]"$'):
+    with pytest.raises(ff.InputError, match=rf'needs? {module}: pip install "forficula\[export\]"$'):
         ff.export(letter_run, tmp_path / f"a.{ending}")
     assert not list(tmp_path.iterdir())
 
@@ -540,3 +543,65 @@ def test_the_command_writes_into_the_folder_of_the_run(letter_run, tmp_path, cap
             main(["export", str(tmp_path / "run"), *options])
         assert ended.value.code == 1
         assert capsys.readouterr().err.startswith(message)
+
+
+# exports over an older export, and is killed at every third change on the disk
+DIES = """
+import itertools, json, os, shutil, signal, sys
+from pathlib import Path
+import forficula as ff
+from forficula.files import clear_leftovers
+from forficula.show.export import export_times, write_export
+CHANGES = {"os.rename", "os.remove", "os.mkdir", "os.rmdir", "open"}
+def content(folder):
+    return {str(file.relative_to(folder)): file.read_bytes().hex() for file in folder.rglob("*") if file.is_file()}
+def main(saved, root, ending, to):
+    record = ff.load_run(saved).record
+    path, times = root / f"motion.{ending}", export_times(record, to, None)
+    old, new = (times[-1:], times[-1:] / 2) if len(times) == 1 else (times[:3], times[:2])
+    def write(rows):
+        write_export(record, path, to, rows)
+    write(new)
+    after = content(root)
+    shutil.rmtree(root)
+    for number in itertools.count(1, 3):
+        root.mkdir(parents=True)
+        write(old)
+        before = content(root)
+        child = os.fork()
+        if not child:
+            left = [number]
+            def count(event, arguments):
+                if event in CHANGES and str(root) in str(arguments[0]):
+                    left[0] -= 1
+                    if not left[0]:
+                        os.kill(os.getpid(), signal.SIGKILL)
+            sys.addaudithook(count)
+            write(new)
+            os._exit(0)
+        _, status = os.waitpid(child, 0)
+        clear_leftovers(root)
+        left = content(root)
+        print(json.dumps("old" if left == before else "new" if left == after else sorted(left)), flush=True)
+        shutil.rmtree(root)
+        if status == 0:
+            return
+for ending, to in (("glb", "gltf"), ("pvd", "vtk")):
+    main(Path(sys.argv[1]), Path(sys.argv[2]) / to, ending, to)
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+def test_an_export_that_was_killed_leaves_the_old_files_or_the_new_ones(letter_run, tmp_path):
+    save_record(letter_run, tmp_path / "record.nc")
+    done = subprocess.run(
+        [sys.executable, "-c", DIES, tmp_path / "record.nc", tmp_path / "out"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    left = [json.loads(line) for line in done.stdout.splitlines()]
+    assert left[-1] == "new"
+    assert "old" in left
+    assert set(left) == {"old", "new"}

@@ -139,7 +139,10 @@ def test_another_ending_is_refused(tmp_path):
 def test_without_ffmpeg_one_line_says_what_to_install_and_a_gif_needs_none(tmp_path, monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda _: None)
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
-    with pytest.raises(InputError, match=r'install ffmpeg, or pip install "forficula\[film\]"; a \.gif needs neither'):
+    with pytest.raises(
+        InputError,
+        match=r'an \.mp4 needs ffmpeg: pip install "forficula\[film\]"; or install ffmpeg .*, or write a \.gif',
+    ):
         check_film(tmp_path / "wing.mp4")
     check_film(tmp_path / "wing.gif")
 

@@ -126,6 +126,6 @@ def test_a_single_hinge_is_listed_once_without_levels():
     landscape = energy_landscape("binder2025-joint")
     assert landscape_kinds(landscape) == ("tendon", "rests")
     text = printed(landscape)
-    assert "binder2025-joint: bistable (flat, folded); barrier 7.025 mJ to fold one hinge from flat; " in text
+    assert "binder2025-joint: bistable (flat, folded); barrier 7.025 mJ from flat to folded, 0.4871 J back; " in text
     assert line(text, "hinge of the joint, overbend to").split()[-2:] == ["7.025", "mJ"]
     assert "easiest hinge" not in text

@@ -35,7 +35,11 @@ class FoldFile(Section):
         ),
     ] = None
     unit: float | None = quantity(
-        LENGTH, "unit of length of a file that names none", default=None, above=0, examples=["1 cm"]
+        LENGTH,
+        "unit of length of a file that states none; if not given, its largest dimension is 20 cm",
+        default=None,
+        above=0,
+        examples=["1 cm"],
     )
     tolerance: float | None = quantity(
         LENGTH,
@@ -71,6 +75,10 @@ class FoldFile(Section):
     def _is_a_sheet(self) -> FoldFile:
         if not self.vertices_x:
             raise InputError('pattern.path: is missing; name a FOLD file, as in path = "sheet.fold"')
+        # of a design whose file was read, the content is known, and these keys are removed
+        for key, value in (("unit", self.unit), ("tolerance", self.tolerance), ("frame", self.frame)):
+            if value is not None:
+                raise InputError(f"pattern.{key}: needs pattern.path beside it, because it applies to reading the file")
         for key, values, reference in (
             ("vertices_y", self.vertices_y, self.vertices_x),
             ("vertices_z", self.vertices_z, self.vertices_x),

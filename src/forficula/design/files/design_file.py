@@ -23,6 +23,7 @@ from forficula.design.fans.fan_sections import MOST_UNITS
 from forficula.design.fans.joint import JointDesign
 from forficula.design.fans.joint_sections import JointTendon
 from forficula.design.files.file_design import file_tables
+from forficula.design.files.file_words import check_file_kind
 from forficula.design.files.kept_sections import with_kept_sections
 from forficula.design.files.kinds import KINDS, design_class, kind_of
 from forficula.design.files.provenance import derived_source
@@ -40,11 +41,14 @@ from forficula.design.files.tendon_tables import entries_over, is_by_vein, tendo
 from forficula.design.sheets.sheet_tables import with_sheet_read
 from forficula.errors import InputError
 from forficula.files import as_path, read_toml, write_text
+from forficula.names import listed
 from forficula.pattern import PATTERN_FILES
 from forficula.quantities import as_written
 from forficula.toml_text import check_levels, with_remarks
 
 _MOST_FILES = 50  # in a chain of files that are based on each other
+_LISTED = 4  # named designs in the message for an unknown one
+_TIMESTEP = "protocol.timestep"
 _SURROGATE = re.compile("[\ud800-\udfff]")
 
 # a design, its name, or the path of its file
@@ -96,11 +100,12 @@ def _load(name_or_path: str | Path, settings: Mapping[str, object] | None, unit:
             tables = _with_source(before, tables, file_values)
         before, tables = tables, _with_settings(tables, settings or {}, si=False)
         design = _validate(tables, si=False)
-        if not settings or "source" in settings:
-            return design
-        named = str(name_or_path) in _named()
-        base = _named_design(str(name_or_path)) if named else _validate_or_none(before)
-        return design if base is None else design.model_copy(update={"source": derived_source(base, design)})
+        if settings and "source" not in settings:
+            named = str(name_or_path) in _named()
+            base = _named_design(str(name_or_path)) if named else _validate_or_none(before)
+            if base is not None:
+                design = design.model_copy(update={"source": derived_source(base, design)})
+        return _marked(design, is_set=_sets_timestep(settings or {}))
     except RejectedError as error:
         # name entries as the settings do, not by number
         keys_set, message = {numbered(key, tables): key for key in dotted_keys(settings or {})}, str(error)
@@ -133,9 +138,23 @@ def with_values(design: Design, values: Mapping[str, object]) -> Design:
         changed = _validate_changed(design, _with_settings(design.si_tables(), values, si=True))
     except RejectedError as error:
         raise InputError(f"{design.name}: {error}") from None
-    if "source" in values:
-        return changed
-    return changed.model_copy(update={"source": derived_source(design, changed)})
+    if "source" not in values:
+        changed = changed.model_copy(update={"source": derived_source(design, changed)})
+    return _marked(changed, is_set=is_timestep_set(design) or _sets_timestep(values))
+
+
+def is_timestep_set(design: Design) -> bool:
+    """Return whether the settings of `load_design`, or `with_values`, have set the timestep."""
+    return bool(design.once(_TIMESTEP, lambda: False))
+
+
+def _marked(design: Design, *, is_set: bool) -> Design:
+    design.once(_TIMESTEP, lambda: is_set)
+    return design
+
+
+def _sets_timestep(settings: Mapping[str, object]) -> bool:
+    return _TIMESTEP in dotted_keys(settings)
 
 
 def named_designs() -> dict[str, str]:
@@ -208,15 +227,20 @@ def _file_tables(name: str, above: Sequence[Path]) -> dict[str, Any]:
     """Read the tables of a file; `above` are the files that are based on it."""
     path = Path(name)
     if path.suffix.lower() != ".toml":
-        known = [*_named(), *sorted(str(file) for file in Path().glob("*.toml") if may_read(file))]
-        hint = _nearest(name, known) or f"the named designs are {', '.join(_named())}"
-        raise InputError(f"{as_written(name)} is neither a named design nor a .toml file; {hint}")
+        readable = (".toml", *PATTERN_FILES)
+        files = sorted(str(file) for file in Path().glob("*.*") if file.suffix.lower() in readable and may_read(file))
+        known = [*_named(), *files]
+        some = ", ".join(_named()[:_LISTED])
+        hint = _nearest(name, known) or f"forficula designs lists the named designs: {some}, ..."
+        endings = listed((".toml", *PATTERN_FILES), "or")
+        raise InputError(f"{as_written(name)} is neither a named design nor a {endings} file; {hint}")
     if len(above) == _MOST_FILES:
         raise InputError(f"need at most {_MOST_FILES} files that are based on each other, got more")
     tables = read_toml(path, "a design")
     if path.resolve() in [other.resolve() for other in above]:
         raise InputError(f"{path}: is based on itself, directly or through other files")
     try:
+        check_file_kind(tables, "design")
         if "name" not in tables:
             tables["name"] = _name_of(path)
         tables = {key: value_from_folder(key, value, path.parent) for key, value in tables.items()}

@@ -13,10 +13,10 @@ from forficula.design.chosen import choices, facet_areas
 from forficula.design.section import SHORT_TIME, TIME
 from forficula.design.sheets.sheet_creases import fold_edges
 from forficula.design.sheets.sheet_sections import Crease, FacetSection
-from forficula.design.sheets.sheet_tables import sheet_values
+from forficula.design.sheets.sheet_tables import CHOSEN_SIZE_SOURCE, sheet_values
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, read_pattern
-from forficula.pattern.files.fold_frame import CHOSEN_UNIT
+from forficula.pattern.files.fold_frame import CHOSEN_UNIT, UNIT_OPTION
 from forficula.quantities import format_quantity
 
 # in periods of the sheet: rise time of the rest angles, slow enough that the sheet hardly swings, and time limit
@@ -41,8 +41,8 @@ def file_tables(path: Path, unit: float | None = None) -> dict[str, Any]:
     sheet, remarks = read_pattern(path, unit, choose_unit=True)
     size = ""
     if CHOSEN_UNIT in remarks:
-        warnings.warn(f"{path}: {CHOSEN_UNIT}", UserWarning, stacklevel=2)
-        size = "; [chosen] its largest dimension is 20 cm, because it states no unit of length"
+        warnings.warn(f"{path}: {CHOSEN_UNIT}; {UNIT_OPTION}", UserWarning, stacklevel=2)
+        size = CHOSEN_SIZE_SOURCE
     try:
         period = _period(sheet)
     except InputError as error:

@@ -8,6 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from forficula.dynamics.record import Record
+from forficula.quantities import show_value
 from forficula.serial import Joules, Key, Written
 from forficula.structure import Structure
 
@@ -75,6 +76,11 @@ class EnergyBalance:
     drag: _Term = None
     at_hand: Annotated[Joules, Written.NEVER] = 0.0
     stored: Annotated[Joules, Written.NEVER] = 0.0
+
+    def __repr__(self) -> str:
+        """Work of the motors, exchanged energy, and missing energy."""
+        work, exchanged, missing = (show_value(energy, "J") for energy in (self.work, self.exchanged, self.missing))
+        return f"<EnergyBalance: work {work}, exchanged {exchanged}, missing {missing} ({100 * self.residual:.2g} %)>"
 
     @property
     def missing(self) -> Joules:

@@ -73,7 +73,7 @@ def assess_tolerance(
     """
     if not question.deviations:
         raise InputError(f"tolerances: need at least one, {question.design.name} has none")
-    _check(minutes, seed, runs)
+    check_numbers(minutes, seed, runs)
     trials = _Trials(question=question, progress=progress)
     with open_assessor(
         out, question.design, shard=shard, threads=threads, cluster=cluster, progress=trials.report
@@ -103,7 +103,7 @@ def estimate_tolerance(
     Raises:
         InputError: a number is not allowed.
     """
-    _check(minutes, seed, runs)
+    check_numbers(minutes, seed, runs)
     factors = len(question.deviations)
     offsets = question.offsets(two_samples(factors, _TIMED, seed)[0]).tolist()
     designs = [
@@ -121,7 +121,12 @@ def estimate_tolerance(
     return plan, most, most * seconds
 
 
-def _check(minutes: object, seed: object, runs: object) -> None:
+def check_numbers(minutes: object, seed: object, runs: object) -> None:
+    """Refuse numbers that `assess_tolerance` does not allow.
+
+    Raises:
+        InputError: a number is not allowed.
+    """
     if runs is not None:
         check_whole("runs", runs, 1)
     if isinstance(minutes, bool) or not isinstance(minutes, int | float) or not 0 < minutes < np.inf:

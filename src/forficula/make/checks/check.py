@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
+from forficula.quantities import show_value
 from forficula.serial import WithUnit, Written
 
 
@@ -30,6 +31,13 @@ class Check:
     limit: Annotated[float, Written.NEVER]
     unit: Annotated[str, Written.NEVER]
     text: str
+
+    def __repr__(self) -> str:
+        """Result, with value and limit in their unit."""
+        if self.ok is None:
+            return f"<Check {self.name} of {self.part}: not checked>"
+        value, limit = (show_value(number, self.unit).strip() for number in (self.value, self.limit))
+        return f"<Check {self.name} of {self.part}: {'passed' if self.ok else 'failed'}, {value} (limit {limit})>"
 
     @property
     def quantities(self) -> Annotated[Mapping[str, WithUnit], Written.BESIDE]:

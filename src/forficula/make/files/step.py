@@ -14,8 +14,8 @@ from forficula.errors import InputError
 from forficula.make.part import Part
 from forficula.make.solid.mesh import MILLIMETRES
 from forficula.make.solid.solids import Cut, Joined, Prism, Rod, Shared, Solid
+from forficula.optional_module import optional_module
 
-_MISSING = 'need Open Cascade: pip install "forficula[step]"'
 # a fixed time, so that the same part always gives the same bytes
 _TIME = "1980-01-01T00:00:00"
 _GRAMS_PER_CM3 = 1e-3
@@ -27,10 +27,7 @@ def check_step() -> None:
     Raises:
         InputError: Open Cascade is not installed.
     """
-    try:
-        import OCP.STEPCAFControl  # noqa: F401
-    except ImportError:
-        raise InputError(_MISSING) from None
+    optional_module("OCP.STEPCAFControl", "STEP files need Open Cascade", "forficula[step]")
 
 
 def write_step(part: Part, path: Path) -> None:

@@ -9,7 +9,7 @@ from typing import Annotated
 from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.material.law.drift import Drift
-from forficula.material.law.law_keys import law_unit, show_range
+from forficula.material.law.law_keys import law_unit, show_range, show_value
 from forficula.material.law.softening import OgdenRoxburgh, Triple, pulls
 from forficula.material.law.tendon_law import TendonBranch, TendonLaw
 from forficula.quantities import Unit, show_quantity
@@ -125,6 +125,22 @@ class MaterialLaw(Displayed):
     unknown: tuple[Unknown, ...] = ()
     facts: tuple[LawFact, ...] = ()
     no_tendon: str = ""
+
+    def __repr__(self) -> str:
+        """Name and values with units; absent values and facts are left out."""
+        values = {
+            f"{section}.{term}": value
+            for section, triple in (("modulus", self.moduli), ("viscosity", self.viscosity))
+            for term, value in zip(("linear", "quadratic", "cubic"), triple or (), strict=False)
+            if value
+        }
+        for number, branch in enumerate(self.branches):
+            values |= {f"branches.{number}.modulus": branch.modulus, f"branches.{number}.time": branch.time}
+        for key in ("yield_strain", "residual_strain", "largest_strain"):
+            if value := getattr(self, key):
+                values[key] = value
+        text = ", ".join(f"{key} {show_value(key, value)}" for key, value in values.items())
+        return f"<MaterialLaw {self.name}: {text or self.no_tendon or 'no values'}>"
 
     def __post_init__(self) -> None:
         for section, values in (("modulus", self.moduli), ("viscosity", self.viscosity)):

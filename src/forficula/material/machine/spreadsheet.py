@@ -10,6 +10,7 @@ from forficula.errors import InputError, error_prefix
 from forficula.material.machine.machine_names import is_role, split_unit
 from forficula.material.machine.machine_text import recordings_of
 from forficula.material.machine.recording import Recording
+from forficula.optional_module import optional_module
 
 _MOST_CELLS = 20_000_000
 SPREADSHEETS = (".xlsx", ".xlsm", ".xls", ".ods")
@@ -48,19 +49,16 @@ def parse_spreadsheet(content: bytes, name: str) -> tuple[Recording, ...]:
 
 def _sheets(content: bytes) -> list[tuple[str, list[list[str]]]]:
     """Return the title and the cells of every sheet."""
+    calamine = optional_module(
+        "python_calamine", "reading a workbook needs python-calamine", "forficula[xlsx]", "or save the sheet as .csv"
+    )
     try:
-        from python_calamine import CalamineError, CalamineWorkbook
-    except ImportError:
-        raise InputError(
-            'reading a workbook needs python-calamine: pip install "forficula[xlsx]"; or save the sheet as .csv'
-        ) from None
-    try:
-        workbook = CalamineWorkbook.from_filelike(io.BytesIO(content))
+        workbook = calamine.CalamineWorkbook.from_filelike(io.BytesIO(content))
         return [
             (title, [[_text(cell) for cell in row] for row in _cells(workbook.get_sheet_by_name(title))])
             for title in workbook.sheet_names
         ]
-    except (CalamineError, OSError, ValueError) as error:
+    except (calamine.CalamineError, OSError, ValueError) as error:
         raise InputError(f"need a workbook (.xlsx, .xls or .ods): {error}") from None
 
 

@@ -16,6 +16,7 @@ from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.machine.machine_names import choose_columns
 from forficula.material.machine.recording import RecordedColumn, Recording, travel_among
+from forficula.optional_module import optional_module
 from forficula.quantities import as_written
 
 _CHANNELS = ("SeriesDef", "TestTaskDefs", "Elem0", "ChannelManager", "ChannelManager")
@@ -91,10 +92,7 @@ def _stream(content: bytes) -> bytearray:
 
 def _values(stream: bytearray) -> dict[Place, object]:
     """Return all values of the file by their path below Body/batch."""
-    try:
-        from zs2decode import parser
-    except ImportError:
-        raise InputError('a .zs2 is read by zs2decode; pip install "forficula[zs2]"') from None
+    parser = optional_module("zs2decode.parser", "a .zs2 file needs zs2decode", "forficula[zs2]")
     try:
         raw = parser.data_stream_to_chunks(stream)
         arrays = {address: _array(bytes(data)) for address, name, data in raw if name == _ARRAY}

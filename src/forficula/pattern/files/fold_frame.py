@@ -22,10 +22,9 @@ _TARGETS = {"M": -math.pi, "V": math.pi, "F": 0.0}
 
 
 CHOSEN_SIZE = 0.2  # m; [chosen] a sheet that one holds in two hands
-CHOSEN_UNIT = (
-    "the file states no unit of length: its largest dimension is taken as 20 cm [chosen]; set the length of one unit"
-    ' with --unit, such as --unit "1 cm"'
-)
+# remark on a file that states no unit of length, and what to do about it on the command line
+CHOSEN_UNIT = "the file states no unit of length: its largest dimension is taken as 20 cm [chosen]"
+UNIT_OPTION = 'set the length of one unit with --unit, such as --unit "1 cm", or with pattern.unit in a design file'
 
 
 def chosen_unit(extent: float) -> float:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
-from importlib import import_module
 from io import BytesIO
 from itertools import pairwise
 from typing import Any
@@ -15,6 +14,7 @@ import scipy
 
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
+from forficula.optional_module import optional_module
 from forficula.show.export.gltf import tubes
 from forficula.show.export.scene import BASE, JOINT, Scene, ball
 from forficula.structure import Structure, facet_triangles
@@ -36,10 +36,7 @@ def trimesh_module() -> Any:
     Raises:
         InputError: it is not installed.
     """
-    try:
-        return import_module("trimesh")
-    except ImportError:
-        raise InputError('obj and stl need trimesh; install it with pip install "forficula[export]"') from None
+    return optional_module("trimesh", "obj and stl need trimesh", "forficula[export]")
 
 
 def obj_files(scene: Scene, stem: str) -> dict[str, bytes]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from importlib import import_module
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -13,7 +12,7 @@ import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
-from forficula.errors import InputError
+from forficula.optional_module import optional_module
 from forficula.show.export.scene import sampled, sampled_points
 from forficula.show.structure.shape import drawn_pieces
 from forficula.structure import Bar, MembraneLaw, Spring, Structure, Tendon, built_points, facet_triangles
@@ -27,10 +26,7 @@ def meshio_module() -> Any:
     Raises:
         InputError: it is not installed.
     """
-    try:
-        return import_module("meshio")
-    except ImportError:
-        raise InputError('vtk needs meshio; install it with pip install "forficula[export]"') from None
+    return optional_module("meshio", "vtk needs meshio", "forficula[export]")
 
 
 def write_vtk(record: Record, times: Array, folder: Path, stem: str) -> None:

@@ -16,6 +16,7 @@ from forficula.analysis import measure
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import replacing
+from forficula.optional_module import optional_module
 from forficula.show.film.film_clock import FilmCut, film_cuts, moment
 from forficula.show.film.film_frame import FilmFrame, Picture
 
@@ -122,12 +123,9 @@ def _ffmpeg() -> str:
     """Return the path of ffmpeg: the system's, or that of imageio-ffmpeg."""
     if result := shutil.which("ffmpeg"):
         return result
-    try:
-        import imageio_ffmpeg
-    except ImportError:
-        raise InputError(
-            'no ffmpeg for .mp4 here: install ffmpeg, or pip install "forficula[film]"; a .gif needs neither'
-        ) from None
+    imageio_ffmpeg = optional_module(
+        "imageio_ffmpeg", "an .mp4 needs ffmpeg", "forficula[film]", "or install ffmpeg otherwise, or write a .gif"
+    )
     return str(imageio_ffmpeg.get_ffmpeg_exe())
 
 

@@ -8,9 +8,9 @@ from itertools import combinations
 from forficula.errors import InputError
 from forficula.names import listed
 from forficula.quantities import show_value
-from forficula.show.landscape.landscape_marks import rest_name, shown_value
+from forficula.show.landscape.landscape_marks import shown_value
 from forficula.statics import EnergyLandscape
-from forficula.statics.landscape import barrier, fold_states, net_states
+from forficula.statics.landscape import AT_START, barrier, fold_states, net_states
 
 _MOST_NAMED = 4  # states
 _COUNTS = ("no stable state", "monostable", "bistable")
@@ -18,7 +18,7 @@ _COUNTS = ("no stable state", "monostable", "bistable")
 
 def headline(landscape: EnergyLandscape) -> str:
     """Return whether a design is bistable, its barriers, and the force or torque that holds each state."""
-    names = _state_names(landscape)
+    names = [state.name for state in landscape.states]
     count = _COUNTS[len(names)] if len(names) < len(_COUNTS) else f"multistable, {len(names)} stable states"
     if landscape.net is not None and len(names) > 0:
         count += ", as far as the search found"
@@ -29,21 +29,16 @@ def headline(landscape: EnergyLandscape) -> str:
     return "; ".join(parts)
 
 
-def _state_names(landscape: EnergyLandscape) -> list[str]:
-    """Return the names of different stable states."""
-    if landscape.net is not None or landscape.fold_path is not None:
-        return [state.name for state in landscape.states]
-    return [rest_name(rest) for rest in landscape.rests if rest.stable and not rest.same_as]
-
-
 def _barriers(landscape: EnergyLandscape) -> str:
-    """Return the barriers of the two-way transition whose lower barrier is the largest."""
-    if landscape.net is None and landscape.fold_path is None:
+    """Return the barriers of the two-way transition whose lower barrier is the largest.
+
+    Without a known saddle between the states of a tree, it is the barrier of one hinge that folds alone.
+    """
+    names = [state.name for state in landscape.states]
+    if landscape.net is None and landscape.fold_path is None and not landscape.passes:
         alone = landscape.easiest_barrier
-        if alone is None:
-            return ""
-        return f"barrier {show_value(alone, 'J')} to fold one hinge from {landscape.rests[0].name}"
-    names = _state_names(landscape)
+        start = landscape.rests[0].name or AT_START
+        return "" if alone is None else f"barrier {show_value(alone, 'J')} to fold one hinge from {start}"
     result = {}
     for one, other in combinations(names[:_MOST_NAMED], 2):
         with suppress(InputError):  # no saddle was found between them

@@ -16,6 +16,7 @@ from forficula.names import listed
 from forficula.quantities import reading_unit
 from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape, Rest
+from forficula.statics.landscape import AT_START
 from forficula.statics.net.net_course import Course
 from forficula.statics.net.net_state import Withstood
 from forficula.structure import Measure, Structure, Transition, drive_of, drive_unit, measure_of, read_angles
@@ -38,7 +39,7 @@ def rounding_torque(landscape: EnergyLandscape) -> float:
 
 def rest_name(rest: Rest, between: str = " ") -> str:
     """Return the name of a state, with the earlier state that rests at the same angles, if any."""
-    return (rest.name or "at the start") + (f"{between}(as {rest.same_as})" if rest.same_as else "")
+    return (rest.name or AT_START) + (f"{between}(as {rest.same_as})" if rest.same_as else "")
 
 
 def hinge_measure(structure: Structure, hinge: int) -> Measure:

@@ -35,7 +35,7 @@ from forficula.show.landscape.landscape_marks import (
 )
 from forficula.show.structure.labels import shown_angles, stress_text, title_of
 from forficula.statics import CrossedHinge, EnergyLandscape, HingeLandscape
-from forficula.statics.landscape import LeastTorque, net_courses, net_states
+from forficula.statics.landscape import AT_START, LeastTorque, fold_states, net_courses, net_states
 from forficula.statics.net.net_state import Mobility, NetState
 from forficula.statics.tree.snap import FOLD_START
 from forficula.statics.tree.tip_stiffness import TipStiffness
@@ -109,23 +109,21 @@ def _states(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[
                 "energy": show_value(place.energy, "J"),
                 "held by": show_value(place.holding_torque, "N m") if place.kind == "stop" else "",
             }
-    for state in landscape.states:
-        if isinstance(state, NetState):
-            yield _net_row(landscape.structure, state)
-        else:
-            yield {
-                "": f"{whole}, {state.name}",
-                "kind": _KINDS[state.kind],
-                "at": f"pleats {_range(state.pleat_angle, state.far_pleat_angle)}",
-                "energy": show_value(state.energy, "J"),
-                "held by": f"{show_value(state.holding_torque, 'N m')} a {bar}" if state.kind == "stop" else "",
-            }
+    yield from (_net_row(landscape.structure, state) for state in net_states(landscape))
+    for state in fold_states(landscape):
+        yield {
+            "": f"{whole}, {state.name}",
+            "kind": _KINDS[state.kind],
+            "at": f"pleats {_range(state.pleat_angle, state.far_pleat_angle)}",
+            "energy": show_value(state.energy, "J"),
+            "held by": f"{show_value(state.holding_torque, 'N m')} a {bar}" if state.kind == "stop" else "",
+        }
     if landscape.fold_path is not None or landscape.net is not None:
         return
     measures = shown_angles(landscape.structure)
     for rest in landscape.rests:
         yield {
-            "": f"{whole}, {rest.name or 'at the start'}",
+            "": f"{whole}, {rest.name or AT_START}",
             "kind": "not stable" if not rest.stable else f"as {rest.same_as}" if rest.same_as else "rests",
             "at": ", ".join(f"{title_of(item)} {show_angles(item, rest.angles)}" for item in measures),
             "energy": show_value(rest.energy, "J"),
@@ -183,7 +181,7 @@ def _barriers(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterato
     overbend = landscape.structure.appearance.overbend
     rows = [(f"{name}, {_climb(hinge, overbend)}", hinge.barrier) for name, hinge in columns]
     fold = landscape.structure.rigid_fold
-    start = (landscape.rests[0].name if fold is None else fold.start) or "at the start"
+    start = (landscape.rests[0].name if fold is None else fold.start) or AT_START
     # a single hinge has its own barrier only
     if len(landscape.hinge_barriers) > len(columns[:1]):
         rows.append((f"{whole}, {start} until its weakest hinge folds alone", landscape.easiest_barrier))

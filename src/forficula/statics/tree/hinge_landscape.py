@@ -13,8 +13,9 @@ import scipy
 from numpy.typing import ArrayLike
 
 from forficula.arrays import Array
+from forficula.design.section import ANGLE
 from forficula.errors import InputError
-from forficula.quantities import reading_unit
+from forficula.quantities import reading_unit, show_quantity, show_value
 from forficula.statics.tree.equilibrium import PathState, states_along
 from forficula.statics.tree.hinge import TendonHinge, slack_angle, tendon_hinge
 from forficula.statics.tree.snap import FOLD_START, final_speed, fold_time, time_scale
@@ -113,6 +114,11 @@ class HingeLandscape:
     final_speed: float | None
     remarks: tuple[str, ...]
     spring: HingeSpring | None = None
+
+    def __repr__(self) -> str:
+        """Range of the angle, stable states and barrier."""
+        ends = " to ".join(show_quantity(self.sense * float(self.angle[end]), ANGLE) for end in (0, -1))
+        return f"<HingeLandscape from {ends}: {_stable_text(self)}>"
 
     @property
     def sense(self) -> int:
@@ -317,6 +323,20 @@ class CrossedHinge:
     hinge: int
     actual: HingeLandscape
     ideal: HingeLandscape | None
+
+    def __repr__(self) -> str:
+        """Numbers of the tendon and the hinge, stable states and barrier about the true axis."""
+        return f"<CrossedHinge {self.hinge} under tendon {self.tendon}: {_stable_text(self.actual)}>"
+
+
+def _stable_text(hinge: HingeLandscape) -> str:
+    """Return the stable states of a hinge with their energies, and its barrier."""
+    states = [
+        f"{state.kind} at {show_quantity(hinge.sense * state.angle, ANGLE)} with {show_value(state.energy, 'J')}"
+        for state in hinge.states
+    ]
+    barrier = [] if hinge.barrier is None else [f"barrier {show_value(hinge.barrier, 'J')}"]
+    return ", ".join([*states, *barrier]) or "no stable state"
 
 
 def crossed_hinges(structure: Structure, points: int = 181) -> tuple[CrossedHinge, ...]:

@@ -6,14 +6,16 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
-from typing import Any, Generic, TypeVar
+from typing import Generic, TypeVar
 
 from forficula.design import Design, load_design, value_from_folder
+from forficula.design.files.file_words import check_file_kind, with_article
 from forficula.design.files.rejection import read_section
 from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.files import as_path, read_text
 from forficula.names import near_name
+from forficula.pattern import PATTERN_FILES
 from forficula.quantities import as_written
 from forficula.toml_text import parse_toml
 
@@ -39,14 +41,6 @@ class FileKind(Generic[Model]):
     package: str
     model: type[Model]
     texts: Callable[[Design], Mapping[str, str]] = lambda _: {}
-
-
-# for each kind of file, a table that no other kind has, and the command that reads the file
-_TYPICAL_TABLES = {
-    "study": ("factors", "study"),
-    "goal": ("objectives", "optimise"),
-    "observations file": ("fact", "identify"),
-}
 
 
 def named_files(kind: FileKind[Model]) -> list[str]:
@@ -77,22 +71,9 @@ def load_named(name_or_path: object, kind: FileKind[Model], build: Callable[[Mod
             f" {', '.join(names)}{near_name(name, names)}"
         )
     with error_prefix(f"{name}: "):
-        tables = parse_toml(text, _a(kind.word))
-        _check_kind(tables, kind.word)
+        tables = parse_toml(text, with_article(kind.word))
+        check_file_kind(tables, kind.word)
         return build(read_section(kind.model, {"name": Path(name).stem, **tables}), folder)
-
-
-def _check_kind(tables: Mapping[str, Any], word: str) -> None:
-    """Reject a file of another kind and name the command that reads it."""
-    for other, (table, command) in _TYPICAL_TABLES.items():
-        if other != word and table in tables and _TYPICAL_TABLES[word][0] not in tables:
-            raise InputError(
-                f"need {_a(word)}, got {_a(other)}, because it has {table}; give it to forficula {command}"
-            )
-
-
-def _a(what: str) -> str:
-    return f"{'an' if what[0] in 'aeiou' else 'a'} {what}"
 
 
 def base_design(design: str | Design | None, settings: Mapping[str, object], folder: Path) -> Design:
@@ -111,12 +92,14 @@ def base_design(design: str | Design | None, settings: Mapping[str, object], fol
     values = settings_of(settings, folder)
     if isinstance(design, Design):
         return settled_by(design, values)
-    name_or_path = str(folder / design) if design.endswith(".toml") else design
+    is_path = Path(design).suffix.lower() in (".toml", *PATTERN_FILES)
+    name_or_path = str(folder / design) if is_path else design
     try:
         return load_design(name_or_path, values)
     except InputError as error:
         # an error that the design has without the settings is reported as an error of the design
-        load_design(name_or_path)
+        with error_prefix("design: "):
+            load_design(name_or_path)
         raise InputError(_of_settings(str(error), values)) from None
 
 

@@ -16,6 +16,7 @@ from typing import Any
 from forficula.design import Design, design_from_text, design_text
 from forficula.dynamics import versions
 from forficula.errors import InputError
+from forficula.optional_module import optional_module
 from forficula.quantities import as_written
 from forficula.study.running.evaluate import evaluate
 from forficula.study.running.journal import Row
@@ -71,13 +72,10 @@ def dask_cluster(address: str) -> Iterator[Evaluate]:
         InputError: Dask is not installed; nothing answers at the address, or it has no workers. Later: the scheduler
             has gone, all workers have been gone for a minute, or a worker lacks forficula or has other versions.
     """
-    try:
-        from distributed import Client
-    except ImportError:
-        raise InputError('--dask: needs Dask; install it with: pip install "forficula[cluster]"') from None
+    distributed = optional_module("distributed", "a cluster needs Dask", "forficula[cluster]")
     why = ""
     try:
-        client = Client(address, timeout=_CONNECT_SECONDS, set_as_default=False)
+        client = distributed.Client(address, timeout=_CONNECT_SECONDS, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
         why = f"no Dask scheduler answers at {address}: {error}"
     except AssertionError:  # raised by Dask: its thread did not start within ten seconds

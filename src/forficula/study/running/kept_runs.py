@@ -25,6 +25,7 @@ from forficula.quantities import as_written, is_whole
 from forficula.structure import Structure, drawn_points, structure_of, transition_of
 from forficula.study.running.evaluate import outcome_row, row_key
 from forficula.study.running.journal import Row
+from forficula.study.running.law_timestep import with_timestep_for_law
 from forficula.study.running.runs import run_each
 from forficula.study.search import first_design, point_design, release_design, second_design
 from forficula.study.search_steps import SearchStep
@@ -110,7 +111,7 @@ def runs_to_keep(study: Study, table: Dataset, most: int = MOST_POINTS) -> list[
     runs, structure = [], structure_of(study.base)
     for point in _points(study, table, most):
         try:
-            design = point_design(study.base, study.points[point], study.search)
+            design = with_timestep_for_law(point_design(study.base, study.points[point], study.search))
         except InputError:  # its row says why
             continue
         for part, transition, run_design in _parts(study, structure, table, point, design):

@@ -12,6 +12,7 @@ from forficula.errors import InputError
 from forficula.names import check_whole
 from forficula.study.running.evaluate import evaluate, row_key
 from forficula.study.running.journal import Row, open_journal, read_rows
+from forficula.study.running.law_timestep import with_timestep_for_law
 from forficula.study.search import most_runs, point_design, search_designs
 from forficula.study.study import Study
 from forficula.study.tables.table import build_table
@@ -157,7 +158,7 @@ def _designs(
 def _design(study: Study, number: int) -> Design | str:
     """Return the design at a point, or why there is none."""
     try:
-        return point_design(study.base, study.points[number], study.search)
+        return with_timestep_for_law(point_design(study.base, study.points[number], study.search))
     except InputError as error:
         return str(error)
 

@@ -43,6 +43,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         and `key`. Variables are time and work of every transition of the base; the energy of the tendons and, if they
         exist, of the hinges' springs in every state; and the least value of every searched transition. The attribute
         `transitions` has the transitions, see `table_transitions`; `whole` is the noun for the structure in sentences.
+        If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run.
     """
     from forficula.study.tables.study_table import StudyTable
 
@@ -75,6 +76,10 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
             del variables["reference_outcome"]
         else:
             variables["reference_outcome"] += ({"torque": search.reference, "units": search.first.unit.si},)
+    automatic = (isinstance(design, Design) and design.protocol.timestep == "auto" for design in designs.values())
+    if search is None and any(automatic):
+        steps = np.array([_nan(result.get("timestep_s")) for result in results]).reshape(shape)
+        variables["timestep"] = (dimensions, steps, {"units": "s", "long_name": "timestep of the run"})
     attributes = {
         "name": study.name,
         "source": study.source,
@@ -140,7 +145,7 @@ def _columns(study: Study, table: xarray.Dataset) -> list[str]:
     late = [f"{transition.name}_time" for transition in structure.transitions[1:]]
     early = [name for name in numbers if name not in (*late, "residual")]
     holds = [transition.state for transition in structure.transitions]
-    return [name for name in (*early, "status", *late, "verdict", "residual", *holds) if name in table]
+    return [name for name in (*early, "status", *late, "verdict", "residual", "timestep", *holds) if name in table]
 
 
 def _by_value(

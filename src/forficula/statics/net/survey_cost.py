@@ -1,0 +1,37 @@
+"""Expected duration of the landscape of a net, before it is computed."""
+
+from __future__ import annotations
+
+from time import perf_counter
+
+from forficula.statics.net.energy import expand
+from forficula.statics.net.factor import factored
+from forficula.statics.net.net_of import is_net, net_of, start_shape
+from forficula.structure import Structure
+
+# Measured durations of eight landscapes divided by the time of one Newton step of the same net: the least (a Miura
+# sheet of 8 x 8 cells) and the largest (`bistable-miura`). They do not grow with the size of the net.
+_STEPS = (10_000, 84_000)
+_TIMED = 8  # steps from which the time of one is measured
+
+
+def survey_time(structure: Structure) -> tuple[float, float] | None:
+    """Return the least and the largest expected duration of the landscape of a net on this machine, s.
+
+    The time of a Newton step (energy, Hessian and factorisation) is measured with this net. The number of steps is that
+    of other landscapes.
+
+    Returns:
+        None for a tree, whose landscape takes a few seconds.
+    """
+    if not is_net(structure):
+        return None
+    net = net_of(structure)
+    shape = start_shape(structure, net)
+    times = []
+    for _ in range(_TIMED):
+        start = perf_counter()
+        factored(expand(net, shape).free)
+        times.append(perf_counter() - start)
+    step = sorted(times)[_TIMED // 2]
+    return _STEPS[0] * step, _STEPS[1] * step

@@ -1,0 +1,50 @@
+"""The timestep of a design whose tendons have a law that needs a shorter one than its reference has."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+
+from forficula.design import Design, is_timestep_set, load_design, with_values
+from forficula.dynamics import timestep_warnings
+from forficula.structure import structure_of
+
+
+def with_timestep_for_law(design: Design) -> Design:
+    """Return a design with the timestep "auto", and warn, where its tendon law needs it; see `law_timestep`."""
+    changed, warning = law_timestep(design)
+    if warning:
+        warnings.warn(warning, UserWarning, stacklevel=2)
+    return changed
+
+
+def law_timestep(design: Design) -> tuple[Design, str]:
+    """Return a design with the timestep "auto" where its tendon law does not allow the timestep of its reference.
+
+    A law that was fitted to slow tests may have a viscosity, or Maxwell branches, with which the timestep of the
+    reference loses energy or diverges. A timestep that was set, or another than that of the reference, is kept.
+
+    Returns:
+        The design and a warning; the same design and an empty text where its timestep is kept.
+    """
+    timestep = design.protocol.timestep
+    if timestep == "auto" or design.reference is None or is_timestep_set(design):
+        return design, ""
+    if not _has_law(design.si_tables().get("tendon")) or timestep != load_design(design.reference).protocol.timestep:
+        return design, ""
+    # the limit of the timestep takes longer to compute than the structure
+    viscous = any(any(tendon.law.damping or ()) or tendon.law.branches for tendon in structure_of(design).tendons)
+    if not (viscous and timestep_warnings(design)):
+        return design, ""
+    return with_values(design, {"protocol.timestep": "auto"}), (
+        'protocol.timestep: "auto" is used, because the viscous law of the tendons does not allow'
+        f" {1e3 * timestep:.3g} ms, the timestep of {design.reference}; a value for protocol.timestep among the"
+        " settings is kept"
+    )
+
+
+def _has_law(tables: object) -> bool:
+    """Return whether a table of tendons, or a list of such tables, names a law."""
+    if isinstance(tables, Mapping):
+        return "law" in tables or any(_has_law(table) for table in tables.values())
+    return isinstance(tables, list) and any(_has_law(table) for table in tables)
