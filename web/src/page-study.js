@@ -16,7 +16,7 @@ export function showStudy(data) {
   };
   const map = makeMap(model, (point, quantity) => open(point, quantity.transition));
   const left = make("div", {}, map.element, panel.facts);
-  document.getElementById("explorer").replaceChildren(make("div", { className: "explorer" }, left, panel.element));
+  document.getElementById("explorer").replaceChildren(make("div", { className: "explorer" }, left, panel.element, panel.below));
   extendTable(document.getElementById("points"), model, data.csv, (point) => {
     map.show(point);
     open(point);

@@ -5,9 +5,9 @@ import { effortTexts } from "./efforts.js";
 import { make } from "./elements.js";
 import { short } from "./format.js";
 import { keysHelp, listenToKeys, listenToLooks } from "./keys.js";
-import { gradientSwatch, makeLegend } from "./legend.js";
-import { STRAIN_COLOURS } from "./scheme.js";
+import { makeLegend, roomyText } from "./legend.js";
 import { makeShape } from "./shape.js";
+import { makeSheetColours } from "./sheet-colours.js";
 import { makeStage } from "./stage.js";
 import { makeTransport, stageText } from "./transport.js";
 
@@ -25,7 +25,7 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
     : make("p", { className: "note" }, noPicture(whole));
   if (stage && clips.length === 1) nameState(stage.cells[0], clips[0], clock);
   const legend = stage ? [makeLegend(entries, energy, stage.eye.size, clips.length > 1 ? whole : null)] : [];
-  if (stage && clips.some((clip) => clip.strained)) legend.unshift(colourChoice(stage, legend[0]));
+  if (stage && clips.some((clip) => clip.strained)) legend.unshift(makeSheetColours(stage, legend[0], clips));
   if (stage && clips.length === 1 && clips[0].efforts?.drives.length) tellEfforts(legend.at(-1), clips[0], clock);
   if (stage && clips.length > 1 && clips.some((clip) => clip.efforts?.drives.some((drive) => drive.arrow)))
     legend.at(-1).append(make("li", { className: "effort" }, arrowSample(), "torque or force of a drive, while it acts"));
@@ -54,7 +54,7 @@ export function mountStill(element, clips, clock, { energy, legend: entries, tex
   }
   const picture = make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, null, !look));
   const legend = [makeLegend(entries, { ...energy, orMore: true }, stage.eye.size, null)];
-  if (clips.some((clip) => clip.strained)) legend.unshift(colourChoice(stage, legend[0]));
+  if (clips.some((clip) => clip.strained)) legend.unshift(makeSheetColours(stage, legend[0], clips));
   element.replaceChildren(picture, ...legend);
   element.classList.add("player");
   element.setAttribute("role", "region");
@@ -79,30 +79,10 @@ function arrowSample() {
 /** List in the legend the drives that act now, with their strengths. */
 function tellEfforts(legend, clip, clock) {
   const arrow = clip.efforts.drives.some((drive) => drive.arrow);
-  const said = make("span");
-  legend.append(make("li", { className: "effort" }, ...(arrow ? [arrowSample()] : []), said));
-  clock.onChange(() => {
-    said.textContent = effortTexts(clip.efforts, clock.clipTime(0), short).join("; ") || "no drive acts now";
-  });
-}
-
-/** Choice of the sheet's colours: regions, or strain with its scale in the legend. */
-function colourChoice(stage, legend) {
-  const names = ["panels", "membrane strain"];
-  const bar = make("li", { className: "energy", hidden: true });
-  legend.append(bar);
-  const buttons = names.map((name, strained) => {
-    const button = make("button", { type: "button", "aria-pressed": String(!strained) }, name);
-    button.addEventListener("click", () => {
-      const largest = stage.showStrain(Boolean(strained));
-      bar.replaceChildren("Green strain of the membrane: 0", gradientSwatch(STRAIN_COLOURS), `${short(100 * largest)} %`);
-      bar.hidden = !strained;
-      for (const entry of legend.querySelectorAll(".of-region")) entry.hidden = Boolean(strained);
-      for (const each of buttons) each.setAttribute("aria-pressed", String(each === button));
-    });
-    return button;
-  });
-  return make("div", { className: "colours", role: "group", "aria-label": "colour of the sheet" }, "colour:", make("span", {}, ...buttons));
+  const textAt = (moment) => effortTexts(clip.efforts, moment, short).join("; ") || "no drive acts now";
+  const said = roomyText(Array.from(clip.time, textAt));
+  legend.append(make("li", { className: "effort" }, ...(arrow ? [arrowSample()] : []), said.element));
+  clock.onChange(() => said.say(textAt(clock.clipTime(0))));
 }
 
 export function noPicture(whole) {

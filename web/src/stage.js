@@ -123,15 +123,15 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     element.remove();
   }
 
-  /** Colour sheets by their largest strains, all up to one value, or by their regions; returns that value. */
-  function showStrain(wanted) {
-    const largest = wanted ? views.reduce((most, { shape }) => Math.max(most, shape.strains?.largest() ?? 0), 0) : 0;
-    for (const { shape } of views) shape.showStrain(largest || (wanted ? Number.MIN_VALUE : 0));
+  /** Colour sheets by "strain" or "stress", all up to one value, or with null by their regions; returns that value. */
+  function colourSheets(quantity) {
+    const largest = quantity ? views.reduce((most, { shape }) => Math.max(most, shape.strains?.largest(quantity) ?? 0), 0) : 0;
+    for (const { shape } of views) shape.colourSheets?.(quantity, largest || Number.MIN_VALUE);
     invalidate();
     return largest;
   }
 
-  return { element, canvas, cells, eye, pose, draw, views, showStrain, statistics: () => renderer.info.render, dispose };
+  return { element, canvas, cells, eye, pose, draw, views, colourSheets, statistics: () => renderer.info.render, dispose };
 }
 
 const HELP = "Drag to turn, pinch to zoom; keys are listed below.";

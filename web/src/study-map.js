@@ -19,7 +19,9 @@ export function makeMap(model, open) {
   const legend = make("div", { className: "map-legend" });
   const text = make("p", { className: "note" });
   const draw = () => {
-    const shown = sampled ? makeScatter(model, view, press) : makeGrid(model, view, press);
+    // numbers over a single factor are points over an axis
+    const alone = view.y === null && view.quantity.values && model.sizes.every((size, index) => size === 1 || index === view.x);
+    const shown = sampled || alone ? makeScatter(model, view, press) : makeGrid(model, view, press);
     place.replaceChildren(shown.element);
     legend.replaceChildren(...legendParts(model, view.quantity, shown.points));
     text.textContent = mapText(model, view.quantity, shown.points);
@@ -115,6 +117,7 @@ function makeGrid(model, view, press) {
   body.push(make("tr", { className: "feet" }, make("td"), ...feet));
   const table = make("table", { role: "grid", className: numbers ? "grid" : "grid small", "aria-label": mapName(model, view) }, make("tbody", {}, ...body));
   table.style.setProperty("--columns", columns);
+  table.style.setProperty("--rows", rows);
   const first = [...cells.values()].find((cell) => Number(cell.dataset.point) === view.current) ?? cells.get("0 0");
   first.tabIndex = 0;
   listen(table, cells, press);

@@ -7,6 +7,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 
+_LONG = 24  # letters of a cell beyond which its text may continue on a second line
+
+
 @dataclass(frozen=True, kw_only=True)
 class Cell:
     """Cell of a table.
@@ -91,7 +94,9 @@ def _heading(text: str, scope: str) -> str:
 def _row(cells: Sequence[str | Cell]) -> str:
     first, *others = (Cell(text=cell) if isinstance(cell, str) else cell for cell in cells)
     marked = ' class="changed"' if any(cell.marked for cell in (first, *others)) else ""
-    values = "".join(f"<td>{_cell_contents(cell)}</td>" for cell in others)
+    values = "".join(
+        f"<td{' class=long' if len(cell.text) > _LONG else ''}>{_cell_contents(cell)}</td>" for cell in others
+    )
     return f'<tr{marked}><th scope="row">{_cell_contents(first)}</th>{values}</tr>'
 
 
