@@ -37,9 +37,25 @@ export const ENERGY_COLOURS = palette(ENERGY);
 export const QUANTITY_COLOURS = palette(QUANTITY);
 export const STRAIN_COLOURS = palette(STRAIN);
 
+let styled = document.documentElement;
+
 /** A colour of the page's style, such as "--ink". */
 export function styleColour(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  return getComputedStyle(styled).getPropertyValue(name).trim();
+}
+
+/** Do something, such as a drawing to save, in the colours of a light page. */
+export function onPaper(act) {
+  const paper = document.createElement("div");
+  paper.className = "paper";
+  document.body.append(paper);
+  styled = paper;
+  try {
+    return act();
+  } finally {
+    styled = document.documentElement;
+    paper.remove();
+  }
 }
 
 /** Listen to changes between light and dark; returns a function that ends this. */

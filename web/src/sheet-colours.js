@@ -7,10 +7,10 @@ import { STRAIN_COLOURS } from "./scheme.js";
 
 const CHOICES = [
   { quantity: null, name: "panels" },
-  { quantity: "strain", name: "membrane strain", text: "largest Green strain of the membrane", value: (largest) => `${short(100 * largest)} %` },
+  { quantity: "strain", name: "strain", text: "largest Green strain of the membrane", value: (largest) => `${short(100 * largest)} %` },
   {
     quantity: "stress",
-    name: "membrane stress",
+    name: "stress",
     text: "largest stress of the membrane (second Piola-Kirchhoff)",
     value: (largest) => readable(largest, "Pa"),
   },

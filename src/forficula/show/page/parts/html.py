@@ -64,6 +64,17 @@ def table(
     )
 
 
+def abreast(parts: Iterable[str], width: float) -> str:
+    """Return HTML of parts beside one another where there is space, below one another otherwise; without empty parts.
+
+    Args:
+        parts: HTML, such as that of tables.
+        width: least width of a part, in letters.
+    """
+    items = "".join(f"<div>{part}</div>" for part in parts if part)
+    return f'<div class="abreast" style="--width: {width:g}rem">{items}</div>' if items else ""
+
+
 def paragraph(text: str, kind: str = "") -> str:
     """Return a paragraph; empty for no text."""
     return f"<p{f' class={kind}' if kind else ''}>{escaped(text)}</p>" if text else ""

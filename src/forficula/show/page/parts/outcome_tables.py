@@ -9,7 +9,7 @@ from forficula.analysis import Outcome, State, Verdict
 from forficula.analysis.groups import dominance, groups_of, measured_by
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, uncertain_number
-from forficula.show.page.parts.html import Cell, paragraph, table
+from forficula.show.page.parts.html import Cell, abreast, paragraph, table
 from forficula.show.page.parts.run_sentences import readable
 from forficula.show.run.outcome_rows import (
     balance_remark,
@@ -22,13 +22,17 @@ from forficula.show.run.state_names import states_reached
 from forficula.show.run.strength_rows import STRENGTH_HEADINGS, strength_rows
 from forficula.structure import Structure
 
+_BALANCE_WIDTH = 24  # letters
 _NUMBERS = {1: "one", 2: "two", 3: "three"}
 
 
 def outcome_tables(outcome: Outcome) -> list[str]:
     """Return the HTML tables of states by hinge and tendon, transitions, and the energy balance."""
     structure = outcome.structure
-    return [_states(outcome, structure), _transitions(outcome, structure), _balance(outcome, structure)]
+    return [
+        _states(outcome, structure),
+        abreast([_transitions(outcome, structure), _balance(outcome, structure)], _BALANCE_WIDTH),
+    ]
 
 
 def strength_table(record: Record) -> str:
@@ -77,7 +81,7 @@ def _states(outcome: Outcome, structure: Structure) -> str:
         if structure.membranes:
             cells.append(["membrane", *[""] * (width - 1), _membrane(outcome, state)])
         tables.append(table(f"State {_state_heading(name, state)}", headings, cells))
-    return f'<div class="abreast">{"".join(tables)}</div>'
+    return abreast(tables, 6 + 5 * width)
 
 
 def _signed(rows: Iterable[Sequence[str]]) -> list[list[str]]:
