@@ -4,7 +4,8 @@
  * A shape is {kind, ...}: "rect" with x, y, width, height; "path" with points [[x, y], ...], whose gaps are null;
  * "circle" with x, y, r; "text" with x, y, text, anchor ("start", "middle", "end"), size, bold, turned (upwards). All may
  * have fill, stroke, lineWidth, dash and opacity. "moved" displaces other shapes by x, y, and "clip" shows them only
- * within a rectangle. Lengths are in pixels of the page.
+ * within a rectangle. A "rect" may have a scale of colours from left to right. A file may also have "svg", the content of a
+ * drawing with its viewBox in a rectangle. Lengths are in pixels of the page.
  */
 
 const FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif";
@@ -45,14 +46,20 @@ function paint(context, shape) {
   if (shape.kind === "rect") context.rect(shape.x, shape.y, shape.width, shape.height);
   if (shape.kind === "circle") context.arc(shape.x, shape.y, shape.r, 0, 2 * Math.PI);
   if (shape.kind === "path") for (const run of runsOf(shape.points)) for (const [index, point] of run.entries()) context[index ? "lineTo" : "moveTo"](...point);
-  if (shape.fill) {
-    context.fillStyle = shape.fill;
+  if (shape.fill || shape.scale) {
+    context.fillStyle = shape.scale ? gradientOf(context, shape) : shape.fill;
     context.fill();
   }
   if (shape.stroke) {
     context.strokeStyle = shape.stroke;
     context.stroke();
   }
+}
+
+function gradientOf(context, { x, width, scale }) {
+  const gradient = context.createLinearGradient(x, 0, x + width, 0);
+  for (const [index, colour] of scale.entries()) gradient.addColorStop(index / (scale.length - 1), colour);
+  return gradient;
 }
 
 /** Parts of a path between its gaps. */
@@ -78,6 +85,15 @@ export function svgText(shapes, width, height, title) {
 }
 
 function element(shape, clips) {
+  if (shape.kind === "svg") {
+    const frame = `x="${number(shape.x)}" y="${number(shape.y)}" width="${number(shape.width)}" height="${number(shape.height)}"`;
+    return `<svg ${frame} viewBox="${shape.viewBox}"${shape.stretched ? ' preserveAspectRatio="none"' : ""}>${shape.content}</svg>`;
+  }
+  if (shape.scale) {
+    const name = `scale${++clips.count}`;
+    const stops = shape.scale.map((colour, index) => `<stop offset="${number(index / (shape.scale.length - 1))}" stop-color="${colour}"/>`);
+    return `<linearGradient id="${name}">${stops.join("")}</linearGradient>${element({ ...shape, scale: null, fill: `url(#${name})` }, clips)}`;
+  }
   if (shape.kind === "moved") return `<g transform="translate(${number(shape.x)} ${number(shape.y)})">${shape.shapes.map((inner) => element(inner, clips)).join("\n")}</g>`;
   if (shape.kind === "clip") {
     const name = `clip${++clips.count}`;

@@ -3,10 +3,11 @@
 import { VIEWS } from "./camera.js";
 import { effortTexts } from "./efforts.js";
 import { make } from "./elements.js";
-import { short } from "./format.js";
+import { short, timeText } from "./format.js";
 import { keysHelp, listenToKeys, listenToLooks } from "./keys.js";
 import { makeLegend, roomyText } from "./legend.js";
 import { makeShape } from "./shape.js";
+import { pictureSaves } from "./save-picture.js";
 import { makeSheetColours } from "./sheet-colours.js";
 import { makeStage } from "./stage.js";
 import { makeTransport, stageText } from "./transport.js";
@@ -33,6 +34,7 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
   element.classList.add("player");
   element.setAttribute("role", "region");
   element.setAttribute("aria-label", `the moving ${whole}`);
+  if (stage) addSaves(element, stage, clock, () => momentName(clips, clock));
   const deaf = listenToKeys(element, clips, clock, stage?.eye, VIEWS[0]);
 
   function dispose() {
@@ -59,8 +61,21 @@ export function mountStill(element, clips, clock, { energy, legend: entries, tex
   element.classList.add("player");
   element.setAttribute("role", "region");
   element.setAttribute("aria-label", `the ${whole} as set by the sliders`);
+  addSaves(element, stage, clock, () => "");
   listenToLooks(element, stage.eye, VIEWS[0]);
   return { stage };
+}
+
+/** Buttons that save the picture and its motion, with the scales of the legend. */
+function addSaves(element, stage, clock, caption) {
+  const scales = () => [...element.querySelectorAll(".legend .energy:not([hidden])")];
+  element.querySelector(".views").prepend(pictureSaves(stage, clock, caption, scales));
+}
+
+/** The time of a picture and, of a single structure, its state. */
+function momentName(clips, clock) {
+  const state = clips.length === 1 ? `${stageText(clips[0], clock.clipTime(0))}, ` : "";
+  return `${state}${timeText(clock.time, clock.span)}`;
 }
 
 /** Write into the picture of a single structure its state, or the drive that acts on it. */

@@ -144,10 +144,9 @@ function keyTexts({ lines, word }) {
 
 /** Buttons that save a chart; under, over: as for `chartDrawing`. */
 export function saveButtons(plot, chartOf, { under, over }) {
-  const [subject] = document.title.split(":");
   const what = plot.owner ? `${plot.title}, ${plot.owner}` : plot.title;
   const drawing = () => chartDrawing(chartOf(), { name: `${plot.title} (${plot.unit})`, lines: keyTexts(plot), word: plot.word, under, over });
-  return makeSaveButtons(what, () => fileName(subject, what), drawing);
+  return makeSaveButtons(what, () => fileName(what), drawing);
 }
 
 /** The lines over the clock's time; those of several clips share one row of times. */

@@ -12,9 +12,9 @@ export function save(blob, name) {
   setTimeout(() => URL.revokeObjectURL(address), KEPT);
 }
 
-/** A name for a file: words of a title, with dashes. */
-export function fileName(...words) {
-  const text = words.join(" ").toLowerCase().normalize("NFKD").replace(/[^a-z0-9.]+/g, "-").replace(/^-+|-+$/g, "");
+/** A name for a file: what the page is about, and words, with dashes. */
+export function fileName(words) {
+  const text = `${document.title.split(":")[0]} ${words}`.toLowerCase().normalize("NFKD").replace(/[^a-z0-9.]+/g, "-").replace(/^-+|-+$/g, "");
   return text || "plot";
 }
 

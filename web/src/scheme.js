@@ -44,17 +44,25 @@ export function styleColour(name) {
   return getComputedStyle(styled).getPropertyValue(name).trim();
 }
 
-/** Do something, such as a drawing to save, in the colours of a light page. */
-export function onPaper(act) {
+/** Take colours from a light page, as for drawings to save; returns a function that ends this. */
+export function beginPaper() {
   const paper = document.createElement("div");
   paper.className = "paper";
   document.body.append(paper);
   styled = paper;
+  return () => {
+    styled = document.documentElement;
+    paper.remove();
+  };
+}
+
+/** Make something in the colours of a light page. */
+export function onPaper(act) {
+  const end = beginPaper();
   try {
     return act();
   } finally {
-    styled = document.documentElement;
-    paper.remove();
+    end();
   }
 }
 

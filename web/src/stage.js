@@ -97,6 +97,17 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     draw();
   }
 
+  /** Draw with a number of pixels across, use the picture, and draw as before. */
+  function drawSharp(across, use) {
+    const ratio = Math.min(across / element.clientWidth, LONGEST / Math.max(element.clientWidth, element.clientHeight));
+    renderer.setPixelRatio(ratio);
+    renderer.setSize(element.clientWidth, element.clientHeight, false);
+    draw();
+    const used = use();
+    resize();
+    return used;
+  }
+
   const watch = new ResizeObserver(resize);
   watch.observe(element);
   const stop = clock.onChange(() => {
@@ -131,7 +142,7 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     return largest;
   }
 
-  return { element, canvas, cells, eye, pose, draw, views, colourSheets, statistics: () => renderer.info.render, dispose };
+  return { element, canvas, cells, eye, pose, draw, drawSharp, paint, views, colourSheets, statistics: () => renderer.info.render, dispose };
 }
 
 const HELP = "Drag to turn, pinch to zoom; keys are listed below.";

@@ -1,7 +1,9 @@
 /** A study's map: one quantity over two factors as a grid of cells that can be opened. */
 
+import { elementDrawing } from "./element-drawing.js";
 import { make } from "./elements.js";
 import { scaleParts, signOf } from "./heat.js";
+import { fileName, makeSaveButtons } from "./saving.js";
 import { makeScatter } from "./study-scatter.js";
 
 const MOST_CELLS = 20_000;
@@ -32,7 +34,10 @@ export function makeMap(model, open) {
     open(point, view.quantity);
   };
   const chooser = makeChoices(model, view, varied, draw);
-  const element = make("section", { className: "map" }, make("h2", {}, "Map"), chooser.element, place, legend, text);
+  const drawing = () => elementDrawing([place, legend], mapName(model, view).split(";")[0]);
+  const saves = makeSaveButtons("the map", () => fileName(view.quantity.title), drawing);
+  const head = make("div", { className: "head" }, make("h2", {}, "Map"), saves);
+  const element = make("section", { className: "map" }, head, chooser.element, place, legend, text);
   draw();
   return {
     element,
