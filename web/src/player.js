@@ -17,30 +17,28 @@ import { makeTransport, stageText } from "./transport.js";
  *
  * energy: {unit, factor, largest_J} for the tendons' colours; legend: samples of colours with their meanings; text: a
  * sentence about the picture; whole: noun for one of the structures; look: initial view of the camera.
- * Returns {stage, dispose}; stage is null without WebGL.
+ * Returns {stage, dispose}.
  */
 export function mountPlayer(element, clips, clock, { energy, legend: entries, text, whole }, look) {
   const stage = makeStage(clips, clock, (clip) => makeShape(clip, energy.largest_J), text, look);
-  const picture = stage
-    ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, clips.length > 1 || look ? whole : null))
-    : make("p", { className: "note" }, noPicture(whole));
-  if (stage && clips.length === 1) nameState(stage.cells[0], clips[0], clock);
-  const legend = stage ? [makeLegend(entries, energy, stage.eye.size, clips.length > 1 ? whole : null)] : [];
-  if (stage && clips.some((clip) => clip.strained)) legend.unshift(makeSheetColours(stage, legend[0], clips));
-  if (stage && clips.length === 1 && clips[0].efforts?.drives.length) tellEfforts(legend.at(-1), clips[0], clock);
-  if (stage && clips.length > 1 && clips.some((clip) => clip.efforts?.drives.some((drive) => drive.arrow)))
+  const picture = make("div", { className: "picture" }, stage.element, ...(stage.note ? [stage.note] : []), viewButtons(stage.eye, clips.length > 1 || look ? whole : null));
+  if (clips.length === 1) nameState(stage.cells[0], clips[0], clock);
+  const legend = [makeLegend(entries, energy, stage.eye.size, clips.length > 1 ? whole : null)];
+  if (clips.some((clip) => clip.strained)) legend.unshift(makeSheetColours(stage, legend[0], clips));
+  if (clips.length === 1 && clips[0].efforts?.drives.length) tellEfforts(legend.at(-1), clips[0], clock);
+  if (clips.length > 1 && clips.some((clip) => clip.efforts?.drives.some((drive) => drive.arrow)))
     legend.at(-1).append(make("li", { className: "effort" }, arrowSample(), "torque or force of a drive, while it acts"));
-  element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp(clips, stage !== null, whole));
+  element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp(clips, whole));
   element.classList.add("player");
   element.setAttribute("role", "region");
   element.setAttribute("aria-label", `the moving ${whole}`);
-  if (stage) addSaves(element, stage, clock, () => momentName(clips, clock));
-  const deaf = listenToKeys(element, clips, clock, stage?.eye, VIEWS[0]);
+  addSaves(element, stage, clock, () => momentName(clips, clock));
+  const deaf = listenToKeys(element, clips, clock, stage.eye, VIEWS[0]);
 
   function dispose() {
     clock.pause();
     deaf();
-    stage?.dispose();
+    stage.dispose();
     element.replaceChildren();
   }
 
@@ -50,11 +48,7 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
 /** Display structures without a time line, which sliders move; arguments as for mountPlayer. */
 export function mountStill(element, clips, clock, { energy, legend: entries, text, whole }, look) {
   const stage = makeStage(clips, clock, (clip) => makeShape(clip, energy.largest_J), text, look);
-  if (!stage) {
-    element.replaceChildren(make("p", { className: "note" }, noPicture(whole)));
-    return { stage };
-  }
-  const picture = make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, null, !look));
+  const picture = make("div", { className: "picture" }, stage.element, ...(stage.note ? [stage.note] : []), viewButtons(stage.eye, null, !look));
   const legend = [makeLegend(entries, { ...energy, orMore: true }, stage.eye.size, null)];
   if (clips.some((clip) => clip.strained)) legend.unshift(makeSheetColours(stage, legend[0], clips));
   element.replaceChildren(picture, ...legend);
@@ -98,10 +92,6 @@ function tellEfforts(legend, clip, clock) {
   const said = roomyText(Array.from(clip.time, textAt));
   legend.append(make("li", { className: "effort" }, ...(arrow ? [arrowSample()] : []), said.element));
   clock.onChange(() => said.say(textAt(clock.clipTime(0))));
-}
-
-export function noPicture(whole) {
-  return `This browser has no WebGL, so the ${whole} cannot be drawn in 3-D. The plots and all numbers are below.`;
 }
 
 /**

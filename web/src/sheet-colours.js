@@ -20,7 +20,7 @@ const CHOICES = [
 export function makeSheetColours(stage, legend, clips) {
   const scale = make("li", { className: "energy", hidden: true });
   legend.append(scale);
-  const known = CHOICES.filter(({ quantity }) => quantity !== "stress" || clips.every((clip) => clip.stressed));
+  const known = CHOICES.filter(({ quantity }) => quantity !== "stress" || clips.every((clip) => clip.stressed || !clip.strained));
   const buttons = known.map(({ quantity, name, text, value }, index) => {
     const button = make("button", { type: "button", "aria-pressed": String(index === 0) }, name);
     button.addEventListener("click", () => {

@@ -101,7 +101,7 @@ function mountRun(elements, run, beside, model, look) {
   const energy = runs.map((each) => each.play.energy).reduce((most, each) => (each.largest_J > most.largest_J ? each : most));
   const text = beside ? `${capital(clips[0].name)} and ${clips[1].name}, side by side with a common clock.` : run.play.text;
   const player = mountPlayer(elements.player, clips, clock, { ...run.play, energy, text }, look);
-  if (beside && player.stage) nameCells(player.stage.cells, clips, clock, energy);
+  if (beside) nameCells(player.stage.cells, clips, clock, energy);
   const plots = mountPlots(elements.plots, beside ? pairedPlots(runs, clips) : run.play.plots, clips, clock);
   elements.plots.classList.toggle("paired", beside !== null);
   for (const [index, clip] of clips.entries()) mountReadout(elements.readouts[index], clip, clock, energy, index, beside !== null);
