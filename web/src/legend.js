@@ -41,7 +41,10 @@ export function scaleEntry(text, low, colours, high) {
 /** A text that changes while the structure moves, in a box with room for any of `texts`, so that nothing else moves. */
 export function roomyText(texts) {
   const said = make("span");
-  const longest = texts.reduce((most, text) => (text.length > most.length ? text : most), "");
+  const measure = document.createElement("canvas").getContext("2d");
+  measure.font = "14px system-ui, sans-serif";
+  const widths = new Map([...new Set(texts)].map((text) => [text, measure.measureText(text).width]));
+  const longest = [...widths.keys()].reduce((most, text) => (widths.get(text) > widths.get(most) ? text : most));
   const room = make("span", { className: "room", "aria-hidden": "true" }, longest);
   return { element: make("span", { className: "roomy" }, room, said), say: (text) => { said.textContent = text; } };
 }

@@ -37,11 +37,11 @@ export const ENERGY_COLOURS = palette(ENERGY);
 export const QUANTITY_COLOURS = palette(QUANTITY);
 export const STRAIN_COLOURS = palette(STRAIN);
 
-let styled = document.documentElement;
+let styled = null; // element whose colours are used; null for those of the page
 
 /** A colour of the page's style, such as "--ink". */
 export function styleColour(name) {
-  return getComputedStyle(styled).getPropertyValue(name).trim();
+  return getComputedStyle(styled ?? document.documentElement).getPropertyValue(name).trim();
 }
 
 /** Take colours from a light page, as for drawings to save; returns a function that ends this. */
@@ -51,7 +51,7 @@ export function beginPaper() {
   document.body.append(paper);
   styled = paper;
   return () => {
-    styled = document.documentElement;
+    styled = null;
     paper.remove();
   };
 }

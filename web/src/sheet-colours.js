@@ -12,7 +12,7 @@ const CHOICES = [
     quantity: "stress",
     name: "stress",
     text: "largest stress of the membrane (second Piola-Kirchhoff)",
-    value: (largest) => readable(largest, "Pa"),
+    value: (largest, unit) => readable(largest, unit),
   },
 ];
 
@@ -20,12 +20,13 @@ const CHOICES = [
 export function makeSheetColours(stage, legend, clips) {
   const scale = make("li", { className: "energy", hidden: true });
   legend.append(scale);
+  const unit = clips.find((clip) => clip.stressed)?.mesh.membraneLaw.unit;
   const known = CHOICES.filter(({ quantity }) => quantity !== "stress" || clips.every((clip) => clip.stressed || !clip.strained));
   const buttons = known.map(({ quantity, name, text, value }, index) => {
     const button = make("button", { type: "button", "aria-pressed": String(index === 0) }, name);
     button.addEventListener("click", () => {
       const largest = stage.colourSheets(quantity);
-      if (quantity) scale.replaceChildren(...scaleEntry(text, "0", STRAIN_COLOURS, value(largest)).childNodes);
+      if (quantity) scale.replaceChildren(...scaleEntry(text, "0", STRAIN_COLOURS, value(largest, unit)).childNodes);
       scale.hidden = !quantity;
       for (const entry of legend.querySelectorAll(".of-region")) entry.hidden = Boolean(quantity);
       for (const each of buttons) each.setAttribute("aria-pressed", String(each === button));

@@ -51,7 +51,7 @@ def test_the_packed_script_is_that_of_its_sources():
     for path in sources:
         text = path.read_text("utf-8").replace("\r\n", "\n")
         digest.update(f"{path.relative_to(WEB).as_posix()}\n{text}".encode())
-    for name in ("page.js", "page.css", "engine.js"):
+    for name in ("page.js", "still.js", "page.css", "engine.js"):
         assert digest.hexdigest() in built(name).partition("\n")[0], f"{name} is stale: run make page"
 
 

@@ -253,13 +253,13 @@ def clip_data(clip: Clip) -> dict[str, Any]:
     }
 
 
-def _law_data(structure: Structure) -> dict[str, float] | None:
+def _law_data(structure: Structure) -> dict[str, float | str] | None:
     """Return the law of the membranes, from which the page computes stresses as `principal_stresses` does."""
     if not structure.membranes:
         return None
     # the engine has one law for all membranes
     law = structure.membranes[0].law
-    return {"youngs_modulus_Pa": law.youngs_modulus, "poisson_ratio": law.poisson_ratio}
+    return {"youngs_modulus_Pa": law.youngs_modulus, "poisson_ratio": law.poisson_ratio, "unit": "Pa"}
 
 
 def _readings(record: Record) -> list[Readings]:
