@@ -395,7 +395,7 @@ def test_the_plots_take_the_whole_width_below_the_map_and_the_player(opened):
     opened.show(1280, 800)
     boxes = [opened.page.locator(part).first.bounding_box() for part in ("#point", "#run .player", ".below .plots")]
     point, player, plots = boxes
-    assert plots["y"] >= max(each["y"] + each["height"] for each in (point, player))
+    assert plots["y"] >= max(box["y"] + box["height"] for box in (point, player))
     assert plots["x"] == pytest.approx(point["x"], abs=1)
     assert plots["x"] + plots["width"] == pytest.approx(player["x"] + player["width"], abs=1)
     opened.show()
@@ -415,7 +415,7 @@ def test_a_map_of_few_rows_is_high_and_numbers_over_one_factor_are_points_over_a
     assert page.locator("#point h2").inner_text() == "Point 3"
 
 
-def test_the_map_is_saved_as_a_vector_drawing_with_its_legend(opened, small):
+def test_the_map_is_saved_as_a_vector_drawing_with_its_legend(opened):
     with opened.page.expect_download() as download:
         opened.page.get_by_role("button", name="download SVG of the map").click()
     drawing = ElementTree.fromstring(download.value.path().read_bytes())

@@ -6,7 +6,6 @@ import html
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-
 _LONG = 24  # letters of a cell beyond which its text may continue on a second line
 
 
