@@ -8,8 +8,8 @@ from forficula.arrays import Array
 from forficula.structure import MembraneLaw
 
 
-def green_strains(built: Array, now: Array) -> Array:
-    """Return the Green strains of triangles in orthonormal axes of their built planes, (..., 2, 2).
+def principal_strains(built: Array, now: Array) -> Array:
+    """Return the principal Green strains of triangles, the smaller one first, (..., 2).
 
     Green's strain of a flat triangle is E = (F^T F - 1) / 2, where F maps its sides as built to its present sides.
 
@@ -20,7 +20,8 @@ def green_strains(built: Array, now: Array) -> Array:
     moved = _sides(now)
     inverse = np.linalg.inv(_in_plane(_sides(built)))
     metric = np.einsum("...ix,...jx->...ij", moved, moved)
-    return np.asarray((np.swapaxes(inverse, -1, -2) @ metric @ inverse - np.eye(2)) / 2)
+    strains = (np.swapaxes(inverse, -1, -2) @ metric @ inverse - np.eye(2)) / 2
+    return np.asarray(np.linalg.eigvalsh(strains), dtype=np.float64)
 
 
 def principal_stresses(law: MembraneLaw, principal: Array) -> Array:

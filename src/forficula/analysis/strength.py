@@ -7,7 +7,7 @@ from typing import Annotated
 
 import numpy as np
 
-from forficula.analysis.membrane_stress import green_strains, principal_stresses
+from forficula.analysis.membrane_stress import principal_strains, principal_stresses
 from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.serial import Key, Pascals, Radians, Seconds, Written
@@ -113,8 +113,7 @@ def membrane_peaks(record: Record) -> list[Peak]:
     for membrane in record.structure.membranes:
         places = record.series["membrane_position"][:, first : first + len(membrane.bodies)]
         first += len(membrane.bodies)
-        strains = green_strains(membrane.built[membrane.triangles], places[:, membrane.triangles])
-        principal = np.linalg.eigvalsh(strains)
+        principal = principal_strains(membrane.built[membrane.triangles], places[:, membrane.triangles])
         strain, row = _largest(principal)
         stress, stressed = _largest(principal_stresses(membrane.law, principal))
         peaks.append(

@@ -11,7 +11,7 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from forficula.analysis.membrane_stress import green_strains, principal_stresses
+from forficula.analysis.membrane_stress import principal_strains, principal_stresses
 from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
 from forficula.errors import InputError
@@ -147,7 +147,7 @@ def _membrane_values(structure: Structure, triangles: Indices, points: Array) ->
         return
     built = np.concatenate([membrane.built for membrane in structure.membranes])
     now = points[len(structure.points) :]
-    strain = np.linalg.eigvalsh(green_strains(built[triangles], now[triangles]))
+    strain = principal_strains(built[triangles], now[triangles])
     stress = principal_stresses(structure.membranes[0].law, strain)
     yield "largest principal strain", strain[..., -1]
     yield "largest principal stress (Pa)", stress[..., -1]
