@@ -47,7 +47,7 @@ function button(text, label, act) {
 /** A button that makes a film and displays its progress; pressed again, it stops. */
 function filmButton(text, ending, make) {
   let film = null;
-  const made = button(text, `download ${text} of the motion`, async () => {
+  const made = button(text, `download a film as ${text}`, async () => {
     if (film) {
       film.stopped = true;
       return;

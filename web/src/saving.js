@@ -12,9 +12,9 @@ export function save(blob, name) {
   setTimeout(() => URL.revokeObjectURL(address), KEPT);
 }
 
-/** A name for a file: what the page is about, and words, with dashes. */
+/** A name for a file: what the page is about, without values that differ, and words, with dashes. */
 export function fileName(words) {
-  const text = `${document.title.split(":")[0]} ${words}`.toLowerCase().normalize("NFKD").replace(/[^a-z0-9.]+/g, "-").replace(/^-+|-+$/g, "");
+  const text = `${document.title.split(/: | with /)[0]} ${words}`.toLowerCase().normalize("NFKD").replace(/[^a-z0-9.]+/g, "-").replace(/^-+|-+$/g, "");
   return text || "plot";
 }
 
