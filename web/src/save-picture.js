@@ -12,8 +12,9 @@ const RATE = 12.5; // frames of a GIF per second; delays are in hundredths of a 
 const VIDEO_RATE = 25;
 const END = 0.6; // s for which a video shows the last frame
 const [SMALL, LARGE, SHARP] = [640, 1280, 2400]; // width of a GIF, a video and an image, pixels
-const FOOT = 30; // height of the text below the picture
-const GAP = 24;
+const FOOT = 30; // height of a row of text below the picture
+const [MARGIN, CAPTION, GAP] = [10, 210, 24]; // beside the text, room for the caption, between scales
+const LETTER = 8; // width of a letter of the caption
 const VIDEOS = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"];
 
 /**
@@ -135,7 +136,9 @@ function compose(frame, stage, caption, scales, width) {
   const { canvas, cells } = stage;
   const ratio = width / canvas.clientWidth;
   const high = Math.round(ratio * canvas.clientHeight);
-  const foot = Math.round(FOOT * Math.max(1, ratio));
+  const scale = Math.max(1, ratio);
+  const below = footShapes(caption, scales, width / scale);
+  const foot = Math.round(scale * below.height);
   // sizes of videos are even
   const size = [2 * Math.round(width / 2), 2 * Math.round((high + foot) / 2)];
   if (frame.width !== size[0] || frame.height !== size[1]) [frame.width, frame.height] = size;
@@ -144,14 +147,17 @@ function compose(frame, stage, caption, scales, width) {
   context.fillRect(0, 0, ...size);
   context.drawImage(canvas, 0, 0, width, high);
   if (cells.length > 1) for (const cell of cells) paintShapes(context, elementShapes(cell).shapes, ratio, [cell.offsetLeft, cell.offsetTop]);
-  const scale = Math.max(1, ratio);
-  const shapes = [{ kind: "text", x: 10, y: 20, text: caption, bold: true, size: 14, fill: "#16191d" }];
-  let right = size[0] / scale - 10;
-  for (const element of [...scales].reverse()) {
-    const { shapes: inner, width: wide, height } = elementShapes(element);
-    right -= wide;
-    shapes.push({ kind: "moved", x: right, y: (FOOT - height) / 2, shapes: inner });
-    right -= GAP;
+  paintShapes(context, below.shapes, scale, [0, high / scale]);
+}
+
+/** The caption, and to its right or below it the scales, in as many rows as they need. */
+function footShapes(caption, scales, width) {
+  const shapes = [{ kind: "text", x: MARGIN, y: 20, text: caption, bold: true, size: 14, fill: "#16191d" }];
+  let [x, y] = [caption ? Math.max(CAPTION, MARGIN + LETTER * caption.length + GAP) : MARGIN, 0];
+  for (const { shapes: inner, width: wide, height } of scales.map(elementShapes)) {
+    if (x > MARGIN && x + wide > width - MARGIN) [x, y] = [MARGIN, y + FOOT];
+    shapes.push({ kind: "moved", x, y: y + (FOOT - height) / 2, shapes: inner });
+    x += wide + GAP;
   }
-  paintShapes(context, shapes, scale, [0, high / scale]);
+  return { shapes, height: y + FOOT };
 }
