@@ -25,7 +25,7 @@ const VIDEOS = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", 
 export function pictureSaves(stage, clock, caption, scales) {
   const image = button("PNG", "download PNG of the picture", async () => {
     const frame = make("canvas");
-    await onPaper(stage, () => stage.drawSharp(SHARP, () => compose(frame, stage, caption(), scales(), stage.canvas.width)));
+    await inLightColours(stage, () => stage.drawSharp(SHARP, () => compose(frame, stage, caption(), scales(), stage.canvas.width)));
     const blob = await new Promise((done) => frame.toBlob(done, "image/png"));
     save(blob, `${fileName("picture")}.png`);
   });
@@ -69,7 +69,7 @@ function filmButton(text, ending, make) {
 }
 
 /** Do something while the picture has the colours of a light page. */
-async function onPaper(stage, act) {
+async function inLightColours(stage, act) {
   const end = beginPaper();
   stage.paint();
   try {
@@ -84,7 +84,7 @@ async function onPaper(stage, act) {
 async function play(stage, clock, next, each) {
   const before = clock.time;
   clock.pause?.();
-  await onPaper(stage, async () => {
+  await inLightColours(stage, async () => {
     for (let share = next(); share !== null; share = next()) {
       clock.seek(clock.timeAt(Math.min(1, share)));
       await drawn();

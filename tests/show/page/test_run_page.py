@@ -437,6 +437,7 @@ def test_screen_readers_hear_the_picture_the_plots_and_the_time(opened):
         assert "folded" in plot.get_attribute("aria-label")
     assert page.evaluate("document.documentElement.lang") == "en"
     page.get_by_role("button", name="b folded").click()
+    opened.settle()
     until(page, "document.querySelector('.spoken').textContent.includes('b folded, distal angles')")
     said = page.get_by_role("slider", name="time").get_attribute("aria-valuetext")
     assert re.fullmatch(r"[\d.]+ s: b folded, distal angles −[\d.]+ to −[\d.]+ degrees", said)
