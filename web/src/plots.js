@@ -11,6 +11,7 @@ import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 
 export const HEIGHT = 210;
 const STRETCHED_SPACE = 64; // pixels between times of a stretched time line
+const VARIES = 0.02; // least change of values for an axis without zero, as a share of the largest
 const DEGREES = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, ...powers(3, 20)];
 
 /**
@@ -39,9 +40,9 @@ function linesOf(plot, clips) {
   }));
 }
 
-/** Range of the readings of several lines within a span, zero included; values that are not finite are left out. */
+/** Range of the readings of several lines within a span; values that are not finite are left out. */
 function endsWithin(lines, clips, span) {
-  const ends = [0, 0];
+  const ends = [Infinity, -Infinity];
   for (const { clip, values } of lines) {
     const moments = clips[clip].time;
     for (let frame = 0; frame < moments.length; frame++) {
@@ -250,11 +251,17 @@ export function valueAxis(plot) {
   };
 }
 
-/** Range of the values, zero included, with a margin for the letters of the states. */
+/** Range of the values, with zero unless all are far from it, and with a margin for the letters of the states. */
 function yRange(plot, low, high) {
-  const [least, most] = [Math.min(0, low ?? 0), Math.max(0, high ?? 0)];
+  const [least, most] = awayFromZero(low, high) ? [low, high] : [Math.min(0, low ?? 0), Math.max(0, high ?? 0)];
   const room = 0.06 * (most - least || 1);
-  return [plot.unit === "deg" || least < 0 ? least - room : least, most + 2 * room];
+  return [plot.unit === "deg" || least !== 0 ? least - room : least, most + 2 * room];
+}
+
+/** Whether values that vary lie on one side of zero, further from it than half of the furthest. */
+function awayFromZero(low, high) {
+  const furthest = Math.max(Math.abs(low), Math.abs(high));
+  return low * high > 0 && Math.min(Math.abs(low), Math.abs(high)) > furthest / 2 && high - low > VARIES * furthest;
 }
 
 function tickText(value) {

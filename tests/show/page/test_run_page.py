@@ -376,6 +376,8 @@ def test_nothing_moves_on_a_phone_but_what_the_time_moves(opened):
       }
       return found.size; }"""
     assert opened.page.evaluate(places) == 1
+    hidden = "(tables) => tables.filter((table) => table.scrollWidth > table.clientWidth).length"
+    assert opened.page.eval_on_selector_all("#readout .table, #outcome .table", hidden) == 0
 
 
 @pytest.mark.parametrize("plot", [0, 1, 2])
