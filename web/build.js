@@ -38,7 +38,7 @@ const stamps = {
 };
 
 const result = await build({
-  entryPoints: { page: join(here, "src", "main.js"), engine: join(here, "src", "engine-worker.js") },
+  entryPoints: { page: join(here, "src", "main.js"), still: join(here, "src", "still.js"), engine: join(here, "src", "engine-worker.js") },
   plugins: [
     {
       name: "engine",

@@ -5,6 +5,7 @@ import { MeshLambertMaterial } from "three";
 /** A material that is drawn in front of anything less than a distance nearer, m. */
 export function barMaterial(nearer) {
   const material = new MeshLambertMaterial();
+  material.userData.nearer = nearer;
   if (nearer === 0) return material;
   material.onBeforeCompile = (shader) => {
     shader.vertexShader = shader.vertexShader.replace(

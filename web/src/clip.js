@@ -86,6 +86,7 @@ export function readClip(data) {
     end: time[time.length - 1],
     efforts,
     strained: data.built !== null,
+    stressed: Boolean(data.membraneLaw),
     builtVertices: () => verticesOf(unpack(data.built, Float32Array), new Float32Array(3 * share.length)),
     restLengthsAt,
     pointsAt,

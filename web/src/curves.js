@@ -7,7 +7,7 @@ import uPlot from "uplot";
 import { placeIn, unpack } from "./clip.js";
 import { lineSample, make } from "./elements.js";
 import { short } from "./format.js";
-import { ALONG, HEIGHT, axisLook, figureOf, lineSeries, onDrag, valueAxis } from "./plots.js";
+import { ALONG, HEIGHT, axisLook, figureOf, lineSeries, onDrag, paintOver, saveButtons, valueAxis } from "./plots.js";
 import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 
 const ANGLES = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 60, 90, 180];
@@ -24,7 +24,7 @@ export function mountCurves(element, curves, clips = [], clock = null, poses = n
 
 function makeCurve(data, clip, clock, poses) {
   const [lines, balls, marks] = [data.lines, data.balls, data.marks].map((courses) => courses.map(readCourse));
-  const { element, key, place } = figureOf(data);
+  const { element, head, key, place } = figureOf(data);
   const dots = (balls.length ? balls : [lines[0]]).map((ball) =>
     make("span", { className: "ball" }, balls.length && ball.name.length < 3 ? ball.name : ""),
   );
@@ -85,6 +85,7 @@ function makeCurve(data, clip, clock, poses) {
       drawKey();
       chart.redraw(false);
     });
+    head.append(saveButtons(data, () => chart, { under: () => [], over: () => [...runShapes(chart, balls), ...stateShapes(chart, marks)] }));
     if (data.top) place.after(views(whole, data.top, show));
     if (balls.length) {
       clock.onChange(follow);
@@ -158,62 +159,33 @@ function options({ data, lines, balls, marks, energyRange }, width, height) {
       },
       values,
     ],
-    hooks: { draw: [(chart) => drawRun(chart, balls), (chart) => drawMarks(chart, marks)] },
+    hooks: { draw: [(chart) => paintOver(chart, [...runShapes(chart, balls), ...stateShapes(chart, marks)])] },
   };
 }
 
-/** Draw the run's positions as faint dots, because nothing is known between two frames of a snap. */
-function drawRun(chart, balls) {
-  const { ctx, bbox } = chart;
-  const size = 1.6 * devicePixelRatio;
-  ctx.save();
-  ctx.globalAlpha = 0.55;
-  ctx.fillStyle = styleColour("--accent");
-  for (const { places, values } of balls)
-    for (let frame = 0; frame < places.length; frame++) {
-      const [x, y] = [chart.valToPos(places[frame], "x", true), chart.valToPos(values[frame], "y", true)];
-      const inside = x > bbox.left && x < bbox.left + bbox.width && y > bbox.top && y < bbox.top + bbox.height;
-      if (inside) ctx.fillRect(x - size / 2, y - size / 2, size, size);
-    }
-  ctx.restore();
+/** The run's positions as faint dots, because nothing is known between two frames of a snap. */
+function runShapes(chart, balls) {
+  const [width, height] = [chart.bbox.width / devicePixelRatio, chart.bbox.height / devicePixelRatio];
+  const dots = balls.flatMap(({ places, values }) => Array.from(places, (place, frame) => [chart.valToPos(place, "x"), chart.valToPos(values[frame], "y")]));
+  return dots
+    .filter(([x, y]) => x > 0 && x < width && y > 0 && y < height)
+    .map(([x, y]) => ({ kind: "rect", x: x - 0.8, y: y - 0.8, width: 1.6, height: 1.6, fill: styleColour("--accent"), opacity: 0.55 }));
 }
 
-/** Draw rings at stable states, wide lines along stable ranges, with their names. */
-function drawMarks(chart, marks) {
-  const { ctx, bbox } = chart;
-  const ratio = devicePixelRatio;
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(bbox.left - 6 * ratio, bbox.top, bbox.width + 12 * ratio, bbox.height + 6 * ratio);
-  ctx.clip();
-  ctx.setLineDash([]);
-  ctx.font = `${12 * ratio}px system-ui, sans-serif`;
-  for (const { name, places, values } of marks) {
-    const xs = Array.from(places, (each) => chart.valToPos(each, "x", true));
-    const ys = Array.from(values, (each) => chart.valToPos(each, "y", true));
-    const [x, y] = [xs[xs.length >> 1], ys[ys.length >> 1]];
-    ctx.beginPath();
-    if (xs.length === 1) {
-      ctx.arc(x, y, 4.5 * ratio, 0, 2 * Math.PI);
-      ctx.fillStyle = styleColour("--page");
-      ctx.fill();
-      ctx.strokeStyle = styleColour("--ink");
-      ctx.lineWidth = 1.4 * ratio;
-      ctx.stroke();
-    } else {
-      ctx.globalAlpha = 0.35;
-      for (const at of xs.keys()) ctx.lineTo(xs[at], ys[at]);
-      ctx.strokeStyle = styleColour("--line-2");
-      ctx.lineWidth = 7 * ratio;
-      ctx.stroke();
-      ctx.globalAlpha = 1;
-    }
-    const side = xs.length > 1 ? 0 : x > bbox.left + bbox.width / 2 ? -1 : 1;
-    ctx.fillStyle = styleColour("--ink");
-    ctx.textAlign = ["right", "center", "left"][side + 1];
-    ctx.fillText(name, x + 12 * side * ratio, y - 9 * ratio);
-  }
-  ctx.restore();
+/** Rings at stable states, wide lines along stable ranges, with their names. */
+function stateShapes(chart, marks) {
+  const [width, height] = [chart.bbox.width / devicePixelRatio, chart.bbox.height / devicePixelRatio];
+  const shapes = marks.flatMap(({ name, places, values }) => {
+    const points = Array.from(places, (place, at) => [chart.valToPos(place, "x"), chart.valToPos(values[at], "y")]);
+    const [x, y] = points[points.length >> 1];
+    const look =
+      points.length === 1
+        ? { kind: "circle", x, y, r: 4.5, fill: styleColour("--page"), stroke: styleColour("--ink"), lineWidth: 1.4 }
+        : { kind: "path", points, stroke: styleColour("--line-2"), lineWidth: 7, opacity: 0.35 };
+    const side = points.length > 1 ? 0 : x > width / 2 ? -1 : 1;
+    return [look, { kind: "text", x: x + 12 * side, y: y - 9, text: name, anchor: ["end", "middle", "start"][side + 1], fill: styleColour("--ink") }];
+  });
+  return [{ kind: "clip", x: -6, y: 0, width: width + 12, height: height + 6, shapes }];
 }
 
 /** Buttons for the whole curve and for its barrier. */

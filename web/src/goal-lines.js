@@ -1,7 +1,9 @@
 /** Parallel coordinates: every point is a line across axes; a reader can select a range on every axis. */
 
+import { elementDrawing } from "./element-drawing.js";
 import { make } from "./elements.js";
 import { draw } from "./plane.js";
+import { fileName, makeSaveButtons } from "./saving.js";
 import { numberText } from "./study-model.js";
 
 const HEIGHT = 300;
@@ -31,7 +33,11 @@ export function makeLines(model, keys, { best, best_word, front }, press) {
     layers(model, view, place);
   };
   const hint = "Press a line to open its run. Move the two handles of an axis to select a range of values.";
-  const element = make("section", { className: "lines" }, make("h2", {}, `All ${model.study.noun}s as lines`), make("p", { className: "note" }, hint), axisChoice(model, view, redraw), scroll, legend(model, view), make("div", { className: "choices" }, all, said), under);
+  const key = legend(model, view);
+  const title = `All ${model.study.noun}s as lines`;
+  const saves = makeSaveButtons(title, () => fileName(title), () => elementDrawing([board, key], title, ".handle"));
+  const head = make("div", { className: "head" }, make("h2", {}, title), saves);
+  const element = make("section", { className: "lines" }, head, make("p", { className: "note" }, hint), axisChoice(model, view, redraw), scroll, key, make("div", { className: "choices" }, all, said), under);
   listen(model, view, place, under, press);
   model.whenAsked(() => {
     layers(model, view, place);

@@ -1,7 +1,9 @@
 /** Samples that agree before all drawn samples, for single unknowns and pairs. */
 
+import { elementDrawing } from "./element-drawing.js";
 import { make } from "./elements.js";
 import { draw, scaleOf } from "./plane.js";
+import { fileName, makeSaveButtons } from "./saving.js";
 import { numberText } from "./study-model.js";
 
 const BINS = 12;
@@ -21,9 +23,14 @@ export function makePairs(model, { marginals, pairs }, over) {
   model.whenAsked(fill);
   fill();
   const intro = "Blue: samples that agree. Grey: all drawn samples. Each colour is scaled by its number of samples. Unknowns that the facts narrow most come first.";
-  const parts = [make("h2", {}, "Single unknowns"), make("p", { className: "note" }, intro), single];
-  if (some.length > 1) parts.push(make("h2", {}, "Pairs of unknowns"), make("p", { className: "note" }, "Press a pair to enlarge it."), double);
+  const parts = [headOf("Single unknowns", single), make("p", { className: "note" }, intro), single];
+  if (some.length > 1) parts.push(headOf("Pairs of unknowns", double), make("p", { className: "note" }, "Press a pair to enlarge it."), double);
   return { element: make("section", { className: "agreeing" }, ...parts) };
+}
+
+function headOf(title, place) {
+  const saves = makeSaveButtons(title, () => fileName(title), () => elementDrawing([place], title));
+  return make("div", { className: "head" }, make("h2", {}, title), saves);
 }
 
 const allOf = (model) => Array.from({ length: model.study.points }, (_, point) => point);

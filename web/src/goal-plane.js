@@ -1,7 +1,9 @@
 /** Points over two columns that a reader chooses, coloured by outcome or by a number. */
 
+import { elementDrawing } from "./element-drawing.js";
 import { make } from "./elements.js";
 import { scaleParts, signOf } from "./heat.js";
+import { fileName, makeSaveButtons } from "./saving.js";
 import { makeScatter } from "./study-scatter.js";
 
 /** `keys` are the columns of the horizontal and vertical axis; `open` receives a pressed point. */
@@ -53,7 +55,10 @@ export function makePlane(model, { plane, front, best, best_word, joined }, open
     if (view[other] === index) view[other] = view[which];
     view[which] = index;
   }
-  const element = make("section", { className: "map" }, make("h2", {}, plane.title), make("div", { className: "choices" }, ...Object.values(selects).map((each) => each.element)), place, legend);
+  const names = () => [view.y, view.x].map((index) => model.columns[index].name).join(" over ");
+  const saves = makeSaveButtons(plane.title, () => fileName(names()), () => elementDrawing([place, legend], names()));
+  const head = make("div", { className: "head" }, make("h2", {}, plane.title), saves);
+  const element = make("section", { className: "map" }, head, make("div", { className: "choices" }, ...Object.values(selects).map((each) => each.element)), place, legend);
   model.whenAsked(draw);
   draw();
   return {

@@ -25,5 +25,5 @@ export function scaleParts(model, quantity) {
   if (!scale) return [];
   const bar = make("span", { className: "bar", "aria-hidden": "true" });
   bar.style.background = coloursOf(quantity).gradient;
-  return [make("p", { className: "scale" }, `${quantity.title} (${quantity.unit})`, make("span", {}, scale.text(scale.low)), bar, make("span", {}, scale.text(scale.high)))];
+  return [make("p", { className: "scale" }, `${quantity.title} (${quantity.unit})`, make("span", { className: "whole" }, scale.text(scale.low), bar, scale.text(scale.high)))];
 }

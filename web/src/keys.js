@@ -17,10 +17,10 @@ const OF_PICTURE = [
   ["0", "reset the view"],
 ];
 
-export function keysHelp(clips, picture, whole) {
+export function keysHelp(clips, whole) {
   const marks = clips.length === 1 ? clips[0].marks : [];
   const ofStates = marks.map((mark, index) => [String(index + 1), mark.name]);
-  const rows = [...OF_CLOCK, ...ofStates, ...(picture ? [[TURNS, `turn the ${whole}`], ...OF_PICTURE] : [])].map(([keys, text]) => make("tr", {}, make("th", { scope: "row" }, keys), make("td", {}, text)));
+  const rows = [...OF_CLOCK, ...ofStates, [TURNS, `turn the ${whole}`], ...OF_PICTURE].map(([keys, text]) => make("tr", {}, make("th", { scope: "row" }, keys), make("td", {}, text)));
   return make(
     "details",
     { className: "keys" },
@@ -34,11 +34,11 @@ const TURN = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDow
 
 /** Turn or zoom the view by a key; returns whether the key does that. Some keys work only in the player. */
 function look({ key, shiftKey }, eye, firstView, inside) {
-  if (shiftKey && key in TURN) eye?.turn(...TURN[key]);
+  if (shiftKey && key in TURN) eye.turn(...TURN[key]);
   else if (!inside) return false;
-  else if (key === "+" || key === "=") eye?.zoom(1);
-  else if (key === "-" || key === "\u2212") eye?.zoom(-1);
-  else if (key === "0") eye?.show(firstView);
+  else if (key === "+" || key === "=") eye.zoom(1);
+  else if (key === "-" || key === "\u2212") eye.zoom(-1);
+  else if (key === "0") eye.show(firstView);
   else return false;
   return true;
 }

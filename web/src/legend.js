@@ -28,14 +28,25 @@ function entry(sample, text) {
 }
 
 function energyEntry(text, energy) {
-  const bar = make("li", { className: "energy" }, `${text}: 0`, gradientSwatch(ENERGY_COLOURS));
   // the energy may exceed the run's maximum when a reader moves the structure
-  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}${energy.orMore ? " or more" : ""}`);
-  return bar;
+  return scaleEntry(text, "0", ENERGY_COLOURS, `${short(energy.factor * energy.largest_J)} ${energy.unit}${energy.orMore ? " or more" : ""}`);
 }
 
-export function gradientSwatch(colours) {
-  return swatch("bar", { background: colours.gradient });
+/** Scale of colours between two texts, on one line. */
+export function scaleEntry(text, low, colours, high) {
+  const bar = swatch("bar", { background: colours.gradient });
+  return make("li", { className: "energy" }, `${text}: `, make("span", { className: "whole" }, low, bar, high));
+}
+
+/** A text that changes while the structure moves, in a box with room for any of `texts`, so that nothing else moves. */
+export function roomyText(texts) {
+  const said = make("span");
+  const measure = document.createElement("canvas").getContext("2d");
+  measure.font = "14px system-ui, sans-serif";
+  const widths = new Map([...new Set(texts)].map((text) => [text, measure.measureText(text).width]));
+  const longest = [...widths.keys()].reduce((most, text) => (widths.get(text) > widths.get(most) ? text : most));
+  const room = make("span", { className: "room", "aria-hidden": "true" }, longest);
+  return { element: make("span", { className: "roomy" }, room, said), say: (text) => { said.textContent = text; } };
 }
 
 function swatch(kind, style) {

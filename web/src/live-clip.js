@@ -34,6 +34,8 @@ export function makeLive(clip, live, first) {
     ...clip,
     marks: [],
     efforts: null,
+    // a reader may change the law of the membrane
+    stressed: false,
     reach: clip.mesh.base.radius,
     pointsAt,
     verticesAt: (moment, into) => (moment === NOW ? clip.verticesOf(frame.points, into) : clip.verticesAt(moment, into)),

@@ -4,6 +4,7 @@ import "./page.css";
 import "./try.css";
 import "./bench.css";
 import { make } from "./elements.js";
+import { mountFigures } from "./figures.js";
 import { takeUnits } from "./format.js";
 import { showBench } from "./page-bench.js";
 import { showComparison } from "./page-compare.js";
@@ -48,4 +49,5 @@ try {
 } catch (error) {
   fail(error);
 }
+mountFigures();
 watchTables();

@@ -13,7 +13,7 @@ export function showComparison(data) {
   const clips = data.clips.map(readClip);
   const clock = makeClock(clips, data.spans);
   const player = mountPlayer(document.getElementById("player"), clips, clock, data);
-  if (player.stage) nameCells(player.stage.cells, clips, clock, data.energy);
+  nameCells(player.stage.cells, clips, clock, data.energy);
   const plots = mountPlots(document.getElementById("plots"), data.plots, clips, clock);
   playOnceSeen(document.getElementById("player"), clock);
   return { clips, clock, player, plots };

@@ -35,7 +35,7 @@ export function showGoals(data) {
   }
   // without runs there is space for the numbers
   const sides = data.runs.length ? [[plane.element, panel.facts], [panel.element]] : [[plane.element], [panel.facts]];
-  const beside = make("div", { className: "explorer" }, ...sides.map((side) => make("div", {}, ...side)));
+  const beside = make("div", { className: "explorer" }, ...sides.map((side) => make("div", {}, ...side)), panel.below);
   const elements = { lines: lines.element, pairs: pairs?.element, plane: beside };
   document.getElementById("explorer").replaceChildren(...views.order.map((name) => elements[name]));
   const refresh = extendTable(document.getElementById("points"), model, data.csv, open);

@@ -12,7 +12,8 @@ import { makeApart, makeChoice, makeHinge, makeKinds } from "./parts-controls.js
 import { readModel, readMotion } from "./parts-model.js";
 import "./parts.css";
 import { makePartsShape } from "./parts-shape.js";
-import { noPicture, viewButtons } from "./player.js";
+import { viewButtons } from "./player.js";
+import { pictureSaves } from "./save-picture.js";
 import { makeStage } from "./stage.js";
 import { makeTransport } from "./transport.js";
 
@@ -148,9 +149,9 @@ function mount(element, data, model, state, shown) {
   let shape = null;
   const shapeOf = () => (shape = makePartsShape(model, state, shown.anglesAt, data.stopColour));
   const stage = makeStage([clip], clock, shapeOf, data.text);
-  const picture = stage
-    ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, null))
-    : make("p", { className: "note" }, noPicture(WHOLE));
+  const views = viewButtons(stage.eye, null);
+  views.prepend(pictureSaves(stage, clock, () => "", () => []));
+  const picture = make("div", { className: "picture" }, stage.element, ...(stage.note ? [stage.note] : []), views);
   const info = make("p", { className: "chosen", role: "status" }, FIRST);
   const control = make("div", {}, sources[0].control);
   element.replaceChildren(
@@ -160,21 +161,21 @@ function mount(element, data, model, state, shown) {
     makeChoices(model, state, shown, control),
     makeShown(model, state, shown),
     makeLegend(data, model, stage),
-    keysHelp([clip], stage !== null, WHOLE),
+    keysHelp([clip], WHOLE),
   );
   element.classList.add("player");
   element.setAttribute("role", "region");
   element.setAttribute("aria-label", "the moving parts");
-  listenToKeys(element, [clip], clock, stage?.eye, VIEWS[0]);
+  listenToKeys(element, [clip], clock, stage.eye, VIEWS[0]);
   return {
     stage,
     shape,
     info,
     repaint: () => {
-      shape?.paint();
+      shape.paint();
       clock.seek(clock.time);
     },
-    onPress: (press) => stage && listenToPresses(stage.canvas, (place) => press(shape.at(place, stage.eye.camera))),
+    onPress: (press) => listenToPresses(stage.canvas, (place) => press(shape.at(place, stage.eye.camera))),
   };
 }
 
@@ -220,7 +221,7 @@ function makeLegend(data, model, stage) {
     { className: "legend" },
     ...(model.parts.some((part) => part.stops) ? [swatchEntry(data.stopColour, "face of a stop")] : []),
     ...(model.straps.length ? [make("li", {}, taut, "on the slider: range of taut straps")] : []),
-    ...(stage ? [make("li", {}, `squares of the grid: ${short(1e3 * squareSide(stage.eye.size))} mm`)] : []),
+    make("li", {}, `squares of the grid: ${short(1e3 * squareSide(stage.eye.size))} mm`),
   );
 }
 

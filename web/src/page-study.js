@@ -15,8 +15,9 @@ export function showStudy(data) {
     bringIntoSight(panel);
   };
   const map = makeMap(model, (point, quantity) => open(point, quantity.transition));
-  const left = make("div", {}, map.element, panel.facts);
-  document.getElementById("explorer").replaceChildren(make("div", { className: "explorer" }, left, panel.element));
+  // without runs there is space for the numbers
+  const sides = data.runs.length ? [[map.element, panel.facts], [panel.element]] : [[map.element], [panel.facts, panel.element]];
+  document.getElementById("explorer").replaceChildren(make("div", { className: "explorer" }, ...sides.map((side) => make("div", {}, ...side)), panel.below));
   extendTable(document.getElementById("points"), model, data.csv, (point) => {
     map.show(point);
     open(point);

@@ -31,14 +31,14 @@ export function scaleOf({ values, log }, others = []) {
   return { words, share, ticks, value: (at) => back(low + at * (high - low)) };
 }
 
-/** Positions of values, and of others, on an axis between two ends of the drawing; missing values at its start. */
+/** Positions of values, and of others, on an axis between two ends of the drawing; missing values beside its start. */
 export function makeAxis(values, column, from, to, others = []) {
   const label = column.unit ? `${column.name} (${column.unit})` : column.name;
   const scale = scaleOf({ values, log: column.log }, others);
   const margin = 0.04 * (to - from);
   const at = (value) => from + margin + scale.share(value) * (to - from - 2 * margin);
   const ticks = scale.ticks.map((value) => [at(value), typeof value === "number" ? numberText(value) : value]);
-  return { label, from, to, ticks, at, place: (point) => (values[point] === null ? from : at(values[point])) };
+  return { label, from, to, ticks, at, place: (point) => (values[point] === null ? from + 0.75 * margin : at(values[point])) };
 }
 
 export function roundNumbers(low, high) {

@@ -3,11 +3,12 @@
 import { VIEWS } from "./camera.js";
 import { effortTexts } from "./efforts.js";
 import { make } from "./elements.js";
-import { short } from "./format.js";
+import { short, timeText } from "./format.js";
 import { keysHelp, listenToKeys, listenToLooks } from "./keys.js";
-import { gradientSwatch, makeLegend } from "./legend.js";
-import { STRAIN_COLOURS } from "./scheme.js";
+import { makeLegend, roomyText } from "./legend.js";
 import { makeShape } from "./shape.js";
+import { pictureSaves } from "./save-picture.js";
+import { makeSheetColours } from "./sheet-colours.js";
 import { makeStage } from "./stage.js";
 import { makeTransport, stageText } from "./transport.js";
 
@@ -16,29 +17,28 @@ import { makeTransport, stageText } from "./transport.js";
  *
  * energy: {unit, factor, largest_J} for the tendons' colours; legend: samples of colours with their meanings; text: a
  * sentence about the picture; whole: noun for one of the structures; look: initial view of the camera.
- * Returns {stage, dispose}; stage is null without WebGL.
+ * Returns {stage, dispose}.
  */
 export function mountPlayer(element, clips, clock, { energy, legend: entries, text, whole }, look) {
   const stage = makeStage(clips, clock, (clip) => makeShape(clip, energy.largest_J), text, look);
-  const picture = stage
-    ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, clips.length > 1 || look ? whole : null))
-    : make("p", { className: "note" }, noPicture(whole));
-  if (stage && clips.length === 1) nameState(stage.cells[0], clips[0], clock);
-  const legend = stage ? [makeLegend(entries, energy, stage.eye.size, clips.length > 1 ? whole : null)] : [];
-  if (stage && clips.some((clip) => clip.strained)) legend.unshift(colourChoice(stage, legend[0]));
-  if (stage && clips.length === 1 && clips[0].efforts?.drives.length) tellEfforts(legend.at(-1), clips[0], clock);
-  if (stage && clips.length > 1 && clips.some((clip) => clip.efforts?.drives.some((drive) => drive.arrow)))
+  const picture = make("div", { className: "picture" }, stage.element, ...(stage.note ? [stage.note] : []), viewButtons(stage.eye, clips.length > 1 || look ? whole : null));
+  if (clips.length === 1) nameState(stage.cells[0], clips[0], clock);
+  const legend = [makeLegend(entries, energy, stage.eye.size, clips.length > 1 ? whole : null)];
+  if (clips.some((clip) => clip.strained)) legend.unshift(makeSheetColours(stage, legend[0], clips));
+  if (clips.length === 1 && clips[0].efforts?.drives.length) tellEfforts(legend.at(-1), clips[0], clock);
+  if (clips.length > 1 && clips.some((clip) => clip.efforts?.drives.some((drive) => drive.arrow)))
     legend.at(-1).append(make("li", { className: "effort" }, arrowSample(), "torque or force of a drive, while it acts"));
-  element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp(clips, stage !== null, whole));
+  element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp(clips, whole));
   element.classList.add("player");
   element.setAttribute("role", "region");
   element.setAttribute("aria-label", `the moving ${whole}`);
-  const deaf = listenToKeys(element, clips, clock, stage?.eye, VIEWS[0]);
+  addSaves(element, stage, clock, () => momentName(clips, clock));
+  const deaf = listenToKeys(element, clips, clock, stage.eye, VIEWS[0]);
 
   function dispose() {
     clock.pause();
     deaf();
-    stage?.dispose();
+    stage.dispose();
     element.replaceChildren();
   }
 
@@ -48,19 +48,28 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
 /** Display structures without a time line, which sliders move; arguments as for mountPlayer. */
 export function mountStill(element, clips, clock, { energy, legend: entries, text, whole }, look) {
   const stage = makeStage(clips, clock, (clip) => makeShape(clip, energy.largest_J), text, look);
-  if (!stage) {
-    element.replaceChildren(make("p", { className: "note" }, noPicture(whole)));
-    return { stage };
-  }
-  const picture = make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, null, !look));
+  const picture = make("div", { className: "picture" }, stage.element, ...(stage.note ? [stage.note] : []), viewButtons(stage.eye, null, !look));
   const legend = [makeLegend(entries, { ...energy, orMore: true }, stage.eye.size, null)];
-  if (clips.some((clip) => clip.strained)) legend.unshift(colourChoice(stage, legend[0]));
+  if (clips.some((clip) => clip.strained)) legend.unshift(makeSheetColours(stage, legend[0], clips));
   element.replaceChildren(picture, ...legend);
   element.classList.add("player");
   element.setAttribute("role", "region");
   element.setAttribute("aria-label", `the ${whole} as set by the sliders`);
+  addSaves(element, stage, clock, () => "");
   listenToLooks(element, stage.eye, VIEWS[0]);
   return { stage };
+}
+
+/** Buttons that save the picture and its motion, with the scales of the legend. */
+function addSaves(element, stage, clock, caption) {
+  const scales = () => [...element.querySelectorAll(".legend .energy:not([hidden])")];
+  element.querySelector(".views").prepend(pictureSaves(stage, clock, caption, scales));
+}
+
+/** The time of a picture and, of a single structure, its state. */
+function momentName(clips, clock) {
+  const state = clips.length === 1 ? `${stageText(clips[0], clock.clipTime(0))}, ` : "";
+  return `${state}${timeText(clock.time, clock.span)}`;
 }
 
 /** Write into the picture of a single structure its state, or the drive that acts on it. */
@@ -79,34 +88,10 @@ function arrowSample() {
 /** List in the legend the drives that act now, with their strengths. */
 function tellEfforts(legend, clip, clock) {
   const arrow = clip.efforts.drives.some((drive) => drive.arrow);
-  const said = make("span");
-  legend.append(make("li", { className: "effort" }, ...(arrow ? [arrowSample()] : []), said));
-  clock.onChange(() => {
-    said.textContent = effortTexts(clip.efforts, clock.clipTime(0), short).join("; ") || "no drive acts now";
-  });
-}
-
-/** Choice of the sheet's colours: regions, or strain with its scale in the legend. */
-function colourChoice(stage, legend) {
-  const names = ["panels", "membrane strain"];
-  const bar = make("li", { className: "energy", hidden: true });
-  legend.append(bar);
-  const buttons = names.map((name, strained) => {
-    const button = make("button", { type: "button", "aria-pressed": String(!strained) }, name);
-    button.addEventListener("click", () => {
-      const largest = stage.showStrain(Boolean(strained));
-      bar.replaceChildren("Green strain of the membrane: 0", gradientSwatch(STRAIN_COLOURS), `${short(100 * largest)} %`);
-      bar.hidden = !strained;
-      for (const entry of legend.querySelectorAll(".of-region")) entry.hidden = Boolean(strained);
-      for (const each of buttons) each.setAttribute("aria-pressed", String(each === button));
-    });
-    return button;
-  });
-  return make("div", { className: "colours", role: "group", "aria-label": "colour of the sheet" }, "colour:", make("span", {}, ...buttons));
-}
-
-export function noPicture(whole) {
-  return `This browser has no WebGL, so the ${whole} cannot be drawn in 3-D. The plots and all numbers are below.`;
+  const textAt = (moment) => effortTexts(clip.efforts, moment, short).join("; ") || "no drive acts now";
+  const said = roomyText(Array.from(clip.time, textAt));
+  legend.append(make("li", { className: "effort" }, ...(arrow ? [arrowSample()] : []), said.element));
+  clock.onChange(() => said.say(textAt(clock.clipTime(0))));
 }
 
 /**

@@ -1,13 +1,17 @@
 /** Plots over time, with a cursor at the clock's time; pressing a plot moves the clock there. */
 
 import uPlot from "uplot";
+import { chartDrawing } from "./chart-drawing.js";
 import { unpack } from "./clip.js";
+import { paintShapes } from "./drawing.js";
 import { lineSample, make } from "./elements.js";
 import { capital, short, timeUnit } from "./format.js";
+import { fileName, makeSaveButtons } from "./saving.js";
 import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 
 export const HEIGHT = 210;
 const STRETCHED_SPACE = 64; // pixels between times of a stretched time line
+const VARIES = 0.02; // least change of values for an axis without zero, as a share of the largest
 const DEGREES = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, ...powers(3, 20)];
 
 /**
@@ -36,9 +40,9 @@ function linesOf(plot, clips) {
   }));
 }
 
-/** Range of the readings of several lines within a span, zero included; values that are not finite are left out. */
+/** Range of the readings of several lines within a span; values that are not finite are left out. */
 function endsWithin(lines, clips, span) {
-  const ends = [0, 0];
+  const ends = [Infinity, -Infinity];
   for (const { clip, values } of lines) {
     const moments = clips[clip].time;
     for (let frame = 0; frame < moments.length; frame++) {
@@ -59,7 +63,7 @@ function clipOf(plot) {
 
 /** sharing: lines of all plots with the same range of values; null for a range of its own. */
 function makePlot(plot, values, sharing, clips, clock) {
-  const { element, key, place } = figureOf(plot, plot.owner);
+  const { element, head, key, place } = figureOf(plot, plot.owner);
   const cursor = make("div", { className: "cursor" });
   let chart = null;
   let span = null;
@@ -69,8 +73,8 @@ function makePlot(plot, values, sharing, clips, clock) {
 
   function drawKey() {
     const { word } = plot;
-    const samples = plot.lines.map((line, index) =>
-      make("li", {}, lineSample(lineLook(line.look ?? index)), word ? line.name.slice(word.length + 1) : line.name),
+    const samples = keyTexts(plot).map((text, index) =>
+      make("li", {}, lineSample(lineLook(plot.lines[index].look ?? index)), text),
     );
     key.replaceChildren(...(word ? [make("li", {}, word)] : []), ...samples);
   }
@@ -100,6 +104,13 @@ function makePlot(plot, values, sharing, clips, clock) {
     };
     stops = [clock.onChange(follow), onSchemeChange(repaint)];
     drawKey();
+    const own = clipOf(plot);
+    head.append(
+      saveButtons(plot, () => chart, {
+        under: () => stageShapes(chart, clips, own, clock.span),
+        over: () => markShapes(chart, clips, own, clock.span),
+      }),
+    );
   }
 
   function dispose() {
@@ -118,14 +129,27 @@ function makePlot(plot, values, sharing, clips, clock) {
   };
 }
 
-/** The figure of a plot, with an empty legend and a place for its chart; owner: its clip's name, if needed. */
+/** The figure of a plot: its head, an empty legend and a place for its chart; owner: its clip's name, if needed. */
 export function figureOf(plot, owner = null) {
   const text = owner ? `${capital(owner)}. ${plot.text}` : plot.text;
   const place = make("div", { className: "chart", role: "img", "aria-label": text });
   const key = make("ul", { className: "key" });
   const heading = make("h2", {}, `${capital(plot.title)} (${plot.unit})`);
   if (owner) heading.append(make("small", {}, owner));
-  return { element: make("figure", {}, heading, key, place, make("figcaption", {}, plot.text)), key, place };
+  const head = make("div", { className: "head" }, heading);
+  return { element: make("figure", {}, head, key, place, make("figcaption", {}, plot.text)), head, key, place };
+}
+
+/** Names of the lines for the legend, in which their common word stands once. */
+function keyTexts({ lines, word }) {
+  return lines.map(({ name }) => (word ? name.slice(word.length + 1) : name));
+}
+
+/** Buttons that save a chart; under, over: as for `chartDrawing`. */
+export function saveButtons(plot, chartOf, { under, over }) {
+  const what = plot.owner ? `${plot.title}, ${plot.owner}` : plot.title;
+  const drawing = () => chartDrawing(chartOf(), { name: `${plot.title} (${plot.unit})`, lines: keyTexts(plot), word: plot.word, under, over });
+  return makeSaveButtons(what, () => fileName(what), drawing);
 }
 
 /** The lines over the clock's time; those of several clips share one row of times. */
@@ -170,8 +194,8 @@ function options(plot, sharing, clips, clock, width) {
       valueAxis(plot),
     ],
     hooks: {
-      drawClear: [(chart) => drawStages(chart, clips, clipOf(plot), clock.span)],
-      draw: [(chart) => drawMarks(chart, clips, clipOf(plot), clock.span)],
+      drawClear: [(chart) => paintOver(chart, stageShapes(chart, clips, clipOf(plot), clock.span))],
+      draw: [(chart) => paintOver(chart, markShapes(chart, clips, clipOf(plot), clock.span))],
     },
   };
 }
@@ -229,11 +253,17 @@ export function valueAxis(plot) {
   };
 }
 
-/** Range of the values, zero included, with a margin for the letters of the states. */
+/** Range of the values, with zero unless all are far from it, and with a margin for the letters of the states. */
 function yRange(plot, low, high) {
-  const [least, most] = [Math.min(0, low ?? 0), Math.max(0, high ?? 0)];
+  const [least, most] = awayFromZero(low, high) ? [low, high] : [Math.min(0, low ?? 0), Math.max(0, high ?? 0)];
   const room = 0.06 * (most - least || 1);
-  return [plot.unit === "deg" || least < 0 ? least - room : least, most + 2 * room];
+  return [plot.unit === "deg" || least !== 0 ? least - room : least, most + 2 * room];
+}
+
+/** Whether values that vary lie on one side of zero, further from it than half of the furthest. */
+function awayFromZero(low, high) {
+  const furthest = Math.max(Math.abs(low), Math.abs(high));
+  return low * high > 0 && Math.min(Math.abs(low), Math.abs(high)) > furthest / 2 && high - low > VARIES * furthest;
 }
 
 function tickText(value) {
@@ -241,45 +271,39 @@ function tickText(value) {
   return text.length > 7 ? short(value) : text.replace("-", "\u2212");
 }
 
-/** Draw grey bands where torques act on the plot's only clip. */
-function drawStages(chart, clips, own, span) {
-  if (own === null) return;
+/** Paint shapes on a chart; they are placed from the plot's upper left corner. */
+export function paintOver(chart, shapes) {
   const { ctx, bbox } = chart;
-  ctx.save();
-  ctx.fillStyle = styleColour("--band");
-  for (const stage of clips[own].stages.filter((each) => each.driven)) {
-    const [left, right] = [stage.start, stage.end].map((moment) => chart.valToPos(moment - span.origins[own], "x", true));
-    const from = Math.max(left, bbox.left);
-    ctx.fillRect(from, bbox.top, Math.max(0, Math.min(right, bbox.left + bbox.width) - from), bbox.height);
-  }
-  ctx.restore();
+  paintShapes(ctx, shapes, devicePixelRatio, [bbox.left / devicePixelRatio, bbox.top / devicePixelRatio]);
 }
 
-/** Draw letters a, b and c at the states of the plot's only clip. */
-function drawMarks(chart, clips, own, span) {
-  if (own === null) return;
-  const { ctx, bbox } = chart;
-  const ratio = devicePixelRatio;
-  ctx.save();
-  ctx.strokeStyle = styleColour("--muted");
-  ctx.font = `bold ${12 * ratio}px system-ui, sans-serif`;
-  ctx.setLineDash([2 * ratio, 3 * ratio]);
-  for (const mark of clips[own].marks) {
-    const x = chart.valToPos(mark.time - span.origins[own], "x", true);
-    if (x < bbox.left - 1 || x > bbox.left + bbox.width + 1) continue;
-    ctx.beginPath();
-    ctx.moveTo(x, bbox.top);
-    ctx.lineTo(x, bbox.top + bbox.height);
-    ctx.stroke();
-    const side = x > bbox.left + bbox.width - 16 * ratio ? -1 : 1;
-    // a line under a letter would hide it
-    ctx.fillStyle = styleColour("--page");
-    ctx.fillRect(x + (side > 0 ? 2 : -14) * ratio, bbox.top + 1 * ratio, 12 * ratio, 15 * ratio);
-    ctx.fillStyle = styleColour("--ink");
-    ctx.textAlign = "center";
-    ctx.fillText(mark.letter, x + side * 8 * ratio, bbox.top + 13 * ratio);
-  }
-  ctx.restore();
+/** Grey bands where torques act on the plot's only clip. */
+function stageShapes(chart, clips, own, span) {
+  if (own === null) return [];
+  const [width, height] = [chart.bbox.width / devicePixelRatio, chart.bbox.height / devicePixelRatio];
+  return clips[own].stages
+    .filter((each) => each.driven)
+    .map((stage) => {
+      const [left, right] = [stage.start, stage.end].map((moment) => Math.min(width, Math.max(0, chart.valToPos(moment - span.origins[own], "x"))));
+      return { kind: "rect", x: left, y: 0, width: right - left, height, fill: styleColour("--band") };
+    });
+}
+
+/** Dotted lines with letters a, b and c at the states of the plot's only clip. */
+function markShapes(chart, clips, own, span) {
+  if (own === null) return [];
+  const [width, height] = [chart.bbox.width / devicePixelRatio, chart.bbox.height / devicePixelRatio];
+  return clips[own].marks.flatMap((mark) => {
+    const x = chart.valToPos(mark.time - span.origins[own], "x");
+    if (x < -1 || x > width + 1) return [];
+    const side = x > width - 16 ? -1 : 1;
+    return [
+      { kind: "path", points: [[x, 0], [x, height]], stroke: styleColour("--muted"), dash: [2, 3] },
+      // a line under a letter would hide it
+      { kind: "rect", x: x + (side > 0 ? 2 : -14), y: 1, width: 12, height: 15, fill: styleColour("--page") },
+      { kind: "text", x: x + side * 8, y: 13, text: mark.letter, anchor: "middle", bold: true, fill: styleColour("--ink") },
+    ];
+  });
 }
 
 function seekByPointer(chart, clock) {

@@ -4,6 +4,7 @@ import { TENDONS } from "./clip.js";
 import { make } from "./elements.js";
 import { capital, fixed, short, timeText } from "./format.js";
 
+const MOST_BESIDE = 4; // number of hinges and tendons that have columns
 const SWINGS = { deg: 0.05 }; // swing from which it is displayed, by unit
 
 /** index: index of the clip on its clock; named: whether its name is displayed, beside other clips. */
@@ -27,13 +28,17 @@ export function mountReadout(element, clip, clock, energy, index = 0, named = fa
     });
   const cells = rows.map(() => names.map(() => make("td")));
   const caption = make("caption");
+  const titles = rows.map((row) => row.title);
+  // many hinges are below one another, so that the table is narrow enough for a phone
+  const below = names.length > MOST_BESIDE;
+  const [across, down] = below ? [titles, names] : [names, titles];
   const head = make(
     "tr",
     {},
     heading ? make("th", { scope: "col" }, heading) : make("td"),
-    ...names.map((name) => make("th", { scope: "col" }, name)),
+    ...across.map((name) => make("th", { scope: "col" }, name)),
   );
-  const body = rows.map((row, index) => make("tr", {}, make("th", { scope: "row" }, row.title), ...cells[index]));
+  const body = down.map((name, index) => make("tr", {}, make("th", { scope: "row" }, name), ...(below ? cells.map((row) => row[index]) : cells[index])));
   const table = make("table", { className: "numbers" }, caption, make("thead", {}, head), make("tbody", {}, ...body));
   element.replaceChildren(make("div", { className: "table" }, table));
   element.classList.add("readout");

@@ -37,9 +37,33 @@ export const ENERGY_COLOURS = palette(ENERGY);
 export const QUANTITY_COLOURS = palette(QUANTITY);
 export const STRAIN_COLOURS = palette(STRAIN);
 
+let styled = null; // element whose colours are used; null for those of the page
+
 /** A colour of the page's style, such as "--ink". */
 export function styleColour(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  return getComputedStyle(styled ?? document.documentElement).getPropertyValue(name).trim();
+}
+
+/** Take colours from a light page, as for drawings to save; returns a function that ends this. */
+export function beginPaper() {
+  const paper = document.createElement("div");
+  paper.className = "paper";
+  document.body.append(paper);
+  styled = paper;
+  return () => {
+    styled = null;
+    paper.remove();
+  };
+}
+
+/** Make something in the colours of a light page. */
+export function onPaper(act) {
+  const end = beginPaper();
+  try {
+    return act();
+  } finally {
+    end();
+  }
 }
 
 /** Listen to changes between light and dark; returns a function that ends this. */

@@ -51,7 +51,7 @@ export function makeShape(clip, largestEnergy) {
   const base = makeBase(mesh.base);
   const efforts = clip.efforts ? makeEfforts(clip) : null;
   const strains = clip.strained ? makeStrains(clip) : null;
-  let largestStrain = 0; // upper end of the strain colours; 0: faces have the colours of their regions
+  let scale = null; // quantity of the sheet's colours, and its largest value; null: colours of the regions
   const joints = makeJoints(mesh);
   const group = new Group();
   group.add(base.object, plates.object, bars.object, joints.object, lines.object, tendons.object, sheet.object);
@@ -74,24 +74,24 @@ export function makeShape(clip, largestEnergy) {
     }
     if (clip.tendons) tendons.object.instanceColor.needsUpdate = true;
     efforts?.pose(moment);
-    if (largestStrain) colourStrains();
+    if (scale) colourStrains();
   }
 
   function colourStrains() {
-    const found = strains.at(vertices);
+    const found = strains.at(vertices, scale.quantity);
     const into = [0, 0, 0];
     for (const faces of [sheet, plates])
-      faces.colour((triangle) => shade.setRGB(...STRAIN_COLOURS.at(found[triangle] / largestStrain, into), "srgb"));
+      faces.colour((triangle) => shade.setRGB(...STRAIN_COLOURS.at(found[triangle] / scale.largest, into), "srgb"));
   }
 
-  /** Colour faces by their strains up to a largest one, or, with 0, by their regions. */
-  function showStrain(largest) {
-    largestStrain = strains ? largest : 0;
+  /** Colour faces by a quantity up to a largest value, or, with null, by their regions. */
+  function colourSheets(quantity, largest) {
+    scale = strains && quantity ? { quantity, largest } : null;
     for (const faces of [sheet, plates]) {
-      faces.flat(largestStrain > 0);
-      if (!largestStrain) faces.colour((triangle) => shade.set(regionTint(mesh.regions[triangle])));
+      faces.flat(scale !== null);
+      if (!scale) faces.colour((triangle) => shade.set(regionTint(mesh.regions[triangle])));
     }
-    if (largestStrain) colourStrains();
+    if (scale) colourStrains();
   }
 
   /** Update the colours that depend on the light or dark scheme. */
@@ -113,7 +113,7 @@ export function makeShape(clip, largestEnergy) {
     shadow.children[0].material.dispose();
   }
 
-  return { group, shadow, pose, paint, sort: sheet.sort, vertices, tendons: tendons.object, efforts, strains, showStrain, dispose };
+  return { group, shadow, pose, paint, sort: sheet.sort, vertices, tendons: tendons.object, efforts, strains, colourSheets, dispose };
 }
 
 /** Vertical shadow of faces and bars in one plane, in which every position is darkened once. */

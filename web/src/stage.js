@@ -4,6 +4,7 @@ import { DirectionalLight, HemisphereLight, Scene, Vector3, WebGLRenderer } from
 import { makeCamera } from "./camera.js";
 import { make } from "./elements.js";
 import { makeFloor } from "./floor.js";
+import { makeProcessorRenderer } from "./processor-renderer.js";
 import { onSchemeChange, styleColour } from "./scheme.js";
 
 const LONGEST = 4096; // pixels of the canvas in one direction, which all graphics chips support
@@ -17,14 +18,13 @@ const GRID = 0.5;
 const GRID_FROM_BELOW = 0.14;
 
 /**
- * Make a stage for clips, or null if the browser has no WebGL.
+ * Make a stage for clips; without WebGL the processor draws, and the stage has a sentence about that in its `note`.
  * shapeOf: makes the drawn shape of a clip; text: a sentence about the picture; look: initial view of the camera.
  * Its cells contain the structures' names and other text of the page.
  */
 export function makeStage(clips, clock, shapeOf, text, look) {
   const canvas = make("canvas", { tabIndex: 0, role: "img", "aria-label": `${text} ${HELP}` });
   const context = canvas.getContext("webgl2", { antialias: true, alpha: true, stencil: true });
-  if (!context) return null;
   const cells = clips.map(() => make("div", { className: "cell" }));
   const several = clips.length > 1;
   const element = make("div", { className: several ? "stage several" : "stage" }, canvas, ...cells);
@@ -33,7 +33,7 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     String(clips.length === 4 ? 2 : Math.min(clips.length, clips.length > 6 ? 4 : 3)),
   );
   const names = () => (several ? Math.ceil(NAME_ROOM * parseFloat(getComputedStyle(cells[0]).fontSize)) : 0);
-  const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true, stencil: true });
+  const renderer = context ? new WebGLRenderer({ canvas, context, antialias: true, alpha: true, stencil: true }) : makeProcessorRenderer(canvas);
   renderer.setScissorTest(true);
   const eye = makeCamera(canvas, clips, clock, invalidate, look);
   const views = clips.map((clip) => makeView(clip, shapeOf(clip), eye));
@@ -97,6 +97,17 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     draw();
   }
 
+  /** Draw with a number of pixels across, use the picture, and draw as before. */
+  function drawSharp(across, use) {
+    const ratio = Math.min(across / element.clientWidth, LONGEST / Math.max(element.clientWidth, element.clientHeight));
+    renderer.setPixelRatio(ratio);
+    renderer.setSize(element.clientWidth, element.clientHeight, false);
+    draw();
+    const used = use();
+    resize();
+    return used;
+  }
+
   const watch = new ResizeObserver(resize);
   watch.observe(element);
   const stop = clock.onChange(() => {
@@ -123,17 +134,19 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     element.remove();
   }
 
-  /** Colour sheets by their largest strains, all up to one value, or by their regions; returns that value. */
-  function showStrain(wanted) {
-    const largest = wanted ? views.reduce((most, { shape }) => Math.max(most, shape.strains?.largest() ?? 0), 0) : 0;
-    for (const { shape } of views) shape.showStrain(largest || (wanted ? Number.MIN_VALUE : 0));
+  /** Colour sheets by "strain" or "stress", all up to one value, or with null by their regions; returns that value. */
+  function colourSheets(quantity) {
+    const largest = quantity ? views.reduce((most, { shape }) => Math.max(most, shape.strains?.largest(quantity) ?? 0), 0) : 0;
+    for (const { shape } of views) shape.colourSheets?.(quantity, largest || Number.MIN_VALUE);
     invalidate();
     return largest;
   }
 
-  return { element, canvas, cells, eye, pose, draw, views, showStrain, statistics: () => renderer.info.render, dispose };
+  const note = context ? null : make("p", { className: "note" }, WITHOUT_WEBGL);
+  return { element, note, canvas, cells, eye, pose, draw, drawSharp, paint, views, colourSheets, statistics: () => renderer.info.render, dispose };
 }
 
+const WITHOUT_WEBGL = "This browser has no WebGL: the processor draws the picture, without shadows and more slowly.";
 const HELP = "Drag to turn, pinch to zoom; keys are listed below.";
 
 /** A scene for every structure; all are seen by one camera. */

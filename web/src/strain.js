@@ -1,21 +1,28 @@
 /**
  * The largest principal Green strain of a sheet's faces: (l - 1) / 2 with l the larger eigenvalue of the metric of a
- * triangle's sides relative to the built metric. As in figures and films, a face has the strain of its more stretched
- * triangle.
+ * triangle's sides relative to the built metric; and the largest principal stress, second Piola-Kirchhoff, of a Saint
+ * Venant-Kirchhoff sheet in plane stress, as forficula.analysis.membrane_stress computes it. As in figures and films, a
+ * face has the value of its more stretched triangle.
  */
 
 const FLAT = 1e-9; // squared area below which a triangle has no strain, as a share of its squared size
 
-/** Strains of a clip's triangles for given vertices. */
+/** Strains and stresses of a clip's triangles for given vertices. */
 export function makeStrains(clip) {
-  const { triangles, faces } = clip.mesh;
+  const { triangles, faces, membraneLaw: law } = clip.mesh;
   const built = clip.builtVertices();
   const metrics = Array.from({ length: faces.length }, (_, triangle) => metric(built, triangles, triangle));
   const ofFace = new Float32Array(faces.reduce((most, face) => Math.max(most, face), 0) + 1);
   const found = new Float32Array(faces.length);
 
-  /** Write the strain of every triangle's face. */
-  function at(vertices) {
+  /** Largest principal stress for the principal strains, Pa. */
+  function stressOf(larger, smaller) {
+    const { youngs_modulus_Pa: modulus, poisson_ratio: nu } = law;
+    return (modulus / (1 - nu * nu)) * ((1 - nu) * larger + nu * (larger + smaller));
+  }
+
+  /** Write the strain, or the stress in Pa, of every triangle's face. */
+  function at(vertices, quantity = "strain") {
     ofFace.fill(-Infinity);
     for (let triangle = 0; triangle < faces.length; triangle++) {
       const [e, f, g] = metrics[triangle];
@@ -24,18 +31,20 @@ export function makeStrains(clip) {
       const [now1, now2, now3] = metric(vertices, triangles, triangle);
       const half = (g * now1 - 2 * f * now2 + e * now3) / (2 * area);
       const product = (now1 * now3 - now2 * now2) / area;
-      const strain = (half + Math.sqrt(Math.max(half * half - product, 0)) - 1) / 2;
-      ofFace[faces[triangle]] = Math.max(ofFace[faces[triangle]], strain);
+      const root = Math.sqrt(Math.max(half * half - product, 0));
+      const [larger, smaller] = [(half + root - 1) / 2, (half - root - 1) / 2];
+      const value = quantity === "stress" ? stressOf(larger, smaller) : larger;
+      ofFace[faces[triangle]] = Math.max(ofFace[faces[triangle]], value);
     }
     for (let triangle = 0; triangle < faces.length; triangle++) found[triangle] = Math.max(0, ofFace[faces[triangle]]);
     return found;
   }
 
-  /** The largest strain of all frames. */
-  function largest() {
+  /** The largest strain, or stress in Pa, of all frames. */
+  function largest(quantity) {
     const vertices = new Float32Array(built.length);
     let most = 0;
-    for (const moment of clip.time) most = at(clip.verticesAt(moment, vertices)).reduce((one, other) => Math.max(one, other), most);
+    for (const moment of clip.time) most = at(clip.verticesAt(moment, vertices), quantity).reduce((one, other) => Math.max(one, other), most);
     return most;
   }
 

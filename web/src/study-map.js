@@ -1,7 +1,9 @@
 /** A study's map: one quantity over two factors as a grid of cells that can be opened. */
 
+import { elementDrawing } from "./element-drawing.js";
 import { make } from "./elements.js";
 import { scaleParts, signOf } from "./heat.js";
+import { fileName, makeSaveButtons } from "./saving.js";
 import { makeScatter } from "./study-scatter.js";
 
 const MOST_CELLS = 20_000;
@@ -19,7 +21,9 @@ export function makeMap(model, open) {
   const legend = make("div", { className: "map-legend" });
   const text = make("p", { className: "note" });
   const draw = () => {
-    const shown = sampled ? makeScatter(model, view, press) : makeGrid(model, view, press);
+    // numbers over a single factor are points over an axis
+    const alone = view.y === null && view.quantity.values && model.sizes.every((size, index) => size === 1 || index === view.x);
+    const shown = sampled || alone ? makeScatter(model, view, press) : makeGrid(model, view, press);
     place.replaceChildren(shown.element);
     legend.replaceChildren(...legendParts(model, view.quantity, shown.points));
     text.textContent = mapText(model, view.quantity, shown.points);
@@ -30,7 +34,10 @@ export function makeMap(model, open) {
     open(point, view.quantity);
   };
   const chooser = makeChoices(model, view, varied, draw);
-  const element = make("section", { className: "map" }, make("h2", {}, "Map"), chooser.element, place, legend, text);
+  const drawing = () => elementDrawing([place, legend], mapName(model, view).split(";")[0]);
+  const saves = makeSaveButtons("the map", () => fileName(view.quantity.title), drawing);
+  const head = make("div", { className: "head" }, make("h2", {}, "Map"), saves);
+  const element = make("section", { className: "map" }, head, chooser.element, place, legend, text);
   draw();
   return {
     element,
@@ -115,6 +122,7 @@ function makeGrid(model, view, press) {
   body.push(make("tr", { className: "feet" }, make("td"), ...feet));
   const table = make("table", { role: "grid", className: numbers ? "grid" : "grid small", "aria-label": mapName(model, view) }, make("tbody", {}, ...body));
   table.style.setProperty("--columns", columns);
+  table.style.setProperty("--rows", rows);
   const first = [...cells.values()].find((cell) => Number(cell.dataset.point) === view.current) ?? cells.get("0 0");
   first.tabIndex = 0;
   listen(table, cells, press);

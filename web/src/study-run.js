@@ -12,7 +12,7 @@ import { mountReadout } from "./readout.js";
 import { makeAnswers } from "./study-answer.js";
 import { watchTables } from "./tables.js";
 
-/** Two elements: `facts` has the point and its numbers, `element` plays its runs; `open` fills both. */
+/** Three elements: `facts` has the point and its numbers, `element` plays its runs, `below` has their plots and numbers; `open` fills them. */
 export function makeRunPanel(model) {
   const heading = make("h2");
   const status = make("p", { className: "outcome", role: "status" });
@@ -22,8 +22,9 @@ export function makeRunPanel(model) {
   const place = make("div");
   const more = make("div", { className: "more" });
   const element = make("section", { className: "run", id: "run", "aria-label": "the run that is open" }, parts, place, more);
+  const below = make("section", { className: "run below", "aria-label": "plots and numbers of the run that is open" });
   const answers = makeAnswers(model);
-  const panel = { facts, element, point: null, playing: null, answers, open, show };
+  const panel = { facts, element, below, point: null, playing: null, answers, open, show };
   let pinned = null;
   // the reader's view is kept from cell to cell
   const look = firstLook();
@@ -43,6 +44,7 @@ export function makeRunPanel(model) {
     else {
       stop();
       place.replaceChildren(make("p", { className: "note" }, whyNotKept(model, point)));
+      below.replaceChildren();
     }
     more.replaceChildren(...(model.study.built[point] ? answers.offer(point, runs.length > 0) : []));
   }
@@ -67,10 +69,11 @@ export function makeRunPanel(model) {
     const elements = { player: make("div"), plots: make("div"), readouts: runs.map(() => make("div")) };
     const [states, repeats] = [statesOf, commandsOf].map((made) => runs.map((each, index) => made(each, calledOf(runs, model)[index])));
     const advice = run.advice ? [make("p", { className: "note" }, run.advice)] : [];
-    place.replaceChildren(make("p", {}, run.text), pin(run), ...advice, elements.player, elements.plots, ...elements.readouts, ...states, ...repeats);
+    place.replaceChildren(make("p", {}, run.text), pin(run), ...advice, elements.player);
+    below.replaceChildren(elements.plots, ...elements.readouts, ...states, ...repeats);
     look.scale = model.largestSpan / run.play.clips[0].span_m;
     panel.playing = { run, beside, ...mountRun(elements, run, beside, model, look) };
-    watchTables(place);
+    watchTables(below);
     if (play && !matchMedia("(prefers-reduced-motion: reduce)").matches) panel.playing.clock.play();
   }
 
@@ -98,7 +101,7 @@ function mountRun(elements, run, beside, model, look) {
   const energy = runs.map((each) => each.play.energy).reduce((most, each) => (each.largest_J > most.largest_J ? each : most));
   const text = beside ? `${capital(clips[0].name)} and ${clips[1].name}, side by side with a common clock.` : run.play.text;
   const player = mountPlayer(elements.player, clips, clock, { ...run.play, energy, text }, look);
-  if (beside && player.stage) nameCells(player.stage.cells, clips, clock, energy);
+  if (beside) nameCells(player.stage.cells, clips, clock, energy);
   const plots = mountPlots(elements.plots, beside ? pairedPlots(runs, clips) : run.play.plots, clips, clock);
   elements.plots.classList.toggle("paired", beside !== null);
   for (const [index, clip] of clips.entries()) mountReadout(elements.readouts[index], clip, clock, energy, index, beside !== null);

@@ -4,7 +4,7 @@ import { make } from "./elements.js";
 import { axisParts, draw, makeAxis } from "./plane.js";
 
 const [WIDTH, HEIGHT] = [600, 420];
-const EDGE = { left: 64, right: 14, top: 12, bottom: 52 };
+const EDGE = { left: 76, right: 14, top: 12, bottom: 52 };
 const MANY = 60; // number of points above which marks are smaller
 const STEPS = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 };
 

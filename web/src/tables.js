@@ -6,11 +6,22 @@ let named = 0;
 export function watchTables(root = document) {
   const watch = new ResizeObserver((entries) => {
     for (const { target } of entries) {
+      showMore(target);
       if (target.scrollWidth > target.clientWidth || target.scrollHeight > target.clientHeight) makeStop(target);
       else for (const name of ["tabindex", "role", "aria-label", "aria-labelledby"]) target.removeAttribute(name);
     }
   });
-  for (const table of root.querySelectorAll(".table")) watch.observe(table);
+  for (const table of root.querySelectorAll(".table")) {
+    watch.observe(table);
+    table.addEventListener("scroll", () => showMore(table), { passive: true });
+  }
+}
+
+/** Mark the sides on which a table continues. */
+function showMore(place) {
+  const left = Math.abs(place.scrollLeft);
+  place.classList.toggle("more-left", left > 1);
+  place.classList.toggle("more-right", left + place.clientWidth < place.scrollWidth - 1);
 }
 
 /** A tab stop with the present and future name of the table. */

@@ -7,10 +7,11 @@ from typing import Annotated
 
 import numpy as np
 
+from forficula.analysis.membrane_stress import principal_strains, principal_stresses
 from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.serial import Key, Pascals, Radians, Seconds, Written
-from forficula.structure import MembraneLaw, hinge_groups, springs_name
+from forficula.structure import hinge_groups, springs_name
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -103,10 +104,6 @@ def _bars(record: Record) -> Peak | None:
 def membrane_peaks(record: Record) -> list[Peak]:
     """Find the largest principal strain and the largest principal stress in the triangles of every membrane.
 
-    Green's strain of a flat triangle is E = (F^T F - 1) / 2, where F maps its sides as built to its present sides. The
-    stress of a Saint Venant-Kirchhoff sheet in plane stress is Y / (1 - nu^2) ((1 - nu) E + nu tr(E)) (Holzapfel 2000,
-    Nonlinear Solid Mechanics, equation 6.151, with zero stress across the sheet).
-
     Returns:
         One peak per membrane; empty for a diverged run and for a record without positions of membrane nodes.
     """
@@ -116,13 +113,9 @@ def membrane_peaks(record: Record) -> list[Peak]:
     for membrane in record.structure.membranes:
         places = record.series["membrane_position"][:, first : first + len(membrane.bodies)]
         first += len(membrane.bodies)
-        built, moved = _sides(membrane.built[membrane.triangles]), _sides(places[:, membrane.triangles])
-        inverse = np.linalg.inv(_in_plane(built))
-        metric = np.einsum("...ix,...jx->...ij", moved, moved)
-        strains = (np.swapaxes(inverse, -1, -2) @ metric @ inverse - np.eye(2)) / 2
-        principal = np.linalg.eigvalsh(strains)
+        principal = principal_strains(membrane.built[membrane.triangles], places[:, membrane.triangles])
         strain, row = _largest(principal)
-        stress, stressed = _largest(_plane_stress(membrane.law, principal))
+        stress, stressed = _largest(principal_stresses(membrane.law, principal))
         peaks.append(
             Peak(
                 kind="membranes",
@@ -137,31 +130,10 @@ def membrane_peaks(record: Record) -> list[Peak]:
     return peaks
 
 
-def _sides(corners: Array) -> Array:
-    """Return two sides of triangles from their first corners, m, (..., 2, 3)."""
-    return np.asarray(corners[..., 1:, :] - corners[..., :1, :])
-
-
-def _in_plane(sides: Array) -> Array:
-    """Return two sides of triangles in axes of their planes, as columns, m, (..., 2, 2)."""
-    lengths = np.linalg.norm(sides, axis=-1)
-    along = np.sum(sides[..., 0, :] * sides[..., 1, :], axis=-1) / lengths[..., 0]
-    across = np.linalg.norm(np.cross(sides[..., 0, :], sides[..., 1, :]), axis=-1) / lengths[..., 0]
-    columns = [[lengths[..., 0], along], [np.zeros_like(along), across]]
-    return np.moveaxis(np.array(columns), (0, 1), (-2, -1))
-
-
 def _largest(principal: Array) -> tuple[float, int]:
     """Return the principal value of largest magnitude of (row, triangle, 2), and its row."""
     place = np.unravel_index(int(np.argmax(np.abs(principal))), principal.shape)
     return float(principal[place]), int(place[0])
-
-
-def _plane_stress(law: MembraneLaw, principal: Array) -> Array:
-    """Return the principal stresses, Pa, for principal strains, (..., 2)."""
-    nu = law.poisson_ratio
-    both = principal.sum(axis=-1, keepdims=True)
-    return np.asarray(law.youngs_modulus / (1 - nu**2) * ((1 - nu) * principal + nu * both))
 
 
 def _tendons(record: Record) -> Peak | None:

@@ -22,8 +22,6 @@ from forficula.analysis.strength import membrane_peaks
 from forficula.dynamics import save_record
 from forficula.show.export.gltf import linear_colour, morph_targets
 from forficula.show.export.scene import ball, cylinder, frame_times, rod_directions, sampled, turned
-from forficula.show.export.vtk import green_strains, membrane_stresses
-from forficula.structure import MembraneLaw
 from tests.show.plates import plates_run
 
 WEB = Path(__file__).parents[3] / "web"
@@ -324,18 +322,6 @@ def test_a_shorter_series_replaces_a_longer_one(letter_run, tmp_path):
     ff.export(letter_run, tmp_path / "run.pvd")
     ff.export(letter_run, tmp_path / "run.pvd", at=0.01)
     assert [file.name for file in (tmp_path / "run").iterdir()] == ["0000.vtu"]
-
-
-def test_strain_stress_and_energy_of_a_sheet_stretched_equally_in_all_directions():
-    law = MembraneLaw(youngs_modulus=2e6, poisson_ratio=0.3, thickness=1e-4, damping=0.0)
-    corners = np.array([[[0.0, 0, 1], [1, 0.2, 1], [0.1, 1, 1.5]]])
-    strain = green_strains(corners, 1.1 * corners)
-    green = (1.1**2 - 1) / 2
-    np.testing.assert_allclose(strain, [green * np.eye(2)], atol=1e-12)
-    stress, density = membrane_stresses(strain, law)
-    # plane stress: S = E e / (1 - nu), and half of S : e
-    np.testing.assert_allclose(stress, [2e6 * green / 0.7 * np.eye(2)], rtol=1e-9, atol=1e-3)
-    assert density[0] == pytest.approx(2e6 * green**2 / 0.7)
 
 
 @pytest.mark.parametrize("name", ["letter", "kresling"])

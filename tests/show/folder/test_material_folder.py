@@ -52,7 +52,7 @@ def test_the_page_of_a_material_shows_the_fit_with_its_residual_and_every_value_
     assert left in page
     for remark in tpu_material.remarks:
         assert escaped(remark.rstrip("."))[1:] in page
-    assert "<script" not in page
+    assert page.count("<script") == 1  # saves figures
 
 
 @pytest.mark.usefixtures("undrawn")

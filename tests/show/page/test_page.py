@@ -25,10 +25,11 @@ def test_text_stays_text_in_the_title_and_in_the_data():
     assert table("x", ("a", HOSTILE), [[HOSTILE, Cell(text=HOSTILE, note=HOSTILE)]]).count("<script") == 0
 
 
-def test_only_the_packed_script_may_run_and_nothing_may_be_fetched():
-    page = page_html("wing", "", {"kind": "run"})
+@pytest.mark.parametrize(("data", "script"), [({"kind": "run"}, "page.js"), (None, "still.js")])
+def test_only_the_packed_script_may_run_and_nothing_may_be_fetched(data, script):
+    page = page_html("wing", "", data)
     policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', page)[1]
-    digest = base64.b64encode(hashlib.sha256(built("page.js").encode()).digest()).decode()
+    digest = base64.b64encode(hashlib.sha256(built(script).encode()).digest()).decode()
     assert f"script-src 'sha256-{digest}';" in policy
     assert policy.startswith("default-src 'none';")
     assert "http" not in policy
@@ -51,7 +52,7 @@ def test_the_packed_script_is_that_of_its_sources():
     for path in sources:
         text = path.read_text("utf-8").replace("\r\n", "\n")
         digest.update(f"{path.relative_to(WEB).as_posix()}\n{text}".encode())
-    for name in ("page.js", "page.css", "engine.js"):
+    for name in ("page.js", "still.js", "page.css", "engine.js"):
         assert digest.hexdigest() in built(name).partition("\n")[0], f"{name} is stale: run make page"
 
 

@@ -3,6 +3,7 @@
 import csv
 import io
 import re
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -388,6 +389,41 @@ def test_nothing_is_wider_than_the_window_of(watch, small, width, height):
         grid = page.locator(".map-place").bounding_box()
         assert grid["y"] == pytest.approx(0, abs=1)
         assert 40 < grid["height"] < 0.4 * height
+
+
+def test_the_plots_take_the_whole_width_below_the_map_and_the_player(opened):
+    opened.show(1280, 800)
+    boxes = [opened.page.locator(part).first.bounding_box() for part in ("#point", "#run .player", ".below .plots")]
+    point, player, plots = boxes
+    assert plots["y"] >= max(box["y"] + box["height"] for box in (point, player))
+    assert plots["x"] == pytest.approx(point["x"], abs=1)
+    assert plots["x"] + plots["width"] == pytest.approx(player["x"] + player["width"], abs=1)
+    opened.show()
+
+
+def test_a_map_of_few_rows_is_high_and_numbers_over_one_factor_are_points_over_axes(opened, watch, planted_page):
+    opened.show(1280, 800)
+    assert opened.page.locator(".map-place").bounding_box()["height"] > 150
+    opened.show()
+    table = planted(("tendon_stiffness",))
+    page = watch(planted_page(table, '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]')).page
+    choose(page, "show", "work of folding")
+    assert page.locator(".map .scatter [data-point]").count() == 3
+    letters = page.locator(".map .scatter .label").all_text_contents()
+    assert {"work of folding (J)", "tendon stiffness (N/cm)"} <= set(letters)
+    page.locator(".scatter [data-point='2']").click()
+    assert page.locator("#point h2").inner_text() == "Point 3"
+
+
+def test_the_map_is_saved_as_a_vector_drawing_with_its_legend(opened):
+    with opened.page.expect_download() as download:
+        opened.page.get_by_role("button", name="download SVG of the map").click()
+    drawing = ElementTree.fromstring(download.value.path().read_bytes())
+    texts = {"".join(element.itertext()) for element in drawing.iter() if element.tag.endswith("text")}
+    assert {"tendon rest length (cm)", "tendon stiffness (N/cm)"} <= texts
+    legend = opened.page.locator(".map-legend li").all_inner_texts()
+    assert len(legend) > 1
+    assert {entry.split("\n")[-1] for entry in legend} <= texts
 
 
 def test_of_more_than_two_factors_two_are_chosen_and_the_others_fixed(watch, planted_page):

@@ -10,12 +10,13 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
+from forficula.analysis.membrane_stress import principal_strains, principal_stresses
 from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
 from forficula.optional_module import optional_module
 from forficula.show.export.scene import sampled, sampled_points
 from forficula.show.structure.shape import drawn_pieces
-from forficula.structure import Bar, MembraneLaw, Spring, Structure, Tendon, built_points, facet_triangles
+from forficula.structure import Bar, Spring, Structure, Tendon, built_points, facet_triangles
 
 _SERIES = ("tendon_energy", "tendon_pull", "spring_force", "spring_energy")
 
@@ -142,41 +143,8 @@ def _membrane_values(structure: Structure, triangles: Indices, points: Array) ->
         return
     built = np.concatenate([membrane.built for membrane in structure.membranes])
     now = points[len(structure.points) :]
-    strain = green_strains(built[triangles], now[triangles])
-    law = structure.membranes[0].law
-    stress, density = membrane_stresses(strain, law)
-    yield "largest principal strain", _largest(strain)
-    yield "largest principal stress (Pa)", _largest(stress)
-    yield "energy density (J/m^3)", density
-
-
-def _largest(tensors: Array) -> Array:
-    """Return the largest eigenvalues of symmetric tensors, (...)."""
-    return np.asarray(np.linalg.eigvalsh(tensors)[..., -1], dtype=np.float64)
-
-
-def green_strains(built: Array, now: Array) -> Array:
-    """Return the Green strains of triangles in orthonormal axes of their built planes, (triangle, 2, 2).
-
-    Args:
-        built: corners without strain, m, (triangle, corner, 3).
-        now: corners, m, (triangle, corner, 3).
-    """
-    before, after = (
-        np.swapaxes(corners[:, 1:] - corners[:, :1], 1, 2) for corners in (built, now)
-    )  # columns are sides
-    rest = np.linalg.qr(before).R
-    gradient = after @ np.linalg.inv(rest)
-    return np.asarray((np.swapaxes(gradient, 1, 2) @ gradient - np.eye(2)) / 2)
-
-
-def membrane_stresses(strain: Array, law: MembraneLaw) -> tuple[Array, Array]:
-    """Return second Piola-Kirchhoff stresses, Pa, (..., 2, 2), and energy densities, J/m^3, (...).
-
-    The law is that of `dynamics.engine.membrane.stretch_energy`: Saint Venant-Kirchhoff in plane stress.
-    """
-    shear = law.youngs_modulus / (2 * (1 + law.poisson_ratio))
-    lame = law.youngs_modulus * law.poisson_ratio / (1 - law.poisson_ratio**2)
-    trace = np.trace(strain, axis1=-2, axis2=-1)
-    stress = 2 * shear * strain + lame * trace[..., np.newaxis, np.newaxis] * np.eye(2)
-    return stress, np.asarray(shear * np.sum(strain**2, axis=(-2, -1)) + lame / 2 * trace**2)
+    strain = principal_strains(built[triangles], now[triangles])
+    stress = principal_stresses(structure.membranes[0].law, strain)
+    yield "largest principal strain", strain[..., -1]
+    yield "largest principal stress (Pa)", stress[..., -1]
+    yield "energy density (J/m^3)", np.asarray(np.sum(stress * strain, axis=-1) / 2)

@@ -47,13 +47,14 @@ def page_html(
     Args:
         title: title of the window.
         body: contents, as escaped HTML.
-        data: data for the script; "kind" selects its view. None for a page without motion, which has no script.
+        data: data for the script; "kind" selects its view. None for a page of figures and tables only, whose script
+            saves figures.
         live: data of a structure that the engine simulates in the page, from `live_data`; None for a page without the
                 engine.
         served: whether the page may send requests to the server that it comes from, which then provides the data of
                 structures; the page contains the engine.
     """
-    script, style = "" if data is None else built("page.js"), built("page.css")
+    script, style = built("still.js" if data is None else "page.js"), built("page.css")
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -69,7 +70,8 @@ def page_html(
 <body>
 {"" if data is None else f'<noscript><aside class="note">{_NO_SCRIPT}</aside></noscript>'}
 {body}
-{_live(live)}{_engine() if served or _moves(live) else ""}{"" if data is None else _scripted(data, script)}</body>
+{_live(live)}{_engine() if served or _moves(live) else ""}{_data(data)}<script>{script}</script>
+</body>
 </html>
 """
 
@@ -98,10 +100,11 @@ def _json(data: dict[str, Any]) -> str:
     return json.dumps(data, separators=(",", ":"), ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
 
 
-def _scripted(data: dict[str, Any], script: str) -> str:
-    return f"""<script type="application/json" id="data">{_json(data | {"reading_units": READING_UNITS})}</script>
-<script>{script}</script>
-"""
+def _data(data: dict[str, Any] | None) -> str:
+    """Return the element with the data of the script; empty for a page without data."""
+    if data is None:
+        return ""
+    return f'<script type="application/json" id="data">{_json(data | {"reading_units": READING_UNITS})}</script>\n'
 
 
 def built(name: str) -> str:

@@ -224,6 +224,7 @@ def clip_data(clip: Clip) -> dict[str, Any]:
         ],
         "built": packed(mesh.built, "f4") if clip.structure.membranes else None,
         "faces": mesh.faces.tolist() if clip.structure.membranes else None,
+        "membraneLaw": _law_data(clip.structure),
         "base": {"rods": mesh.base.tolist(), "radius": mesh.base_radius},
         "efforts": None if clip.efforts is None else efforts_data(clip.efforts, mesh.anchors),
         "restLength_m": packed(clip.rest_length, "f4"),
@@ -249,6 +250,15 @@ def clip_data(clip: Clip) -> dict[str, Any]:
         "tendonParts": places[-1],
         "tendonEnergy_J": packed(clip.tendon_energy, "f4"),
     }
+
+
+def _law_data(structure: Structure) -> dict[str, float | str] | None:
+    """Return the law of the membranes, from which the page computes stresses as `principal_stresses` does."""
+    if not structure.membranes:
+        return None
+    # the engine has one law for all membranes
+    law = structure.membranes[0].law
+    return {"youngs_modulus_Pa": law.youngs_modulus, "poisson_ratio": law.poisson_ratio, "unit": "Pa"}
 
 
 def _readings(record: Record) -> list[Readings]:

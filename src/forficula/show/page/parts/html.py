@@ -6,6 +6,8 @@ import html
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+_LONG = 24  # letters of a cell beyond which its text may continue on a second line
+
 
 @dataclass(frozen=True, kw_only=True)
 class Cell:
@@ -61,6 +63,17 @@ def table(
     )
 
 
+def abreast(parts: Iterable[str], width: float) -> str:
+    """Return HTML of parts beside one another where there is space, below one another otherwise; without empty parts.
+
+    Args:
+        parts: HTML, such as that of tables.
+        width: least width of a part, in letters.
+    """
+    items = "".join(f"<div>{part}</div>" for part in parts if part)
+    return f'<div class="abreast" style="--width: {width:g}rem">{items}</div>' if items else ""
+
+
 def paragraph(text: str, kind: str = "") -> str:
     """Return a paragraph; empty for no text."""
     return f"<p{f' class={kind}' if kind else ''}>{escaped(text)}</p>" if text else ""
@@ -91,7 +104,9 @@ def _heading(text: str, scope: str) -> str:
 def _row(cells: Sequence[str | Cell]) -> str:
     first, *others = (Cell(text=cell) if isinstance(cell, str) else cell for cell in cells)
     marked = ' class="changed"' if any(cell.marked for cell in (first, *others)) else ""
-    values = "".join(f"<td>{_cell_contents(cell)}</td>" for cell in others)
+    values = "".join(
+        f"<td{' class=long' if len(cell.text) > _LONG else ''}>{_cell_contents(cell)}</td>" for cell in others
+    )
     return f'<tr{marked}><th scope="row">{_cell_contents(first)}</th>{values}</tr>'
 
 

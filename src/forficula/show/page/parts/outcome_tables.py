@@ -9,7 +9,7 @@ from forficula.analysis import Outcome, State, Verdict
 from forficula.analysis.groups import dominance, groups_of, measured_by
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, uncertain_number
-from forficula.show.page.parts.html import Cell, paragraph, table
+from forficula.show.page.parts.html import Cell, abreast, paragraph, table
 from forficula.show.page.parts.run_sentences import readable
 from forficula.show.run.outcome_rows import (
     balance_remark,
@@ -22,13 +22,17 @@ from forficula.show.run.state_names import states_reached
 from forficula.show.run.strength_rows import STRENGTH_HEADINGS, strength_rows
 from forficula.structure import Structure
 
+_BALANCE_WIDTH = 24  # letters
 _NUMBERS = {1: "one", 2: "two", 3: "three"}
 
 
 def outcome_tables(outcome: Outcome) -> list[str]:
     """Return the HTML tables of states by hinge and tendon, transitions, and the energy balance."""
     structure = outcome.structure
-    return [_states(outcome, structure), _transitions(outcome, structure), _balance(outcome, structure)]
+    return [
+        _states(outcome, structure),
+        abreast([_transitions(outcome, structure), _balance(outcome, structure)], _BALANCE_WIDTH),
+    ]
 
 
 def strength_table(record: Record) -> str:
@@ -57,24 +61,27 @@ def groups_table(record: Record) -> str:
 
 
 def _states(outcome: Outcome, structure: Structure) -> str:
-    """Return the table of the states: measures and tendons, one row for each hinge and tendon."""
+    """Return a table for each state: measures and tendons, one row for each hinge and tendon."""
     reached = states_reached(structure, outcome)
     if not reached:
         count = len(structure.states)
         return paragraph(f"None of the {_NUMBERS.get(count, count)} states was reached.") if count else ""
     rows = state_rows(structure, reached, outcome.confirmation)
-    groups = [("", 1), *((_state_heading(name, state), len(rows.columns)) for name, state in reached.items())]
-    if not rows.columns:
-        return paragraph(f"States: {'; '.join(name for name, _ in groups[1:])}.")
-    headings = [rows.heading, *(f"{column.title} ({column.unit})" for _ in reached for column in rows.columns)]
+    width = len(rows.columns)
+    if not width:
+        return paragraph(f"States: {'; '.join(_state_heading(name, state) for name, state in reached.items())}.")
+    headings = [rows.heading, *(f"{column.title} ({column.unit})" for column in rows.columns)]
     body = _signed(rows.parts)
-    before = [""] * (len(rows.columns) - 1)
     if rows.sums:
         body.append([f"all {rows.summed}", *rows.sums])
-    if structure.membranes:
-        energies = (_membrane(outcome, state) for state in reached.values())
-        body.append(["membrane", *(cell for energy in energies for cell in (*before, energy))])
-    return table("States", headings, body, groups=groups)
+    tables = []
+    for number, (name, state) in enumerate(reached.items()):
+        first = 1 + number * width
+        cells = [[row[0], *row[first : first + width]] for row in body]
+        if structure.membranes:
+            cells.append(["membrane", *[""] * (width - 1), _membrane(outcome, state)])
+        tables.append(table(f"State {_state_heading(name, state)}", headings, cells))
+    return abreast(tables, 6 + 5 * width)
 
 
 def _signed(rows: Iterable[Sequence[str]]) -> list[list[str]]:
@@ -103,14 +110,22 @@ def _transitions(outcome: Outcome, structure: Structure) -> str:
     if not structure.transitions:
         return ""
     caption = " and ".join(transition.wording.noun for transition in structure.transitions)
-    rows = _signed(transition_rows(structure, outcome))
-    return table(f"{caption[:1].upper()}{caption[1:]}", transition_headings(structure), rows)
+    columns = _signed([transition_headings(structure), *transition_rows(structure, outcome)])
+    # one column for each transition, so that the table is narrow enough for a phone
+    headings, *rows = zip(*columns, strict=True)
+    return table(f"{caption[:1].upper()}{caption[1:]}", headings, rows)
 
 
 def _balance(outcome: Outcome, structure: Structure) -> str:
     balance = outcome.energy_balance
     if outcome.verdict is Verdict.DIVERGED or not balance.residual <= 1:
         return paragraph("The energy balance does not close, so the numbers of this run are meaningless.")
-    rows = [(label, value.replace("-", "−")) for label, value in balance_rows(structure, balance)]
+    rows = [_term(label, value.replace("-", "−")) for label, value in balance_rows(structure, balance)]
     remark = balance_remark(balance)
     return table("Energy balance", ("", ""), rows) + (paragraph(remark) if remark else "")
+
+
+def _term(label: str, value: str) -> tuple[str, str | Cell]:
+    """Return a row of the balance, with the meaning of a share below its value."""
+    share, _, whole = value.partition(" of ")
+    return label, Cell(text=share, note=f"of {whole}") if whole else value
