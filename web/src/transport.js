@@ -74,7 +74,7 @@ export function makeTransport(clips, clock) {
 function profiles(clip, clock) {
   const [first] = clip.along;
   if (!first) return [];
-  const values = clip.line(first.name, 0);
+  const values = clip.line(first.key, 0);
   const [low, high] = [Math.min(0, ...values), Math.max(...values)];
   const [across, up] = [(moment) => 100 * clock.shareAt(moment), (value) => 100 - (100 * (value - low)) / (high - low || 1)];
   const points = Array.from(values, (value, frame) => `${across(clip.time[frame]).toFixed(2)} ${up(value).toFixed(2)}`);
@@ -84,7 +84,7 @@ function profiles(clip, clock) {
   clock.onChange(() => {
     const moment = clock.clipTime(0);
     ball.style.left = `${across(moment).toFixed(2)}%`;
-    ball.style.top = `${up(clip.valuesAt(first.name, moment)[0]).toFixed(2)}%`;
+    ball.style.top = `${up(clip.valuesAt(first.key, moment)[0]).toFixed(2)}%`;
   });
   // what it shows is heard as the value of the slider, and is a plot below
   return [make("div", { className: "profile", "aria-hidden": "true" }, curve, ball, name)];
@@ -160,7 +160,7 @@ export function stageText(clip, moment) {
 
 /** The single numbers of a clip, each after a separator, with three digits. */
 function alongText(clip, moment, before) {
-  const text = ({ name, unit }) => `${before}${name} ${short(Number(clip.valuesAt(name, moment)[0].toPrecision(3)))} ${unit}`;
+  const text = ({ name, unit, key }) => `${before}${name} ${short(Number(clip.valuesAt(key, moment)[0].toPrecision(3)))} ${unit}`;
   return clip.along.map(text).join("");
 }
 

@@ -50,6 +50,8 @@ _BUDGET = 120_000
 _TOLERANCE = 1e-3  # largest error of a structure drawn between two shapes, as a share of its span
 _SECONDS = 6.0  # duration of a path that is played
 _PERCENT = 100.0
+_ROUNDING = 1e-9  # a moment below this share of the largest one is a rounding error
+_STILL = 1e-4  # share of the slider for all parts of a path without a motion
 _CLOSED = np.radians(1)  # beyond 180 deg, panels of a closed crease pass through each other
 _SAME = 1e-6  # points closer than this share of the span count as one
 _LETTERS = {"snap": "S", "branch": "B", "goal": "G", "lost": "L"}
@@ -82,7 +84,10 @@ def fold_of(structure: Structure) -> Fold:
     if len(path.share) < 2 or path.length == 0:
         whole, drive = structure.appearance.whole, path.drive.name
         return Fold(path=None, missing=f'This page has no fold path: the drive "{drive}" does not move the {whole}.')
-    return Fold(path=without_crossing(path))
+    path = without_crossing(path)
+    # a drive that grows without a motion takes a little of the slider, so that no two points have one position
+    share = path.share + np.linspace(0.0, _STILL, len(path.share))
+    return Fold(path=replace(path, share=share / share[-1]))
 
 
 def without_crossing(path: QuasiStaticPath) -> QuasiStaticPath:
@@ -303,7 +308,9 @@ def _moments(path: QuasiStaticPath, rows: Indices) -> list[Readings]:
     signs = tuple(_signs(structure)[hinges].astype(int).tolist())
     measure = Measure(name="moment of springs", kind="angle", hinges=tuple(hinges), signs=signs, label="moment")
     values = condensed(structure, measure, read_angles(measure, path.moments[rows]))
-    unit, factor = reading_unit("N m", float(np.abs(values).max()))
+    largest = float(np.abs(values).max())
+    values = np.where(np.abs(values) > _ROUNDING * largest, values, 0.0)
+    unit, factor = reading_unit("N m", largest)
     creases = all(structure.hinges[hinge].flaps is not None for hinge in hinges)
     return [
         Readings(
