@@ -80,7 +80,8 @@ function profiles(clip, clock) {
   const points = Array.from(values, (value, frame) => `${across(clip.time[frame]).toFixed(2)} ${up(value).toFixed(2)}`);
   const curve = drawn(`M${points.join("L")}`, 100);
   const ball = make("span", { className: "profile-ball" });
-  const name = make("small", {}, first.name);
+  // above the lower end of the curve
+  const name = make("small", { className: values[0] < values.at(-1) ? "at-start" : "" }, first.name);
   clock.onChange(() => {
     const moment = clock.clipTime(0);
     ball.style.left = `${across(moment).toFixed(2)}%`;
