@@ -10,6 +10,7 @@ import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
+from forficula.kept_frames import kept_frames
 from forficula.names import listed
 from forficula.quantities import reading_unit
 from forficula.show.page.data.landscape_curves import tendon_energies
@@ -24,7 +25,6 @@ from forficula.show.page.playback import (
     Readings,
     clip_data,
     energy_scale,
-    kept_frames,
     legend_data,
     readings_of,
     structure_noun,
