@@ -47,7 +47,7 @@ from forficula.structure import (
 
 # bytes of the positions, angles and moments of a path; as text in the page they grow by a third
 _BUDGET = 120_000
-_TOLERANCE = 1e-3  # largest error of a structure drawn between two shapes, as a share of its span
+_TOLERANCE = 5e-4  # largest error of a structure drawn between two shapes, as a share of its span
 _SECONDS = 6.0  # duration of a path that is played
 _PERCENT = 100.0
 _ROUNDING = 1e-9  # a moment below this share of the largest one is a rounding error
@@ -78,7 +78,7 @@ class Fold:
 def fold_of(structure: Structure) -> Fold:
     """Compute the quasi-static path of a structure for its page."""
     try:
-        path = quasi_static_path(structure, error=_TOLERANCE)
+        path = quasi_static_path(structure, error=_TOLERANCE / 10)
     except InputError as error:
         return Fold(path=None, missing=f"This page has no fold path: {error}.")
     if len(path.share) < 2 or path.length == 0:
@@ -229,7 +229,7 @@ def pose_view(
 def shown_rows(path: QuasiStaticPath, mesh: ShapeMesh, budget: int = _BUDGET) -> Indices:
     """Choose the points of a path between which interpolation is exact enough; those at events are kept.
 
-    Positions are exact to a thousandth of the span, energy and drive to a thousandth of their ranges.
+    Between them, positions are exact to `_TOLERANCE` of the span, energy and drive to this share of their ranges.
     """
     points = path.positions[:, mesh.anchors]
     events = [share for mark in path.marks for share in (mark.share, mark.end)]
