@@ -15,6 +15,7 @@ from forficula.statics import quasi_static_path
 from forficula.statics.landscape import net_courses
 from forficula.statics.net.net_path import place_positions
 from forficula.structure import structure_of
+from tests.plate_sheets import pushed, stage
 from tests.show.page.conftest import until
 from tests.show.page.test_page import data_of
 
@@ -84,6 +85,13 @@ def test_energies_by_part_add_up_to_the_total(tower):
     total, *parts = (floats(line["values"]) for line in plot["lines"])
     assert (plot["lines"][0]["name"], plot["ball"]) == ("total", 0)
     assert sum(parts) == pytest.approx(total, abs=1e-5 * total.max())
+
+
+def test_a_structure_that_stores_no_energy_has_no_plot_of_it():
+    structure = structure_of(pushed(0.01, [stage(drive="push")]))
+    view = fold_view(fold_of(structure).path, beside_run=False)
+    assert "energy" not in [plot["title"] for plot in view["plots"]]
+    assert [number["name"] for number in view["clips"][0]["along"]] == ["torque"]
 
 
 def test_a_small_budget_leaves_out_shapes_but_no_event(tower):
