@@ -19,6 +19,7 @@ UPDATES = 4  # of the pull, until the target is reached
 LESS = 0.5  # ratio of the distances before and after an update above which a target is out of reach
 # stiffness of the pull, relative to the stiffness of the structure at the dragged point
 STIFF = 1e3
+_RIGID = 1e-3  # compliance that counts as none, relative to the largest one at the dragged point
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -29,7 +30,8 @@ class DraggedShape:
         point: the equilibrium, at an unchanged strength of the drive; start of the next move.
         target: m, (3,).
         position: position of the dragged point, m, (3,).
-        force: force that holds the dragged point at the target, N, (3,); nan if the target is not reached.
+        force: force on the dragged point that holds the structure in this shape, N, (3,); if the target is not reached,
+            the least such force, without components along which the structure hardly yields.
         reached: whether the dragged point is at the target; otherwise the shape is the nearest equilibrium.
         stable: whether the structure comes to rest in this shape while the point is held.
         text: a sentence on the force or on the distance that is missing.
@@ -91,7 +93,22 @@ def checked_places(structure: Structure, places: int | Mapping[int, float]) -> d
 
 def drag_text(structure: Structure, force: Array, gap: Array, *, reached: bool) -> str:
     """Return a sentence on the force that holds a dragged point, or on the distance from a target out of reach."""
+    size, away = show_value(float(np.linalg.norm(force)), "N", 3), show_value(float(np.linalg.norm(gap)), "m", 3)
     if reached:
-        return f"A force of {show_value(float(np.linalg.norm(force)), 'N', 3)} holds the point here."
-    away = show_value(float(np.linalg.norm(gap)), "m", 3)
-    return f"The {structure.appearance.whole} cannot reach this position; the nearest equilibrium is {away} away."
+        return f"A force of {size} holds the point here."
+    return (
+        f"The {structure.appearance.whole} cannot reach this position; the nearest equilibrium is {away} away, and a"
+        f" force of {size} holds it there."
+    )
+
+
+def least_force(force: Array, compliance: Array) -> Array:
+    """Return the components of a force along which a structure yields, N, (3,).
+
+    Args:
+        force: N, (3,).
+        compliance: of the structure at the point of the force, m/N, (3, 3).
+    """
+    values, axes = np.linalg.eigh(compliance)
+    soft = axes[:, (values > _RIGID * values.max()) & (values > 0)]
+    return np.asarray(soft @ (soft.T @ force))

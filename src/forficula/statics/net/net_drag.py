@@ -10,7 +10,17 @@ from scipy.sparse import block_array, csr_array
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.drag import LESS, NEAR, STIFF, UPDATES, Drag, DraggedShape, checked_places, drag_text
+from forficula.statics.drag import (
+    LESS,
+    NEAR,
+    STIFF,
+    UPDATES,
+    Drag,
+    DraggedShape,
+    checked_places,
+    drag_text,
+    least_force,
+)
 from forficula.statics.net.driven_net import DrivenNet, driven_net
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import factored
@@ -43,6 +53,7 @@ class _PulledNet:
     """
 
     driven: DrivenNet
+    supported: Net
     net: Net
     load: Load
     weights: Array
@@ -86,13 +97,8 @@ def _pulled_net(driven: DrivenNet, places: Mapping[int, float], start: QuasiStat
         weights += weight * net.points[[rows[place]]].toarray()[0]
     if not net.free[weights != 0].any():
         raise InputError("places: need a point that can move, got one that supports hold")
-    stiffness = expand(net, _shape(driven, net, start), driven.load, _factor(driven, start)).free
-    stiffest = float(stiffness.diagonal().max())
-    pulls = np.zeros((net.nodes.size, 3))
-    for axis in range(3):
-        pulls[axis::3, axis] = weights
-    pulls = pulls[net.free.ravel()]
-    compliance = pulls.T @ factored(stiffness, _LEAST * stiffest).solve(pulls)
+    shape = _shape(driven, net, start)
+    compliance, stiffest = _compliance(driven, net, weights, shape, _factor(driven, start))
     softest = 1 / float(np.abs(np.linalg.eigvalsh(compliance)).max())
     spring = min(STIFF * softest, _SOFT * stiffest)
     joined = csr_array(
@@ -121,7 +127,19 @@ def _pulled_net(driven: DrivenNet, places: Mapping[int, float], start: QuasiStat
         torques=driven.load.torques,
         displacements=np.concatenate([driven.load.displacements, none]),
     )
-    return _PulledNet(driven=driven, net=extended, load=load, weights=weights, spring=spring)
+    return _PulledNet(driven=driven, supported=net, net=extended, load=load, weights=weights, spring=spring)
+
+
+def _compliance(driven: DrivenNet, net: Net, weights: Array, shape: NetShape, factor: float) -> tuple[Array, float]:
+    """Return the compliance of a net at the dragged point, m/N, (3, 3), and its largest stiffness, N/m."""
+    stiffness = expand(net, shape, driven.load, factor).free
+    stiffest = float(stiffness.diagonal().max())
+    pulls = np.zeros((net.nodes.size, 3))
+    for axis in range(3):
+        pulls[axis::3, axis] = weights
+    pulls = pulls[net.free.ravel()]
+    compliance = pulls.T @ factored(stiffness, _LEAST * stiffest).solve(pulls)
+    return (compliance + compliance.T) / 2, stiffest
 
 
 def _factor(driven: DrivenNet, near: QuasiStaticPoint) -> float:
@@ -159,11 +177,13 @@ def _pulled(pulled: _PulledNet, near: QuasiStaticPoint, target: Array) -> Dragge
             break
         aim, before = aim + gap, away
     shape, position, force, stable = result if reached else first
+    if not reached:
+        force = least_force(force, _compliance(driven, pulled.supported, pulled.weights, shape, factor)[0])
     return DraggedShape(
         point=net_point(driven, shape, factor, resting=False),
         target=target,
         position=position,
-        force=force if reached else np.full(3, np.nan),
+        force=force,
         reached=reached,
         stable=stable,
         text=drag_text(structure, force, target - position, reached=reached),

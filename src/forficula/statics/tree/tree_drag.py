@@ -9,7 +9,17 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.drag import LESS, NEAR, STIFF, UPDATES, Drag, DraggedShape, checked_places, drag_text
+from forficula.statics.drag import (
+    LESS,
+    NEAR,
+    STIFF,
+    UPDATES,
+    Drag,
+    DraggedShape,
+    checked_places,
+    drag_text,
+    least_force,
+)
 from forficula.statics.quasi_static_path import QuasiStaticPoint
 from forficula.statics.tree.elements import Elements, Expansion, LinePiece, elements, stretched
 from forficula.statics.tree.pose import carried_points, moves_of, places_of, pose
@@ -17,7 +27,8 @@ from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest
 from forficula.statics.tree.tree_path import tree_points
 from forficula.structure import GROUND, Drive, Structure
 
-_LEAST = 1e-3  # of the structure's torque per square of its span: least stiffness against a pull
+_LEAST = 1.0  # of the structure's torque per square of its span: least stiffness against a pull
+_AT_STOP = 1e-9  # rad
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -84,15 +95,30 @@ def _torques(pulled: _PulledTree, near: QuasiStaticPoint) -> Array:
 
 def _spring(pulled: _PulledTree, near: QuasiStaticPoint) -> float:
     """Return a stiffness of the pull that is large relative to that of the tree at the dragged point, N/m."""
-    structures, angles = pulled.structures, near.coordinates[None]
+    structures = pulled.structures
     least = _LEAST * torque_scale(structures) / structures.structure.span**2
+    compliance = _compliance(pulled, near.coordinates[None], _torques(pulled, near))
+    softest = float(np.linalg.eigvalsh(compliance).max())
+    return STIFF * max(least, 1 / softest if softest > 0 else 0.0)
+
+
+def _compliance(pulled: _PulledTree, angles: Array, torques: Array) -> Array:
+    """Return the compliance of a tree at the dragged point, m/N, (3, 3), without hinges that press on their stops."""
+    structures = pulled.structures
     moves = _point_moves(pulled, angles)
-    curvature = potential(structures, angles, _torques(pulled, near))[2][0]
+    ties = structures.ties
+    curvature = potential(structures, angles, torques)[2][0]
+    loose = (angles[0] > structures.lower + _AT_STOP) & (angles[0] < structures.upper - _AT_STOP)
+    if ties is not None:
+        moves, curvature = moves @ ties.spread, ties.spread.T @ curvature @ ties.spread
+    else:
+        moves, curvature = moves[:, loose], curvature[np.ix_(loose, loose)]
+    if not len(curvature):
+        return np.zeros((3, 3))
     values, axes = np.linalg.eigh(curvature)
     positive = np.maximum(np.abs(values), 1e-9 * np.abs(values).max(initial=1e-300))
     along = moves @ axes
-    softest = 1 / max(float(np.linalg.eigvalsh((along / positive) @ along.T).max()), 1e-300)
-    return STIFF * max(softest, least)
+    return np.asarray((along / positive) @ along.T)
 
 
 def _point_moves(pulled: _PulledTree, angles: Array) -> Array:
@@ -145,11 +171,13 @@ def _pulled(pulled: _PulledTree, near: QuasiStaticPoint, target: Array) -> Dragg
             break
         aim, before = aim + gap, away
     shape, position, force, stable = result if reached else first
+    if not reached:
+        force = least_force(force, _compliance(pulled, shape[None], _torques(pulled, near)))
     return DraggedShape(
         point=_point(structures, near.strength, shape, resting=False),
         target=target,
         position=position,
-        force=force if reached else np.full(3, np.nan),
+        force=force,
         reached=reached,
         stable=stable,
         text=drag_text(structures.structure, force, target - position, reached=reached),
