@@ -1,7 +1,7 @@
 /**
- * Page of one structure: its run over time, its fold path, or both, of which the reader chooses one. Both are clips: the
- * frames of a run are moments, those of a path are positions of a slider from 0 to 100 %. The page of a landscape has
- * curves as well, with balls at the position of the run or path.
+ * Page of one structure: its run over time, its fold path, or both. The reader chooses which one is shown. Both are
+ * clips: the frames of a run are moments, those of a path are positions of a slider from 0 to 100 %. The page of a
+ * landscape has curves as well, with balls at the position of the run or path.
  */
 
 import { readClip } from "./clip.js";
