@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -13,13 +15,15 @@ from forficula.quantities import show_value
 from forficula.statics.quasi_static_path import QuasiStaticPoint
 from forficula.structure import Structure
 
+Shape = TypeVar("Shape")
+
 # distance within which a target counts as reached, as a share of the structure's span
-NEAR = 1e-4
-UPDATES = 4  # of the pull, until the target is reached
-LESS = 0.5  # ratio of the distances before and after an update above which a target is out of reach
+_NEAR = 1e-4
+_UPDATES = 4  # of the pull, until the target is reached
+_LESS = 0.5  # ratio of the distances before and after an update above which a target is out of reach
 # stiffness of the pull, relative to the stiffness of the structure at the dragged point
 STIFF = 1e3
-_RIGID = 1e-3  # compliance that counts as none, relative to the largest one at the dragged point
+_RIGID = 5e-3  # compliance that counts as none, relative to the largest one at the dragged point
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -73,6 +77,57 @@ class Drag:
         if target.shape != (3,) or not np.isfinite(target).all():
             raise InputError(f"target: need three finite coordinates in m, got {target}")
         return self.pull(self.start if near is None else near, target)
+
+
+class Held(NamedTuple, Generic[Shape]):
+    """Equilibrium while a spring pulls a point to an aim.
+
+    Attributes:
+        shape: in the solver's coordinates.
+        position: position of the dragged point, m, (3,).
+        force: force of the spring on the dragged point, N, (3,).
+        stable: whether the structure comes to rest.
+    """
+
+    shape: Shape
+    position: Array
+    force: Array
+    stable: bool
+
+
+def approach(
+    hold: Callable[[Shape, Array], Held[Shape]],
+    start: Shape,
+    target: Array,
+    span: float,
+    torn: Callable[[Shape], bool] = lambda _: False,
+) -> tuple[Held[Shape], bool]:
+    """Pull a point to a target by a spring, whose end moves beyond the target by the distance that is missing.
+
+    This is the method of multipliers (Hestenes 1969, J. Optim. Theory Appl. 4, 303-320). If the distance does not
+    decrease, or if parts tear, the target is out of reach, and the spring ends at the target.
+
+    Args:
+        hold: finds the equilibrium near a shape while the spring ends at an aim, m, (3,).
+        start: shape near the equilibrium.
+        target: m, (3,).
+        span: of the structure, m.
+        torn: whether the strains of a shape tear parts of it.
+
+    Returns:
+        The equilibrium, and whether the point is at the target.
+    """
+    held = first = hold(start, target)
+    before, aim = math.inf, target
+    for _ in range(_UPDATES):
+        away, tears = float(np.linalg.norm(target - held.position)), torn(held.shape)
+        if away <= _NEAR * span and not tears:
+            return held, True
+        if tears or away > _LESS * before:
+            break
+        aim, before = aim + target - held.position, away
+        held = hold(held.shape, aim)
+    return first, False
 
 
 def checked_places(structure: Structure, places: int | Mapping[int, float]) -> dict[int, float]:

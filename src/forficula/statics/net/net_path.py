@@ -11,7 +11,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.kept_frames import kept_frames
-from forficula.statics.net.driven_net import INCREMENTS, DrivenNet, driven_net, follow_drive, prescribes_displacement
+from forficula.statics.net.driven_net import DrivenNet, driven_net, follow_drive, prescribes_displacement
 from forficula.statics.net.energy import shape_at
 from forficula.statics.net.load_path import PathPoint, intermediate_point, load_path
 from forficula.statics.net.minimum import NetRest, minimum
@@ -33,6 +33,7 @@ from forficula.statics.quasi_static_path import (
 )
 from forficula.structure import Drive, Structure, Transition, drive_of
 
+_INCREMENTS = 500  # of each path
 _SWEEPS = 6  # halvings of the interval between two points
 _HALVINGS = 20  # of the last interval, to locate the goal
 _ARRIVED = 1e-9  # rad or m, distance from the goal
@@ -106,6 +107,7 @@ def _followed(driven: DrivenNet, start: NetShape, growing: GrowingPath, begin: f
         begin=begin,
         stop=lambda: growing.stopped,
         finish_snaps=True,
+        increments=_INCREMENTS,
         watch=lambda shape, factor, resting: growing.add(lambda: net_point(driven, shape, factor, resting=resting)),
     )
 
@@ -143,7 +145,7 @@ def _continued(
         rest.shape,
         driven.load,
         step=driven.step,
-        increments=INCREMENTS,
+        increments=_INCREMENTS,
         factor=factor,
         target=0.0,
         events=1,
