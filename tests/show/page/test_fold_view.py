@@ -88,6 +88,15 @@ def test_energies_by_part_add_up_to_the_total(tower):
     assert sum(parts) == pytest.approx(total, abs=1e-5 * total.max())
 
 
+def test_statics_that_fail_do_not_cost_the_page_of_a_run(short_run, monkeypatch):
+    def fail(*_, **__):
+        raise np.linalg.LinAlgError("Singular matrix")
+
+    monkeypatch.setattr("forficula.show.page.data.shown_path.quasi_static_path", fail)
+    fold = fold_of(short_run.structure)
+    assert fold.missing == "This page has no fold path, because its computation failed: Singular matrix."
+
+
 def test_a_structure_that_stores_no_energy_has_no_plot_of_it():
     structure = structure_of(pushed(0.01, [stage(drive="push")]))
     view = fold_view(fold_of(structure).path, beside_run=False)

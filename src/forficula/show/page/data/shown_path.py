@@ -40,6 +40,8 @@ def fold_of(structure: Structure) -> Fold:
         path = quasi_static_path(structure, error=_TOLERANCE / 10)
     except InputError as error:
         return Fold(path=None, missing=f"This page has no fold path: {error}.")
+    except (ArithmeticError, ValueError) as error:  # a page of a run must not be lost because its statics failed
+        return Fold(path=None, missing=f"This page has no fold path, because its computation failed: {error}.")
     if len(path.share) < 2 or path.length == 0:
         whole, drive = structure.appearance.whole, path.drive.name
         return Fold(path=None, missing=f'This page has no fold path: the drive "{drive}" does not move the {whole}.')
