@@ -42,7 +42,7 @@ export function showRun(data) {
   if (views.length > 1) {
     const meaning = views.map(({ name, title }) => `${name}: ${title}`).join(" \u00b7 ");
     const label = `how the ${data.whole} moves`;
-    player.before(make("div", { className: "colours modes", role: "group", "aria-label": label }, make("span", {}, ...buttons), meaning));
+    player.before(make("div", { className: "colours modes", role: "group", "aria-label": label }, make("span", {}, ...buttons), make("small", {}, meaning)));
   }
   page.choose(views[0]);
   if (data.clips) {
