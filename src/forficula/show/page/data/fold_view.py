@@ -14,7 +14,7 @@ from forficula.show.page.data.crease_lines import crease_data, reading_signs, sp
 from forficula.show.page.data.landscape_curves import tendon_energies
 from forficula.show.page.data.packing import packed, packed_steps
 from forficula.show.page.data.shape_mesh import ShapeMesh, shape_mesh
-from forficula.show.page.data.shown_path import BUDGET, shown_rows
+from forficula.show.page.data.shown_path import BUDGET, is_within, shown_rows
 from forficula.show.page.data.time_spans import Span, span_data
 from forficula.show.page.parts.efforts import effort_word
 from forficula.show.page.parts.plots import Line, Plot, energy_plot, plot_data
@@ -31,7 +31,7 @@ from forficula.show.page.playback import (
 from forficula.show.run.state_names import state_letters
 from forficula.show.structure.labels import condensed, reading_labels
 from forficula.statics import QuasiStaticPath
-from forficula.structure import Measure, Structure, first_state, read_angles
+from forficula.structure import Measure, Structure, first_state, read_angles, state_of
 
 _SECONDS = 6.0  # duration of a path that is played
 _PERCENT = 100.0
@@ -189,8 +189,11 @@ def _moments(path: QuasiStaticPath, rows: Indices) -> list[Readings]:
 def _marks(path: QuasiStaticPath) -> list[dict[str, Any]]:
     """Return the start and the events of a path as marks on the slider and in plots."""
     structure = path.structure
-    start = first_state(structure, [state.name for state in structure.states])
-    marks = [{"letter": state_letters(structure)[start], "name": start, "time": 0.0}] if start else []
+    start = state_of(structure, first_state(structure, [state.name for state in structure.states]))
+    marks: list[dict[str, Any]] = []
+    if start is not None:
+        name = start.name if is_within(path, 0, start.goal) else start.missed
+        marks.append({"letter": state_letters(structure)[start.name], "name": name, "time": 0.0})
     numbers = dict.fromkeys(_LETTERS, 0)
     for mark in path.marks:
         numbers[mark.kind] += 1

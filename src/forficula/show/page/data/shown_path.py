@@ -62,7 +62,9 @@ def without_crossing(path: QuasiStaticPath) -> QuasiStaticPath:
     crossed = np.flatnonzero(np.any(np.abs(path.angles[:, creases]) > np.pi + _CLOSED, axis=1))
     if not len(crossed):
         return path
-    at_goal = [row for row in range(int(crossed[0])) if _reaches(path, row)]
+    transition = next((item for item in structure.transitions if item.name == path.name), None)
+    before = range(int(crossed[0]))
+    at_goal = [] if transition is None else [row for row in before if is_within(path, row, transition.goal)]
     last = at_goal[0] if at_goal else int(crossed[0]) - 1
     if last < 1:
         return path
@@ -100,13 +102,10 @@ def without_crossing(path: QuasiStaticPath) -> QuasiStaticPath:
     )
 
 
-def _reaches(path: QuasiStaticPath, row: int) -> bool:
-    """Return whether a shape of a path is within the goal of the path's transition."""
+def is_within(path: QuasiStaticPath, row: int, name: str) -> bool:
+    """Return whether a shape of a path is within the bounds of a goal, by name or as text."""
     structure = path.structure
-    transition = next((item for item in structure.transitions if item.name == path.name), None)
-    if transition is None:
-        return False
-    goal = goal_of(structure, transition.goal)
+    goal = goal_of(structure, name)
     pairs = [list(measure.points) for measure in distances_of(structure) if measure.points is not None]
     distances = np.array(
         [np.linalg.norm(path.positions[row, one] - path.positions[row, other]) for one, other in pairs]
