@@ -39,6 +39,7 @@ export function makeStage(clips, clock, shapeOf, text, look) {
   const views = clips.map((clip) => makeView(clip, shapeOf(clip), eye));
   let waiting = 0;
   let posed = false;
+  const drawn = new Set();
 
   function invalidate() {
     if (!waiting) waiting = requestAnimationFrame(draw);
@@ -77,6 +78,7 @@ export function makeStage(clips, clock, shapeOf, text, look) {
       renderer.render(view.scene, eye.camera);
     }
     eye.aim();
+    for (const listener of drawn) listener();
   }
 
   function paint() {
@@ -143,7 +145,7 @@ export function makeStage(clips, clock, shapeOf, text, look) {
   }
 
   const note = context ? null : make("p", { className: "note" }, WITHOUT_WEBGL);
-  return { element, note, canvas, cells, eye, pose, draw, drawSharp, paint, views, colourSheets, statistics: () => renderer.info.render, dispose };
+  return { element, note, canvas, cells, eye, pose, draw, drawSharp, paint, views, colourSheets, onDraw: (listener) => drawn.add(listener), statistics: () => renderer.info.render, dispose };
 }
 
 const WITHOUT_WEBGL = "This browser has no WebGL: the processor draws the picture, without shadows and more slowly.";

@@ -1,16 +1,20 @@
-/** Controls of a clock: play and pause, the time line with its states, the speed, and the displayed span. */
+/**
+ * Controls of a clock: play and pause, the time line with its states, the speed, and the displayed span. A span of
+ * another quantity than time names its unit; it has no speed.
+ */
 
-import { icon, make } from "./elements.js";
-import { fixed, timeText } from "./format.js";
+import { drawn, icon, make } from "./elements.js";
+import { fixed, short, timeText } from "./format.js";
 import { SPEEDS } from "./pace.js";
 
 const PLAY = "M7 4.5v15l12-7.5z";
 const PAUSE = "M7 5h3.5v14H7zM13.5 5H17v14h-3.5z";
 const TICKS = 10_000;
+const CLOSE = 0.02; // of the line: letters of marks closer than this would be on top of each other
 
 export function makeTransport(clips, clock) {
   const play = make("button", { type: "button", className: "play" });
-  const slider = make("input", { type: "range", min: 0, max: TICKS, step: 1, "aria-label": "time" });
+  const slider = make("input", { type: "range", min: 0, max: TICKS, step: 1, "aria-label": clock.span.unit ? clock.span.name : "time" });
   const bands = make("div", { className: "bands", "aria-hidden": "true" });
   const ticks = make("div", { className: "ticks", "aria-hidden": "true" });
   const readout = make("p", { className: "time" });
@@ -19,13 +23,13 @@ export function makeTransport(clips, clock) {
   const element = make(
     "div",
     { className: "transport" },
-    make("div", { className: "line" }, play, make("div", { className: "track" }, bands, slider, ticks)),
+    make("div", { className: "line" }, play, make("div", { className: "tracks" }, ...profiles(clips[0], clock), make("div", { className: "track" }, bands, slider, ticks))),
     make(
       "div",
       { className: "choices" },
       readout,
       ...(states.length ? [make("div", { className: "states" }, ...states)] : []),
-      speedChoice(clock),
+      ...(clock.span.unit ? [] : [speedChoice(clock)]),
       ...spanChoice(clock),
       spoken,
     ),
@@ -44,10 +48,10 @@ export function makeTransport(clips, clock) {
     drawn = line;
     slider.value = Math.round(TICKS * clock.shareAt(clock.time));
     slider.setAttribute("aria-valuetext", momentText(clips, clock));
-    const since =
-      clips.length === 1 ? ` \u00b7 ${stageText(clips[0], clock.clipTime(0))}` : clock.span.label.replace("time", "");
-    const slow = clock.playing ? `, ${slowness(clock.slowness)}` : "";
-    readout.textContent = `${timeText(clock.time, clock.span)}${since}${slow}`;
+    const stage = clips.length === 1 ? stageText(clips[0], clock.clipTime(0)) : "";
+    const since = clips.length === 1 ? (stage && ` \u00b7 ${stage}`) : clock.span.label.replace("time", "");
+    const slow = clock.playing && !clock.span.unit ? `, ${slowness(clock.slowness)}` : "";
+    readout.textContent = `${timeText(clock.time, clock.span)}${since}${slow}${alongText(clips[0], clock.clipTime(0), " \u00b7 ")}`;
     for (const [index, mark] of (clips.length === 1 ? clips[0].marks : []).entries()) {
       states[index].setAttribute("aria-pressed", String(Math.abs(mark.time - clock.clipTime(0)) < 1e-9));
     }
@@ -64,6 +68,27 @@ export function makeTransport(clips, clock) {
       }, 600);
   });
   return element;
+}
+
+/** The first number beside the time as a curve above the slider, with a ball; none for a clip without such numbers. */
+function profiles(clip, clock) {
+  const [first] = clip.along;
+  if (!first) return [];
+  const values = clip.line(first.key, 0);
+  const [low, high] = [Math.min(0, ...values), Math.max(...values)];
+  const [across, up] = [(moment) => 100 * clock.shareAt(moment), (value) => 100 - (100 * (value - low)) / (high - low || 1)];
+  const points = Array.from(values, (value, frame) => `${across(clip.time[frame]).toFixed(2)} ${up(value).toFixed(2)}`);
+  const curve = drawn(`M${points.join("L")}`, 100);
+  const ball = make("span", { className: "profile-ball" });
+  // above the lower end of the curve
+  const name = make("small", { className: values[0] < values.at(-1) ? "at-start" : "" }, first.name);
+  clock.onChange(() => {
+    const moment = clock.clipTime(0);
+    ball.style.left = `${across(moment).toFixed(2)}%`;
+    ball.style.top = `${up(clip.valuesAt(first.key, moment)[0]).toFixed(2)}%`;
+  });
+  // what it shows is heard as the value of the slider, and is a plot below
+  return [make("div", { className: "profile", "aria-hidden": "true" }, curve, ball, name)];
 }
 
 function stateButton(mark, clock) {
@@ -93,7 +118,7 @@ function spanChoice(clock) {
   return [make("label", {}, "show ", select)];
 }
 
-/** Bands where torques act, and ticks at the states; with several clips a tick in each clip's colour. */
+/** Bands where torques act, and ticks at the states; with several clips a tick in each clip's colour. Close ones are one. */
 function drawTrack(clips, clock, bands, ticks) {
   const { span } = clock;
   const place = (moment) => Math.min(1, Math.max(0, clock.shareAt(moment)));
@@ -111,8 +136,13 @@ function drawTrack(clips, clock, bands, ticks) {
     for (const mark of clip.marks) {
       const moment = mark.time - origin;
       if (moment < span.start - 1e-9 || moment > span.end + 1e-9) continue;
-      const tick = make("span", { className: "tick" }, clips.length === 1 ? mark.letter : "");
-      tick.style.left = `${100 * place(moment)}%`;
+      const [at, last] = [place(moment), ticks.lastElementChild];
+      if (last && clips.length === 1 && at - last.at < CLOSE) {
+        last.append(` ${mark.letter}`);
+        continue;
+      }
+      const tick = make("span", { className: "tick", at }, clips.length === 1 ? mark.letter : "");
+      tick.style.left = `${100 * at}%`;
       if (clips.length > 1) tick.style.setProperty("--tick", `var(--line-${index % 7})`);
       ticks.append(tick);
     }
@@ -129,11 +159,17 @@ export function stageText(clip, moment) {
   return mark ? `${mark.letter} ${mark.name}` : clip.stageAt(moment).name;
 }
 
+/** The single numbers of a clip, each after a separator, with three digits. */
+function alongText(clip, moment, before) {
+  const text = ({ name, unit, key }) => `${before}${name} ${short(Number(clip.valuesAt(key, moment)[0].toPrecision(3)))} ${unit}`;
+  return clip.along.map(text).join("");
+}
+
 /** The moment in words: its time, and what every structure does. */
 function momentText(clips, clock) {
   const parts = clips.map((clip, index) => {
     const moment = clock.clipTime(index);
-    return `${clips.length > 1 ? `${clip.name}: ` : ""}${stageText(clip, moment)}${readingText(clip, moment)}`;
+    return `${clips.length > 1 ? `${clip.name}: ` : ""}${stageText(clip, moment) || clock.span.name}${alongText(clip, moment, ", ")}${readingText(clip, moment)}`;
   });
   return `${timeText(clock.time, clock.span)}: ${parts.join("; ")}`;
 }
