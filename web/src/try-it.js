@@ -37,6 +37,9 @@ export function mountTryIt(element, clip, data, before) {
       refuse(error.message);
     }
   };
-  button.addEventListener("click", trial.start);
+  button.addEventListener("click", async () => {
+    await trial.start();
+    if (!trial.failed) element.scrollIntoView({ block: "start" });
+  });
   return trial;
 }

@@ -83,8 +83,10 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
   panel.element = make(
     "div",
     { className: "trial" },
-    make("div", { className: "seen" }, make("div", { className: "choices" }, ...buttons), make("div", { className: "live-facts" }, moment, account), said, advice, picture, readout),
+    make("div", { className: "head" }, make("div", { className: "choices" }, ...buttons), make("div", { className: "live-facts" }, moment, account), said, advice),
+    picture,
     make("div", { className: "hands" }, sliders.element, ...(set ? [] : [design.element])),
+    readout,
   );
 
   /** Set up parts that need their place in the page. */
@@ -105,7 +107,8 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
     show(engine.first);
     engine.send({ act: "pace", value: panel.pace });
     engine.send({ act: "restart", through: false });
-    if (data.kind !== "bench") buttons[0].focus();
+    // without scrolling, because the page brings the whole panel into view
+    if (data.kind !== "bench") buttons[0].focus({ preventScroll: true });
   };
   panel.leave = () => panel.stage?.dispose();
   return Object.assign(panel, { engine, live, sliders, design, own });
