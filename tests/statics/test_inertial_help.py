@@ -9,7 +9,7 @@ from forficula.design import load_design
 from forficula.statics.tree import quasi_static
 from forficula.statics.tree.inertial_help import inertial_help
 from forficula.statics.tree.potential import ensemble_of, potential
-from forficula.statics.tree.quasi_static import QuasiStaticPath, least_slow_torque, start_state
+from forficula.statics.tree.quasi_static import TorquePath, least_slow_torque, start_state
 from forficula.structure import Drive, drive_of, hinges_of
 
 WINGS = ensemble_of([load_design("binder2025")])
@@ -21,7 +21,7 @@ def path(angles, torques, snap):
     """Return a path: one ring hinge at these angles, deg, all others at 0; one tendon with changing energy."""
     position = np.zeros((len(angles), WINGS.size))
     position[:, RINGS[1]] = np.radians(angles)
-    return QuasiStaticPath(
+    return TorquePath(
         torque=np.array(torques) / 100, position=position, snaps=(snap, (len(angles) - 2, len(angles) - 1))
     )
 

@@ -1,6 +1,7 @@
 from forficula.statics.landscape import EnergyLandscape, Rest, barrier, stable_states
 from forficula.statics.landscape_summary import landscape_summary
-from forficula.statics.survey import energy_landscape
+from forficula.statics.quasi_static_path import PathMark, QuasiStaticPath, QuasiStaticPoint
+from forficula.statics.survey import energy_landscape, quasi_static_path
 from forficula.statics.tree.fold_path import FoldPath, StableState
 from forficula.statics.tree.hinge import (
     TendonHinge,
@@ -31,7 +32,10 @@ __all__ = [
     "HingeSpring",
     "HingeState",
     "PartialFold",
+    "PathMark",
     "PeakTorque",
+    "QuasiStaticPath",
+    "QuasiStaticPoint",
     "Rest",
     "StableState",
     "TendonHinge",
@@ -46,6 +50,7 @@ __all__ = [
     "hinge_remarks",
     "ideal_hinges",
     "landscape_summary",
+    "quasi_static_path",
     "slack_angle",
     "stable_states",
     "tendon_hinge",

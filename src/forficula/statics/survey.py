@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from forficula.design import AnyDesign, as_design
+from forficula.errors import InputError
+from forficula.names import one_of
 from forficula.statics.landscape import EnergyLandscape
 from forficula.statics.net.net_landscape import Progress, net_landscape, slow_courses
 from forficula.statics.net.net_of import is_net
+from forficula.statics.net.net_path import net_path
+from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
 from forficula.statics.tree.potential import ensemble
 from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
+from forficula.statics.tree.tree_path import tree_path
 from forficula.statics.tree_landscape import tree_landscape
-from forficula.structure import Structure, drive_of, goal_of, structure_of
+from forficula.structure import Drive, Structure, Transition, drive_of, goal_of, structure_of
 
 # largest multiple of its own strength with which a drive is tried
 _MORE = 4.0
@@ -49,6 +55,57 @@ def energy_landscape(design: AnyDesign, points: int = 181, progress: Progress = 
     if is_net(structure):
         return net_landscape(design, structure, progress)
     return tree_landscape(design, structure, points)
+
+
+def quasi_static_path(
+    design: AnyDesign | Structure,
+    transition: str | None = None,
+    *,
+    near: QuasiStaticPoint | None = None,
+    error: float = 2e-3,
+    follow: Callable[[QuasiStaticPath], bool] | None = None,
+) -> QuasiStaticPath:
+    """Compute the quasi-static path of a structure from rest to the goal of a transition.
+
+    Args:
+        design: the design, or its structure.
+        transition: name of the transition; by default the first one, or the first drive of a structure without
+            transitions.
+        near: shape on the path of the design before its values changed, from `QuasiStaticPath.point`; the path is then
+            computed from the equilibrium nearest to this shape at the same strength of the drive, first onwards to its
+            end and then back to its start. A shape of a structure with other parts is ignored.
+        error: largest distance between a point of the structure and its linear interpolation between points of the
+            path, as a share of the structure's span.
+        follow: called with the growing path, first as soon as two points are known, and then whenever the path has
+            grown or has been refined noticeably; returns whether to go on. If it returns False, the path is returned as
+            far as it is computed.
+
+    Raises:
+        InputError: the design cannot be built, it has no such transition, or it has no drive.
+    """
+    structure = design if isinstance(design, Structure) else structure_of(as_design(design))
+    drive, made = _driven_transition(structure, transition)
+    if is_net(structure):
+        path = net_path(structure, drive, made)
+    elif made is not None:
+        path = tree_path(structure, drive, made)
+    if follow is not None:
+        follow(path)
+    return path
+
+
+def _driven_transition(structure: Structure, name: str | None) -> tuple[Drive, Transition | None]:
+    """Return a drive and the transition that it makes; None for a structure without transitions."""
+    names = [transition.name for transition in structure.transitions]
+    if name is not None and name not in names:
+        raise InputError(f"transition: need {one_of(names, name)}")
+    for transition in structure.transitions:
+        if name is None or transition.name == name:
+            return drive_of(structure, transition.drive), transition
+    drives = [drive for drive in structure.drives if any(drive.strengths)]
+    if not drives:
+        raise InputError(f"{structure.name}: need a drive that folds it, because the path follows a growing drive")
+    return drives[0], None
 
 
 def slow_drives(structure: Structure) -> dict[str, SlowDrive]:

@@ -28,7 +28,7 @@ from forficula.statics.tree.potential import Ensemble, ensemble, slight_energy, 
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
     at_goal,
-    crosses,
+    largest_torque,
     least_slow_torque,
     start_state,
     state_after,
@@ -37,8 +37,6 @@ from forficula.statics.tree.quasi_static import (
 from forficula.statics.tree.tip_stiffness import tip_stiffness
 from forficula.structure import Structure, Transition, drive_of, first_state, goal_of, state_of
 
-# largest torque tried on hinges that tendons cross, as a multiple of the largest opposing moment of a tendon
-_MOST_OPENING = 4.0
 # shifts of hinges at the start of a snap, rad: one case without, and three cases with about 0.3 deg
 _KICKS = (0.0, *[math.radians(0.3)] * 3)
 _STRAIGHT = math.radians(1)  # tolerance of straight
@@ -52,8 +50,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     hinges = crossed_hinges(structure, points)
     path = None if structure.rigid_fold is None else fold_path(structures, points)
     start = start_state(structures)
-    peaks = [hinge.actual.peak_opening.torque for hinge in hinges if hinge.actual.peak_opening is not None]
-    rests, courses, torque_remarks = _protocol(structures, start, max(peaks, default=0.0))
+    rests, courses, torque_remarks = _protocol(structures, start, hinges)
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -80,21 +77,21 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
 
 
 def _protocol(
-    structures: Ensemble, start: Equilibria, peak: float
+    structures: Ensemble, start: Equilibria, hinges: Sequence[CrossedHinge]
 ) -> tuple[tuple[Rest, ...], tuple[LeastTorque, ...], tuple[str, ...]]:
     """Compute where a structure rests after each transition, the least torques of transitions, and remarks on them.
 
     Args:
         structures: only the first case is used.
         start: first resting shape.
-        peak: largest moment of a tendon against opening, N m.
+        hinges: every hinge that one tendon lies across.
     """
     structure = structures.structure
     rests = [_rest(structures, first_state(structure, [state.name for state in structure.states]), start)]
     courses, remarks = list[LeastTorque](), list[str]()
     before, held = start, True
     for transition in structure.transitions:
-        largest = _largest_torque(structures, transition, peak)
+        largest = largest_torque(structures, transition, hinges)
         slow, span, after = None, None, state_beyond(structures, transition)
         rests.append(_rest(structures, transition.state, after, rests))
         # no transition starts from a state in which the structure does not rest
@@ -151,13 +148,6 @@ def _rest(structures: Ensemble, name: str, equilibria: Equilibria, earlier: Sequ
         within=within,
         same_as=next((rest.name for rest in earlier if np.all(np.abs(rest.angles - position) <= _SAME)), ""),
     )
-
-
-def _largest_torque(structures: Ensemble, transition: Transition, peak: float) -> float:
-    """Return the largest torque tried for a transition, N m: the drive's, or more if tendons cross its hinges."""
-    drive = drive_of(structures.structure, transition.drive)
-    strength = abs(drive.strength)
-    return max(_MOST_OPENING * peak, strength) if crosses(structures, drive) else strength
 
 
 def _inertial_help(structures: Ensemble, transition: Transition, slow: SlowTransition | None) -> InertialHelp | None:

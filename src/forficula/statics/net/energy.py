@@ -87,13 +87,19 @@ def expand(net: Net, shape: NetShape, load: Load | None = None, factor: float = 
     )
 
 
-def stored_by_part(net: Net, shape: NetShape) -> tuple[float, Array, float, float, float]:
-    """Return energies, J: of bars, of each crease, (crease,), of tendons, of membranes, of the weight (0 at z = 0)."""
+def stored_by_part(net: Net, shape: NetShape, further: Array | float = 0.0) -> tuple[float, Array, float, float, float]:
+    """Return energies, J: of bars, of each crease, (crease,), of tendons, of membranes, of the weight (0 at z = 0).
+
+    Args:
+        net: the net with its laws.
+        shape: any shape.
+        further: changes of the rest angles of valleys, rad, (crease,).
+    """
     springs, tendons, _, triangles = sides_of(net, shape.positions)
     shortest = _SHORTEST * net.size
     return (
         _bars(net, springs, shortest)[0],
-        np.asarray(net.creases.law.energy(shape.angles)),
+        np.asarray(net.creases.law.energy(shape.angles, further)),
         _pulls(net, tendons, shortest)[0],
         0.0 if net.membranes is None else _stretched(net.membranes, triangles)[0],
         -float(np.sum(layout_of(net).weight * shape.positions)),

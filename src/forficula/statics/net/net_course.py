@@ -9,13 +9,15 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.net.energy import expand
+from forficula.statics.net.energy import expand, shape_at
+from forficula.statics.net.factor import softest
 from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import motor_load, own_angles, point_positions
 from forficula.statics.net.slow_path import SlowPath, slow_path
+from forficula.statics.net.supports import supported
 from forficula.structure import (
     Drive,
     StageGoal,
@@ -27,9 +29,13 @@ from forficula.structure import (
     goal_of,
 )
 
-_MOST = 4.0  # largest multiple of a drive's strength if its strength is not sufficient
+MOST = 4.0  # largest multiple of a drive's strength if its strength is not sufficient
 _INCREMENTS = 120
 _FINE = 0.008  # first increment of the equilibria through a snap, of the net's size; short because they are drawn
+
+
+_OFF = 1e-3  # of the net's size: a push off an unstable equilibrium
+_RIDGES = 8  # largest number of such pushes
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -61,6 +67,25 @@ class Course:
     rest: NetRest
 
 
+def released(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
+    """Return the rest states of a net after its release, pushed off unstable equilibria, and a remark on the pushes."""
+    rest, off = minimum(net, built), 0
+    while rest.settled and rest.index and off < _RIDGES:
+        held, _ = supported(net)
+        mode = np.zeros_like(net.nodes)
+        mode[held.free] = softest(expand(held, rest.shape).free, 1)[1][:, 0]
+        mode *= _OFF * net.size / mode.flat[np.argmax(np.abs(mode))]
+        sides = [minimum(net, shape_at(net, rest.shape.positions + sign * mode, rest.shape.angles)) for sign in (1, -1)]
+        rest, off = min(sides, key=lambda side: side.energy), off + 1
+    if not off:
+        return rest, ()
+    return rest, (
+        "released as built, it comes to an unstable equilibrium, from which it can move to several states; the state"
+        " taken here is the one of lower energy on both sides of its softest mode or, if the energies are equal, the"
+        " one in the direction of the mode's largest coordinate",
+    )
+
+
 def drive_course(
     structure: Structure,
     net: Net,
@@ -90,7 +115,7 @@ def drive_course(
     def at_goal(shape: NetShape) -> bool:
         return goal is not None and short_of(structure, net, goal, shape) <= 0
 
-    end = 1.0 if goal is None else _MOST
+    end = 1.0 if goal is None else MOST
     # the force of a displacement is drawn along the whole path, which needs short steps
     step = _FINE * net.size if prescribes_displacement(structure, drive) else None
     slow = slow_path(net, start.shape, load, end=end, step=step, increments=_INCREMENTS, stop=at_goal)

@@ -11,18 +11,14 @@ from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.statics.landscape import EnergyLandscape, NetSurvey, Pass, Rest
-from forficula.statics.net.energy import expand, shape_at
-from forficula.statics.net.factor import softest
 from forficula.statics.net.minimum import NetRest as NetRest
-from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_course import Course, drive_course, short_of
+from forficula.statics.net.net_course import Course, drive_course, released, short_of
 from forficula.statics.net.net_of import net_of, own_angles, panels, start_shape
 from forficula.statics.net.net_state import NetState, mobility, net_state, rounded_energy, stored_parts
 from forficula.statics.net.panel_crossing import panels_cross
 from forficula.statics.net.saddle import find_saddle
 from forficula.statics.net.stable_states import StableStates, find_stable_states, same_shape
-from forficula.statics.net.supports import supported
 from forficula.structure import Structure, drive_of, first_state, goal_of, state_of
 
 Progress = Callable[[str], None]
@@ -30,8 +26,6 @@ Progress = Callable[[str], None]
 _TRIES = 16  # pushes of a search for stable states
 _SHOWN = 4  # number of listed states that no protocol names
 _PATHS, _INCREMENTS = 4, 100  # paths tried for a saddle, and increments of each
-_OFF = 1e-3  # of the net's size: a push off an unstable equilibrium
-_RIDGES = 8  # largest number of such pushes
 _SAME = 1e-3  # rad; resting angles within this difference are equal in tables
 
 
@@ -49,7 +43,7 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
     net = net_of(structure)
     progress("resting shape and effects of the drives")
     built = start_shape(structure, net)
-    first, left = _settled(net, built)
+    first, left = released(net, built)
     courses, refused = _all_courses(structure, net, first)
     rests = _rests(structure, net, first, courses)
     progress("stable states")
@@ -76,27 +70,8 @@ def slow_courses(structure: Structure) -> tuple[Course, ...]:
         InputError: the structure is not a net.
     """
     net = net_of(structure)
-    first, _ = _settled(net, start_shape(structure, net))
+    first, _ = released(net, start_shape(structure, net))
     return tuple(_transition_courses(structure, net, first, through_snaps=False)[0])
-
-
-def _settled(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
-    """Return the rest states of a net after its release, pushed off unstable equilibria, and a remark on the pushes."""
-    rest, off = minimum(net, built), 0
-    while rest.settled and rest.index and off < _RIDGES:
-        held, _ = supported(net)
-        mode = np.zeros_like(net.nodes)
-        mode[held.free] = softest(expand(held, rest.shape).free, 1)[1][:, 0]
-        mode *= _OFF * net.size / mode.flat[np.argmax(np.abs(mode))]
-        sides = [minimum(net, shape_at(net, rest.shape.positions + sign * mode, rest.shape.angles)) for sign in (1, -1)]
-        rest, off = min(sides, key=lambda side: side.energy), off + 1
-    if not off:
-        return rest, ()
-    return rest, (
-        "released as built, it comes to an unstable equilibrium, from which it can move to several states; the state"
-        " taken here is the one of lower energy on both sides of its softest mode or, if the energies are equal, the"
-        " one in the direction of the mode's largest coordinate",
-    )
 
 
 def _all_courses(structure: Structure, net: Net, first: NetRest) -> tuple[tuple[Course, ...], tuple[str, ...]]:

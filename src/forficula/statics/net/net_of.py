@@ -83,12 +83,17 @@ def panels(structure: Structure) -> Indices:
 def start_shape(structure: Structure, net: Net) -> NetShape:
     """Return the shape as built, with start angles that distinguish panels that lie on one another."""
     start = np.array([hinge.start for hinge in structure.hinges])
-    return shape_at(net, net.nodes, _senses(structure) * start)
+    return shape_at(net, net.nodes, valley_angles(structure, start))
 
 
 def own_angles(structure: Structure, shape: NetShape) -> Array:
     """Return the angles of the hinges in their own senses, rad, (hinge,)."""
     return np.asarray(_senses(structure) * shape.angles)
+
+
+def valley_angles(structure: Structure, angles: Array) -> Array:
+    """Return angles of the hinges in their own senses as fold angles, valleys positive, rad, (hinge,)."""
+    return np.asarray(_senses(structure) * angles)
 
 
 def bends(structure: Structure) -> Flags:

@@ -144,9 +144,16 @@ def readings(structure: Structure, net: Net, measure: Measure, shape: NetShape) 
     return read_angles(measure, own_angles(structure, shape))
 
 
-def stored_parts(structure: Structure, net: Net, shape: NetShape) -> dict[str, float]:
-    """Return the energy by the part that stores it, J; parts that the structure does not have are left out."""
-    bars, folds, tendons, membranes, weight = stored_by_part(net, shape)
+def stored_parts(structure: Structure, net: Net, shape: NetShape, further: Array | float = 0.0) -> dict[str, float]:
+    """Return the energy by the part that stores it, J; parts that the structure does not have are left out.
+
+    Args:
+        structure: the structure.
+        net: net of the structure.
+        shape: shape of the net.
+        further: changes of the rest angles of valleys, rad, (crease,).
+    """
+    bars, folds, tendons, membranes, weight = stored_by_part(net, shape, further)
     flat = bends(structure)
     parts = {
         "creases": (not flat.all(), float(folds[~flat].sum())),

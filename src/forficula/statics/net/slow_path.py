@@ -32,6 +32,7 @@ class Snap:
         before: equilibrium before the snap.
         after: equilibrium after the snap, or the shape at which `stop` ended it.
         released: potential energy that the snap releases, J.
+        descent: shapes between `before` and `after`, in the order of a motion with equal dampers and without inertia.
     """
 
     kind: Literal["limit", "bifurcation", "branch"]
@@ -39,6 +40,7 @@ class Snap:
     before: NetShape
     after: NetRest
     released: float
+    descent: tuple[NetShape, ...]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -71,6 +73,7 @@ def slow_path(
     step: float | None = None,
     increments: int = 100,
     stop: Callable[[NetShape], bool] | None = None,
+    finish_snaps: bool = False,
 ) -> SlowPath:
     """Follow a net under a load that grows or falls so slowly that the net is at rest except during snaps.
 
@@ -86,6 +89,7 @@ def slow_path(
         step: as for `load_path`.
         increments: of each path.
         stop: ends the path at the first shape for which it returns True, on a path or during a snap.
+        finish_snaps: whether a snap continues to its rest if `stop` returns True during the snap.
 
     Raises:
         InputError: as for `load_path`.
@@ -117,7 +121,7 @@ def slow_path(
             break
         limit = path.events[0].point.factor
         factor = limit + _BEYOND * float(np.sign(end - begin)) * max(abs(limit - begin), _BEYOND * abs(end - begin))
-        snaps.append(_snap(net, path.events[0], load, factor, stops))
+        snaps.append(_snap(net, path.events[0], load, factor, None if finish_snaps else stops))
         if stops(snaps[-1].after.shape):
             ended = "stop"
             break
@@ -134,16 +138,22 @@ def _up_to_event(path: LoadPath) -> LoadPath:
     return LoadPath(load=path.load, points=points, events=path.events[:1], ended=path.ended, pins=path.pins)
 
 
-def _snap(net: Net, event: PathEvent, load: Load, factor: float, stop: Callable[[NetShape], bool]) -> Snap:
+def _snap(net: Net, event: PathEvent, load: Load, factor: float, stop: Callable[[NetShape], bool] | None) -> Snap:
     """Return the snap at a limit or a bifurcation; of two directions, the one that ends at lower energy."""
     beyond = (factor - event.point.factor) * load.displacements
     before = shape_at(net, event.point.shape.positions + beyond, event.point.shape.angles)
-    landed = list[tuple[float, NetRest]]()
+    landed = list[tuple[float, NetRest, list[NetShape]]]()
     for sign in (1.0, -1.0) if event.kind == "bifurcation" else (0.0,):
         pushed = shape_at(net, before.positions + sign * _PUSH * net.size * event.mode, before.angles)
-        rest = minimum(net, pushed, load, factor, longest_step=_STEP * net.size, stop=stop)
-        landed.append((expand(net, rest.shape, load, factor).energy, rest))
-    energy, after = min(landed, key=lambda landing: landing[0])
+        descent = list[NetShape]()
+
+        def follow(shape: NetShape, descent: list[NetShape] = descent) -> bool:
+            descent.append(shape)
+            return stop is not None and stop(shape)
+
+        rest = minimum(net, pushed, load, factor, longest_step=_STEP * net.size, stop=follow)
+        landed.append((expand(net, rest.shape, load, factor).energy, rest, descent))
+    energy, after, descent = min(landed, key=lambda landing: landing[0])
     moved = np.abs(after.shape.positions - before.positions).max()
     near = event.kind == "bifurcation" and moved < _NEAR * net.size
     return Snap(
@@ -152,4 +162,5 @@ def _snap(net: Net, event: PathEvent, load: Load, factor: float, stop: Callable[
         before=event.point.shape,
         after=after,
         released=expand(net, before, load, factor).energy - energy,
+        descent=tuple(descent),
     )

@@ -8,7 +8,7 @@ import numpy as np
 
 from forficula.serial import Joules, NewtonMetres
 from forficula.statics.tree.potential import Ensemble, potential
-from forficula.statics.tree.quasi_static import QuasiStaticPath
+from forficula.statics.tree.quasi_static import TorquePath
 from forficula.structure import Drive
 
 # A snap within this share of the least torque does not change the least torque.
@@ -31,7 +31,7 @@ class InertialHelp:
     barrier: Joules
 
 
-def inertial_help(structures: Ensemble, path: QuasiStaticPath, drive: Drive) -> InertialHelp | None:
+def inertial_help(structures: Ensemble, path: TorquePath, drive: Drive) -> InertialHelp | None:
     """Find the first snap of a path to a goal that releases more energy than the rest of the path has to climb.
 
     At the constant torque of the snap, the energy minus the torque's work is conserved except for damping. Without

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from forficula.arrays import Array, Flags, Indices
 from forficula.errors import InputError
 from forficula.statics.tree.equilibrium import Equilibria
+from forficula.statics.tree.hinge_landscape import CrossedHinge
 from forficula.statics.tree.pose import carried_points, places_of, pose
 from forficula.statics.tree.potential import Ensemble, rest, start_angles
 from forficula.structure import (
@@ -25,6 +26,8 @@ from forficula.structure import (
     hinge_bounds,
 )
 
+# largest torque tried on hinges that tendons cross, as a multiple of the largest opposing moment of a tendon
+_MOST_OPENING = 4.0
 _LEAD_IN = 4  # halvings of the first torque
 _ACCURACY = 0.01  # relative accuracy of a least torque
 _FIRST_STEP = 1e-4  # first and shortest step, as a share of the largest torque tried
@@ -34,7 +37,7 @@ _NEAR = 0.1  # rad, largest turn of hinges from step to step without a snap
 
 
 @dataclass(frozen=True, kw_only=True)
-class QuasiStaticPath:
+class TorquePath:
     """Equilibria of one structure under a slowly growing torque, and the snaps between them.
 
     Attributes:
@@ -62,7 +65,7 @@ class SlowTransition:
 
     torque: Array
     position: Array
-    paths: tuple[QuasiStaticPath, ...] = ()
+    paths: tuple[TorquePath, ...] = ()
 
 
 def start_state(structures: Ensemble) -> Equilibria:
@@ -174,6 +177,22 @@ def crosses(structures: Ensemble, drive: Drive) -> bool:
     return bool((structures.crossings @ (np.array(drive.shares) @ structures.drives)).any())
 
 
+def largest_torque(structures: Ensemble, transition: Transition, hinges: Sequence[CrossedHinge]) -> float:
+    """Return the largest torque tried for a transition, N m: the drive's, or more if tendons cross its hinges.
+
+    Args:
+        structures: side by side.
+        transition: with its drive.
+        hinges: every hinge that one tendon lies across.
+    """
+    drive = drive_of(structures.structure, transition.drive)
+    strength = abs(drive.strength)
+    if not crosses(structures, drive):
+        return strength
+    peaks = [hinge.actual.peak_opening.torque for hinge in hinges if hinge.actual.peak_opening is not None]
+    return max(_MOST_OPENING * max(peaks, default=0.0), strength)
+
+
 def least_slow_torque(
     structures: Ensemble,
     start: Array,
@@ -255,9 +274,9 @@ class _PathRecord:
             self.add(case, torque, position)
         self._snaps[case].append((before, len(self._steps[case]) - 1))
 
-    def paths(self) -> tuple[QuasiStaticPath, ...]:
+    def paths(self) -> tuple[TorquePath, ...]:
         return tuple(
-            QuasiStaticPath(
+            TorquePath(
                 torque=np.array([torque for torque, _ in steps]),
                 position=np.array([position for _, position in steps]),
                 snaps=tuple(snaps),
