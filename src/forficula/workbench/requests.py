@@ -82,6 +82,30 @@ class DesignRequest(BaseModel):
         return settings
 
 
+class FoldRequest(DesignRequest):
+    """A design whose fold path a page requests.
+
+    Attributes:
+        share: position of the slider on the path of the previous design, from which the path is computed first.
+    """
+
+    share: Annotated[float, Field(ge=0, le=1)] = 0.0
+
+
+class DragRequest(FoldRequest):
+    """A design of which a page drags a point.
+
+    Attributes:
+        point: number of the dragged point.
+        target: position to which the point is dragged, m.
+        begins: whether the drag begins at the shape of the slider, or continues from its last shape.
+    """
+
+    point: Annotated[int, Field(ge=0)]
+    target: Annotated[tuple[float, float, float], Field()]
+    begins: bool = False
+
+
 @dataclass(frozen=True, kw_only=True)
 class Opened:
     """The design with which a workbench was opened.
