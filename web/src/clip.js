@@ -7,6 +7,8 @@ import { readEfforts } from "./efforts.js";
 
 /** Name of the tendon energies among the values of a clip. */
 export const TENDONS = "tendon energy";
+/** Name of the readings of single creases among them. */
+export const CREASES = "creases";
 
 /** Decode numbers that the page contains as little-endian bytes in base64. */
 export function unpack(text, Kind) {
@@ -16,13 +18,21 @@ export function unpack(text, Kind) {
   return new Kind(bytes.buffer);
 }
 
+/** Decode numbers of columns that the page contains as 2-byte steps above the least number of each column. */
+export function unpackSteps({ low, step, steps }) {
+  return Float32Array.from(unpack(steps, Uint16Array), (value, at) => low[at % low.length] + step[at % low.length] * value);
+}
+
 export function readClip(data) {
   const time = unpack(data.time, Float64Array);
-  const points = unpack(data.points, Float32Array);
+  const points = typeof data.points === "string" ? unpack(data.points, Float32Array) : unpackSteps(data.points);
   const width = 3 * data.pointCount;
   const tables = { [TENDONS]: { width: data.tendonParts.length, values: unpack(data.tendonEnergy_J, Float32Array) } };
   for (const reading of data.readings)
     tables[reading.name] = { width: reading.parts.length, values: unpack(reading.values, Float32Array) };
+  const { along = [], creases = null } = data;
+  for (const { name, values } of along) tables[name] = { width: 1, values: unpack(values, Float32Array) };
+  if (creases) tables[CREASES] = { width: creases.values.low.length, values: unpackSteps(creases.values) };
   const between = Int32Array.from(data.between);
   const share = Float64Array.from(data.share);
   const now = new Float32Array(width);
@@ -81,6 +91,9 @@ export function readClip(data) {
     stages: data.stages,
     tendons: data.tendonParts.length,
     readings: data.readings,
+    /** Single numbers beside the time, by name and unit. */
+    along,
+    creases,
     time,
     start: time[0],
     end: time[time.length - 1],
@@ -122,4 +135,10 @@ export function placeIn(time, moment) {
     else high = middle;
   }
   return [low, (moment - time[low]) / (time[low + 1] - time[low])];
+}
+
+/** The value of a line at a time, interpolated between frames. */
+export function valueAt(time, values, moment) {
+  const [frame, share] = placeIn(time, moment);
+  return share === 0 ? values[frame] : values[frame] + share * (values[frame + 1] - values[frame]);
 }

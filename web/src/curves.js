@@ -1,6 +1,6 @@
 /**
- * Curves of energy over an angle, with balls: at the position of a run at the clock's time or, without a run, at a
- * slider's position. Pressing a run's curve moves the clock to the nearest time.
+ * Curves of energy over an angle, with balls: at the position of a run or of a fold path at the clock's time or, without
+ * either, at a slider's position. Pressing the curve of a run or path moves the clock to the nearest time.
  */
 
 import uPlot from "uplot";
@@ -13,16 +13,16 @@ import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 const ANGLES = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 60, 90, 180];
 const TALLER = 1.35;
 
-/** Put curves into an element; clips and clock belong to the page's run, if any; poses: a clock that sliders set. */
-export function mountCurves(element, curves, clips = [], clock = null, poses = null) {
-  const made = curves.map((curve) => makeCurve(curve, clips[0], clock, poses));
+/** Put curves into an element; clips and clock belong to the page's run or fold path, if any. */
+export function mountCurves(element, curves, clips = [], clock = null) {
+  const made = curves.map((curve) => makeCurve(curve, clips[0], clock));
   element.replaceChildren(...made.map((each) => each.element));
   element.classList.add("plots");
   for (const each of made) each.start();
   return made;
 }
 
-function makeCurve(data, clip, clock, poses) {
+function makeCurve(data, clip, clock) {
   const [lines, balls, marks] = [data.lines, data.balls, data.marks].map((courses) => courses.map(readCourse));
   const { element, key, place } = figureOf(data);
   const dots = (balls.length ? balls : [lines[0]]).map((ball) =>
@@ -33,10 +33,11 @@ function makeCurve(data, clip, clock, poses) {
   const whole = endsOf(lines);
   let shown = whole;
   let chart = null;
+  let stops = [];
 
   function drawKey() {
     const samples = lines.map((line, index) => make("li", {}, lineSample(lineLook(index)), line.name));
-    const what = balls.length ? "the run now" : "moved by the slider";
+    const what = balls.length ? `the ${data.along} now` : "moved by the slider";
     key.replaceChildren(...samples, make("li", {}, make("span", { className: "ball still" }), what));
   }
 
@@ -77,14 +78,16 @@ function makeCurve(data, clip, clock, poses) {
     const table = uPlot.join(lines.map((line) => [line.sorted.places, line.sorted.values]));
     chart = new uPlot(options({ data, lines, balls, marks, energyRange }, place.clientWidth, height), table, place);
     chart.over.append(...dots);
-    new ResizeObserver(() => chart.setSize({ width: place.clientWidth, height })).observe(place);
+    const watch = new ResizeObserver(() => chart.setSize({ width: place.clientWidth, height }));
+    watch.observe(place);
     chart.hooks.setSize = [placeBalls];
     chart.hooks.setScale = [placeBalls];
     drawKey();
-    onSchemeChange(() => {
+    const repaint = onSchemeChange(() => {
       drawKey();
       chart.redraw(false);
     });
+    stops = [repaint, () => watch.disconnect(), () => chart.destroy()];
     if (data.top) place.after(views(whole, data.top, show));
     if (balls.length) {
       clock.onChange(follow);
@@ -93,7 +96,7 @@ function makeCurve(data, clip, clock, poses) {
       slide(data, lines[0], place, (angle, energy) => {
         now[0] = [angle, energy];
         placeBalls();
-      }, poses);
+      });
     }
     show(whole);
   }
@@ -101,6 +104,7 @@ function makeCurve(data, clip, clock, poses) {
   return {
     element,
     start,
+    dispose: () => stops.forEach((stop) => stop()),
     now,
     get chart() {
       return chart;
@@ -158,7 +162,7 @@ function options({ data, lines, balls, marks, energyRange }, width, height) {
       },
       values,
     ],
-    hooks: { draw: [(chart) => drawRun(chart, balls), (chart) => drawMarks(chart, marks)] },
+    hooks: { draw: [(chart) => drawRun(chart, data.along === "run" ? balls : []), (chart) => drawMarks(chart, marks)] },
   };
 }
 
@@ -246,11 +250,8 @@ function seekByPointer(chart, balls, clip, clock) {
   onDrag(chart, seek);
 }
 
-/**
- * A slider that moves the ball along a line, from the line's start, and displays its position. With poses it also moves
- * the structure, and follows the slider of another curve.
- */
-function slide(data, line, place, moved, poses) {
+/** A slider that moves the ball along a line, from the line's start, and displays its position. */
+function slide(data, line, place, moved) {
   const last = line.places.length - 1;
   const slider = make("input", { type: "range", min: "0", max: String(last), value: "0" });
   slider.setAttribute("aria-label", `${data.axis} along the curve`);
@@ -263,35 +264,7 @@ function slide(data, line, place, moved, poses) {
     said.textContent = `${angle}\u00b0, ${energy}`;
     slider.setAttribute("aria-valuetext", `${data.axis} ${angle} degrees, energy ${energy}`);
   };
-  const angles = data.poses && poses ? unpack(data.poses, Float32Array) : null;
-  let asked = false;
-  slider.addEventListener("input", () => {
-    move();
-    asked = true;
-    if (angles) poses.seek(poseAt(angles, line.places[Number(slider.value)]));
-  });
-  if (angles)
-    poses.onChange(() => {
-      if (!asked) {
-        slider.value = String(nearest(line.places, between(angles, Math.floor(poses.time), poses.time % 1)));
-        move();
-      }
-      asked = false;
-    });
-  const words = data.drawn ? [make("p", { className: "note" }, data.drawn)] : [];
-  place.after(make("div", { className: "slide" }, slider, said), ...words);
+  slider.addEventListener("input", move);
+  place.after(make("div", { className: "slide" }, slider, said));
   move();
-}
-
-/** The pose at an angle, interpolated; angles rise or fall from pose to pose. */
-function poseAt(angles, angle) {
-  const sign = angles[angles.length - 1] >= angles[0] ? 1 : -1;
-  const after = angles.findIndex((each) => sign * each >= sign * angle);
-  if (after <= 0) return after === 0 ? 0 : angles.length - 1;
-  const step = angles[after] - angles[after - 1];
-  return after - 1 + (step ? (angle - angles[after - 1]) / step : 0);
-}
-
-function nearest(places, angle) {
-  return places.reduce((best, each, at) => (Math.abs(each - angle) < Math.abs(places[best] - angle) ? at : best), 0);
 }

@@ -47,8 +47,9 @@ export function readable(value, si) {
   return `${short(factor * value)} ${unit}`;
 }
 
-/** The legible unit for the times of a span, and its factor from s. */
+/** The legible unit for the times of a span, and its factor from s; a span of another quantity names its unit. */
 export function timeUnit(span) {
+  if (span.unit) return { unit: span.unit, factor: 1 };
   return readingUnit("s", Math.max(Math.abs(span.start), Math.abs(span.end)));
 }
 

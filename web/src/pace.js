@@ -1,6 +1,6 @@
 /** Speed of a clock: a share of real time, or such that motion looks even. */
 
-import { placeIn } from "./clip.js";
+import { valueAt } from "./clip.js";
 
 // share of even playback that follows the clips' own time, so that rest is visible as rest
 const BY_TIME = 0.3;
@@ -37,9 +37,9 @@ export function evenPace(clips, span) {
     stage.drive !== "none" && stage.start - span.origins[0] < span.end && stage.end - span.origins[0] > span.start;
   const drives = clips[0].stages.filter(inside).length;
   return {
-    seconds: SECONDS + SECONDS_BY_DRIVE * drives,
-    wayAt: (moment) => between(times, way, moment),
-    timeAt: (part) => between(way, times, part),
+    seconds: span.seconds ?? SECONDS + SECONDS_BY_DRIVE * drives,
+    wayAt: (moment) => valueAt(times, way, moment),
+    timeAt: (part) => valueAt(way, times, part),
   };
 }
 
@@ -68,9 +68,4 @@ function addMotion(clip, origin, times, way) {
     way[index] = Math.max(way[index], furthest);
     [before, after] = [after, before];
   }
-}
-
-function between(from, to, value) {
-  const [index, part] = placeIn(from, value);
-  return part === 0 ? to[index] : to[index] + part * (to[index + 1] - to[index]);
 }

@@ -1,8 +1,12 @@
-/** Page of one run, and of a landscape with a run: curves with the run's position. */
+/**
+ * Page of one structure, and of its landscape: its run over time, its fold path, or both, of which the reader chooses
+ * one. Both are clips: the frames of a run are moments, those of a fold path are shares of the fold.
+ */
 
 import { readClip } from "./clip.js";
 import { makeClock } from "./clock.js";
 import { mountCurves } from "./curves.js";
+import { make } from "./elements.js";
 import { mountPlayer } from "./player.js";
 import { mountPlots } from "./plots.js";
 import { mountReadout } from "./readout.js";
@@ -10,13 +14,56 @@ import { playOnceSeen } from "./start.js";
 import { mountTryIt } from "./try-it.js";
 
 export function showRun(data) {
+  const views = [];
+  if (data.clips) views.push(makeView("motion", "in time, as simulated", data));
+  if (data.fold) views.push(makeView("fold", "slowly along its path", { ...data.fold, clips: data.fold.clips.map((clip) => ({ ...data.clips?.[0], ...clip })) }));
+  const page = { views };
+  const player = document.getElementById("player");
+  let shown = null;
+  let look;
+
+  /** Show a view in place of another one; the direction of the eye is kept. */
+  page.choose = (view) => {
+    shown?.leave();
+    shown = view;
+    look = view.show(look) ?? look;
+    Object.assign(page, view);
+    for (const button of buttons) button.setAttribute("aria-pressed", String(button.textContent === view.name));
+  };
+
+  const buttons = views.map((view) => {
+    const button = make("button", { type: "button", title: `${view.name}: ${view.title}` }, view.name);
+    button.addEventListener("click", () => page.choose(view));
+    return button;
+  });
+  if (views.length > 1) player.before(make("div", { className: "colours modes", role: "group", "aria-label": `how the ${data.whole} moves` }, make("span", {}, ...buttons), views.map(({ name, title }) => `${name}: ${title}`).join(" \u00b7 ")));
+  page.choose(views[0]);
+  if (data.clips) {
+    playOnceSeen(player, page.clock);
+    page.trial = mountTryIt(document.getElementById("try"), views[0].clips[0], data, () => page.clock.pause());
+  }
+  return page;
+}
+
+/** A view of a page's structure: a clip with its clock, plots and numbers. */
+function makeView(name, title, data) {
   const clips = data.clips.map(readClip);
-  const clock = makeClock(clips, data.spans);
-  const player = mountPlayer(document.getElementById("player"), clips, clock, data);
-  const curves = data.curves ? mountCurves(document.getElementById("curves"), data.curves, clips, clock) : [];
-  const plots = mountPlots(document.getElementById("plots"), data.plots, clips, clock);
-  mountReadout(document.getElementById("readout"), clips[0], clock, data.energy);
-  playOnceSeen(document.getElementById("player"), clock);
-  const trial = mountTryIt(document.getElementById("try"), clips[0], data, () => clock.pause());
-  return { clips, clock, player, curves, plots, trial };
+  const view = { name, title, clips, clock: null };
+  let stops = [];
+
+  view.show = (look) => {
+    const place = (id) => document.getElementById(id);
+    const clock = makeClock(clips, data.spans);
+    if (view.clock) clock.seek(view.clock.time);
+    view.clock = clock;
+    view.player = mountPlayer(place("player"), clips, clock, data, look, false);
+    view.curves = data.curves ? mountCurves(place("curves"), data.curves, clips, clock) : [];
+    view.plots = mountPlots(place("plots"), data.plots, clips, clock);
+    if (data.notes) place("player").append(...data.notes.map((note) => make("p", { className: "note" }, note)));
+    const deaf = mountReadout(place("readout"), clips[0], clock, data.energy);
+    stops = [deaf, () => view.player.dispose(), () => view.plots.dispose(), () => view.curves.forEach((curve) => curve.dispose())];
+    return view.player.stage?.eye.look;
+  };
+  view.leave = () => stops.forEach((stop) => stop());
+  return view;
 }

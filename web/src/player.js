@@ -1,6 +1,7 @@
 /** Structures in 3-D with the controls of their clock, in an element of any page. */
 
 import { VIEWS } from "./camera.js";
+import { showCreases } from "./crease-label.js";
 import { effortTexts } from "./efforts.js";
 import { make } from "./elements.js";
 import { short } from "./format.js";
@@ -15,13 +16,14 @@ import { makeTransport, stageText } from "./transport.js";
  * Display clips side by side with a common clock.
  *
  * energy: {unit, factor, largest_J} for the tendons' colours; legend: samples of colours with their meanings; text: a
- * sentence about the picture; whole: noun for one of the structures; look: initial view of the camera.
+ * sentence about the picture; whole: noun for one of the structures; look: initial view of the camera; scaled: whether
+ * the structures of several clips, shown together or one after another, may have one scale.
  * Returns {stage, dispose}; stage is null without WebGL.
  */
-export function mountPlayer(element, clips, clock, { energy, legend: entries, text, whole }, look) {
+export function mountPlayer(element, clips, clock, { energy, legend: entries, text, whole }, look, scaled = clips.length > 1 || Boolean(look)) {
   const stage = makeStage(clips, clock, (clip) => makeShape(clip, energy.largest_J), text, look);
   const picture = stage
-    ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, clips.length > 1 || look ? whole : null))
+    ? make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, scaled ? whole : null))
     : make("p", { className: "note" }, noPicture(whole));
   if (stage && clips.length === 1) nameState(stage.cells[0], clips[0], clock);
   const legend = stage ? [makeLegend(entries, energy, stage.eye.size, clips.length > 1 ? whole : null)] : [];
@@ -29,7 +31,8 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
   if (stage && clips.length === 1 && clips[0].efforts?.drives.length) tellEfforts(legend.at(-1), clips[0], clock);
   if (stage && clips.length > 1 && clips.some((clip) => clip.efforts?.drives.some((drive) => drive.arrow)))
     legend.at(-1).append(make("li", { className: "effort" }, arrowSample(), "torque or force of a drive, while it acts"));
-  element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp(clips, stage !== null, whole));
+  const creases = stage && clips.length === 1 && clips[0].creases ? [showCreases(stage, clips[0], clock)] : [];
+  element.replaceChildren(picture, makeTransport(clips, clock), ...creases, ...legend, keysHelp(clips, stage !== null, whole));
   element.classList.add("player");
   element.setAttribute("role", "region");
   element.setAttribute("aria-label", `the moving ${whole}`);

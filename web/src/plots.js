@@ -1,7 +1,7 @@
 /** Plots over time, with a cursor at the clock's time; pressing a plot moves the clock there. */
 
 import uPlot from "uplot";
-import { unpack } from "./clip.js";
+import { unpack, valueAt } from "./clip.js";
 import { lineSample, make } from "./elements.js";
 import { capital, short, timeUnit } from "./format.js";
 import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
@@ -61,6 +61,8 @@ function clipOf(plot) {
 function makePlot(plot, values, sharing, clips, clock) {
   const { element, key, place } = figureOf(plot, plot.owner);
   const cursor = make("div", { className: "cursor" });
+  // the ball is on one of the lines, if the plot has one
+  const ball = plot.ball === undefined ? null : make("div", { className: "ball" });
   let chart = null;
   let span = null;
   let stretched = false;
@@ -82,7 +84,15 @@ function makePlot(plot, values, sharing, clips, clock) {
       chart.setData(tables(plot, values, clips, span), false);
       chart.setScale("x", { min: span.start, max: span.end });
     }
-    cursor.style.transform = `translateX(${chart.valToPos(clock.time, "x").toFixed(2)}px)`;
+    const x = chart.valToPos(clock.time, "x").toFixed(2);
+    cursor.style.transform = `translateX(${x}px)`;
+    if (ball) ball.style.transform = `translate(${x}px, ${chart.valToPos(valueNow(), "y").toFixed(2)}px)`;
+  }
+
+  /** Value of the ball's line at the clock's time. */
+  function valueNow() {
+    const { clip } = plot.lines[plot.ball];
+    return valueAt(clips[clip].time, values[plot.ball], clock.clipTime(clip));
   }
 
   function start() {
@@ -90,7 +100,7 @@ function makePlot(plot, values, sharing, clips, clock) {
     stretched = clock.stretched;
     chart = new uPlot(options(plot, sharing, clips, clock, place.clientWidth), tables(plot, values, clips, span), place);
     chart.setScale("x", { min: span.start, max: span.end });
-    chart.over.append(cursor);
+    chart.over.append(cursor, ...(ball ? [ball] : []));
     seekByPointer(chart, clock);
     watch.observe(place);
     chart.hooks.setSize = [follow];

@@ -23,7 +23,7 @@ export function mountReadout(element, clip, clock, energy, index = 0, named = fa
       title: `tendon energy (${energy.unit})`,
       parts: clip.mesh.tendonParts,
       text: joules,
-      ofState: (mark) => mark.tendonEnergy_J.map(joules),
+      ofState: (mark) => mark.tendonEnergy_J?.map(joules),
     });
   const cells = rows.map(() => names.map(() => make("td")));
   const caption = make("caption");
@@ -40,7 +40,7 @@ export function mountReadout(element, clip, clock, energy, index = 0, named = fa
   return clock.onChange(() => {
     const moment = clock.clipTime(index);
     const mark = clip.markAt(moment);
-    const state = mark ? `, ${mark.name} (means)` : "";
+    const state = mark ? `, ${mark.name}${mark.tendonEnergy_J ? " (means)" : ""}` : "";
     const whose = named ? `${clip.name}: ` : "";
     const what = heading ? `every ${heading}` : "all values";
     caption.textContent = `${capital(`${whose}${what}`)} at ${timeText(clock.time, clock.span)}${state}`;

@@ -39,6 +39,7 @@ export function makeStage(clips, clock, shapeOf, text, look) {
   const views = clips.map((clip) => makeView(clip, shapeOf(clip), eye));
   let waiting = 0;
   let posed = false;
+  const drawn = new Set();
 
   function invalidate() {
     if (!waiting) waiting = requestAnimationFrame(draw);
@@ -77,6 +78,7 @@ export function makeStage(clips, clock, shapeOf, text, look) {
       renderer.render(view.scene, eye.camera);
     }
     eye.aim();
+    for (const listener of drawn) listener();
   }
 
   function paint() {
@@ -131,7 +133,7 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     return largest;
   }
 
-  return { element, canvas, cells, eye, pose, draw, views, showStrain, statistics: () => renderer.info.render, dispose };
+  return { element, canvas, cells, eye, pose, draw, views, showStrain, onDraw: (listener) => drawn.add(listener), statistics: () => renderer.info.render, dispose };
 }
 
 const HELP = "Drag to turn, pinch to zoom; keys are listed below.";

@@ -1,7 +1,10 @@
-/** Controls of a clock: play and pause, the time line with its states, the speed, and the displayed span. */
+/**
+ * Controls of a clock: play and pause, the time line with its states, the speed, and the displayed span. A span of
+ * another quantity than time names its unit; it has no speed.
+ */
 
 import { icon, make } from "./elements.js";
-import { fixed, timeText } from "./format.js";
+import { fixed, short, timeText } from "./format.js";
 import { SPEEDS } from "./pace.js";
 
 const PLAY = "M7 4.5v15l12-7.5z";
@@ -10,7 +13,7 @@ const TICKS = 10_000;
 
 export function makeTransport(clips, clock) {
   const play = make("button", { type: "button", className: "play" });
-  const slider = make("input", { type: "range", min: 0, max: TICKS, step: 1, "aria-label": "time" });
+  const slider = make("input", { type: "range", min: 0, max: TICKS, step: 1, "aria-label": clock.span.unit ? clock.span.name : "time" });
   const bands = make("div", { className: "bands", "aria-hidden": "true" });
   const ticks = make("div", { className: "ticks", "aria-hidden": "true" });
   const readout = make("p", { className: "time" });
@@ -25,7 +28,7 @@ export function makeTransport(clips, clock) {
       { className: "choices" },
       readout,
       ...(states.length ? [make("div", { className: "states" }, ...states)] : []),
-      speedChoice(clock),
+      ...(clock.span.unit ? [] : [speedChoice(clock)]),
       ...spanChoice(clock),
       spoken,
     ),
@@ -46,8 +49,8 @@ export function makeTransport(clips, clock) {
     slider.setAttribute("aria-valuetext", momentText(clips, clock));
     const since =
       clips.length === 1 ? ` \u00b7 ${stageText(clips[0], clock.clipTime(0))}` : clock.span.label.replace("time", "");
-    const slow = clock.playing ? `, ${slowness(clock.slowness)}` : "";
-    readout.textContent = `${timeText(clock.time, clock.span)}${since}${slow}`;
+    const slow = clock.playing && !clock.span.unit ? `, ${slowness(clock.slowness)}` : "";
+    readout.textContent = `${timeText(clock.time, clock.span)}${since}${slow}${alongText(clips[0], clock.clipTime(0), " \u00b7 ")}`;
     for (const [index, mark] of (clips.length === 1 ? clips[0].marks : []).entries()) {
       states[index].setAttribute("aria-pressed", String(Math.abs(mark.time - clock.clipTime(0)) < 1e-9));
     }
@@ -129,11 +132,17 @@ export function stageText(clip, moment) {
   return mark ? `${mark.letter} ${mark.name}` : clip.stageAt(moment).name;
 }
 
+/** The single numbers of a clip, each after a separator, with three digits. */
+function alongText(clip, moment, before) {
+  const text = ({ name, unit }) => `${before}${name} ${short(Number(clip.valuesAt(name, moment)[0].toPrecision(3)))} ${unit}`;
+  return clip.along.map(text).join("");
+}
+
 /** The moment in words: its time, and what every structure does. */
 function momentText(clips, clock) {
   const parts = clips.map((clip, index) => {
     const moment = clock.clipTime(index);
-    return `${clips.length > 1 ? `${clip.name}: ` : ""}${stageText(clip, moment)}${readingText(clip, moment)}`;
+    return `${clips.length > 1 ? `${clip.name}: ` : ""}${stageText(clip, moment)}${alongText(clip, moment, ", ")}${readingText(clip, moment)}`;
   });
   return `${timeText(clock.time, clock.span)}: ${parts.join("; ")}`;
 }

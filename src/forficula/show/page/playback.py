@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from heapq import heappop, heappush
 from itertools import pairwise
@@ -137,7 +137,8 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
     """
     structure = record.structure
     mesh = shape_mesh(structure)
-    points, readings = moving_points(record, mesh), _readings(record)
+    points = moving_points(record, mesh)
+    readings = readings_of(structure, lambda measure: record.measured(measure.name))
     points[diverged_rows(record)] = np.nan
     marks = state_marks(structure, outcome)
     moments = [mark.time for mark in marks]
@@ -252,14 +253,18 @@ def clip_data(clip: Clip) -> dict[str, Any]:
     }
 
 
-def _readings(record: Record) -> list[Readings]:
-    """Return the readings of the measures and of the driven angles that are not measured."""
-    structure, titles = record.structure, record.structure.appearance.titles
-    measured = shown_angles(structure)
-    driven = driven_angles(structure, measured)
+def readings_of(structure: Structure, measured: Callable[[Measure], Array]) -> list[Readings]:
+    """Return the readings of the measures and of the driven angles that are not measured.
+
+    Args:
+        structure: the structure.
+        measured: function that returns the readings of a measure over the frames, rad or m, (time, reading).
+    """
+    titles, angles = structure.appearance.titles, shown_angles(structure)
+    driven = driven_angles(structure, angles)
     readings = []
-    for measure in (*measured, *shown_distances(structure), *driven):
-        values = record.measured(measure.name)
+    for measure in (*angles, *shown_distances(structure), *driven):
+        values = measured(measure)
         unit, factor = "deg", float(np.degrees(1.0))
         if measure.kind == "distance":
             unit, factor = reading_unit("m", float(np.nanmax(np.abs(values), initial=0.0)) or structure.span)

@@ -83,6 +83,11 @@ class Efforts:
     pushes: tuple[Push, ...]
 
 
+def effort_word(structure: Structure, drive: Drive) -> str:
+    """Return the noun of what a drive does, such as "torque"."""
+    return _WORDS[driven_motor(structure, drive).kind]
+
+
 def efforts_of(record: Record, rows: Indices) -> Efforts:
     """Find where drives act, at those rows of a record that a page shows."""
     structure, rows = record.structure, _acting_rows(record, rows)
@@ -175,7 +180,7 @@ def _drive_data(structure: Structure, drive: Drive) -> dict[str, Any]:
         hinges, points = (sum(len(getattr(motor, name)) for motor in motors) for name in ("hinges", "points"))
         words = f"on {hinges} hinges" if hinges else f"on {points} points"
     return {
-        "text": f"{_WORDS[kind]} {words}".strip(),
+        "text": f"{effort_word(structure, drive)} {words}".strip(),
         "arrow": kind != "rest-angle",
         "unit": unit,
         "factor": factor,

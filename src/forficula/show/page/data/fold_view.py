@@ -1,0 +1,334 @@
+"""Quasi-static path of a structure as a view of its page: a clip over the fold, its plots, events and single creases."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from forficula.arrays import Array, Indices
+from forficula.quantities import reading_unit
+from forficula.show.page.data.packing import packed, packed_steps
+from forficula.show.page.data.shape_mesh import ShapeMesh, shape_mesh
+from forficula.show.page.data.time_spans import Span, span_data
+from forficula.show.page.parts.efforts import effort_word
+from forficula.show.page.parts.plots import Line, Plot, energy_plot, plot_data
+from forficula.show.page.parts.run_sentences import reading_range, readable, shape_text
+from forficula.show.page.playback import (
+    Clip,
+    Readings,
+    clip_data,
+    energy_scale,
+    kept_frames,
+    legend_data,
+    readings_of,
+    structure_noun,
+)
+from forficula.show.run.state_names import state_letters
+from forficula.show.structure.labels import condensed, label_of, reading_labels, shown_angles
+from forficula.statics import QuasiStaticPath
+from forficula.structure import (
+    Measure,
+    Structure,
+    built_frames,
+    built_points,
+    first_state,
+    hinge_groups,
+    read_angles,
+)
+
+# bytes of the positions, angles and moments of a path; as text in the page they grow by a third
+_BUDGET = 120_000
+_TOLERANCE = 1e-4  # largest error of a structure drawn between two shapes, as a share of its span
+_SECONDS = 6.0  # duration of a path that is played
+_PERCENT = 100.0
+_SAME = 1e-6  # points closer than this share of the span count as one
+_LETTERS = {"snap": "S", "branch": "B", "goal": "G", "lost": "L"}
+_SPAN = Span(name="fold", label="fold", start=0.0, end=_PERCENT, origins=(0.0,))
+# keys of a clip that do not depend on the motion, which the page takes from the clip of a run
+_MESH = (
+    *("span_m", "pointCount", "between", "share", "triangles", "regions", "solid", "tubes", "built", "faces", "base"),
+    *("joints", "jointRadius"),
+)
+
+
+def fold_view(path: QuasiStaticPath, *, beside_run: bool, budget: int = _BUDGET) -> dict[str, Any]:
+    """Return a path as data for JSON: a view that a page shows alone, or as an alternative to a run.
+
+    Args:
+        path: path of the structure.
+        beside_run: whether the page has a run of the same structure, from which it takes the mesh.
+        budget: largest number of bytes for positions, angles and moments.
+    """
+    structure, mesh = path.structure, shape_mesh(path.structure)
+    rows = _shown_rows(path, mesh, budget)
+    clip = _clip(path, mesh, rows)
+    data = clip_data(clip) | {
+        "points": packed_steps(clip.points.reshape(len(rows), -1)),
+        "marks": _marks(path),
+        "stages": _stages(path),
+        "along": _along(path, rows),
+        "creases": _creases(path, mesh, rows),
+    }
+    return {
+        "whole": structure_noun([clip]),
+        "clips": [{key: value for key, value in data.items() if not (beside_run and key in _MESH)}],
+        "spans": [span_data(_SPAN) | {"unit": "%", "seconds": _SECONDS}],
+        "plots": _plots(path, clip, rows),
+        "energy": energy_scale([clip]),
+        "legend": legend_data([clip]),
+        "text": f"{shape_text(structure)}, moved along its quasi-static path.",
+        "notes": _notes(path),
+    }
+
+
+def _shown_rows(path: QuasiStaticPath, mesh: ShapeMesh, budget: int) -> Indices:
+    """Choose the points of a path between which interpolation is exact enough; those at events are kept."""
+    points = path.positions[:, mesh.anchors]
+    events = [share for mark in path.marks for share in (mark.share, mark.end)]
+    # of a point of the path: positions in 2 bytes, angles and moments in 2 or 4 bytes
+    size = 2 * points[0].size + 12 * len(path.structure.hinges) + 4 * len(path.structure.tendons) + 8
+    tolerance = _TOLERANCE * path.structure.span
+    return kept_frames(path.share, points, events, most=max(budget // size, 2), tolerance=tolerance)
+
+
+def _clip(path: QuasiStaticPath, mesh: ShapeMesh, rows: Indices) -> Clip:
+    """Return the path as a clip whose times are positions on the path, %."""
+    structure = path.structure
+    positions, angles = path.positions[rows], path.angles[rows]
+
+    def measured(measure: Measure) -> Array:
+        if measure.points is None:
+            return read_angles(measure, angles)
+        one, other = measure.points
+        return np.linalg.norm(positions[:, [other]] - positions[:, [one]], axis=2)
+
+    return Clip(
+        name=structure.name,
+        structure=structure,
+        time=_PERCENT * path.share[rows],
+        points=positions[:, mesh.anchors],
+        mesh=mesh,
+        marks=(),
+        stages=(),
+        readings=tuple([*readings_of(structure, measured), *_moments(path, rows)]),
+        tendon_energy=tendon_energies(structure, positions),
+        stored_energy={name: values[rows] for name, values in path.energy.items()},
+        largest_energy={name: float(values.max(initial=0.0)) for name, values in path.energy.items()},
+        rest_length=np.array([[tendon.law.rest_length for tendon in structure.tendons]]),
+    )
+
+
+def tendon_energies(structure: Structure, positions: Array) -> Array:
+    """Return the energies of the tendons, J, (pose, tendon), from the positions of points, m, (pose, point, 3)."""
+    energies = [
+        tendon.law.elastic.energy(np.linalg.norm(positions[:, tendon.points[1]] - positions[:, tendon.points[0]], axis=1))
+        for tendon in structure.tendons
+    ]
+    return np.array(energies).reshape(len(energies), len(positions)).T
+
+
+def _signs(structure: Structure) -> Array:
+    """Return the factors from the angles of hinges in their own senses to those that tables show, (hinge,)."""
+    signs = np.ones(len(structure.hinges))
+    for measure in shown_angles(structure):
+        signs[list(measure.hinges)] = measure.signs
+    return signs
+
+
+def _sprung(path: QuasiStaticPath) -> list[int]:
+    """Return the hinges with a moment, without the bends of facets."""
+    bends = hinge_groups(path.structure).get("facet bends", ())
+    return [hinge for hinge in np.flatnonzero(np.any(path.moments != 0, axis=0)).tolist() if hinge not in bends]
+
+
+def _moments(path: QuasiStaticPath, rows: Indices) -> list[Readings]:
+    """Return the moments of springs in hinges and creases as readings; none if no hinge has one."""
+    structure, hinges = path.structure, _sprung(path)
+    if not hinges:
+        return []
+    signs = tuple(_signs(structure)[hinges].astype(int).tolist())
+    measure = Measure(name="moment of springs", kind="angle", hinges=tuple(hinges), signs=signs, label="moment")
+    values = condensed(structure, measure, read_angles(measure, path.moments[rows]))
+    unit, factor = reading_unit("N m", float(np.abs(values).max()))
+    creases = all(structure.hinges[hinge].flaps is not None for hinge in hinges)
+    return [
+        Readings(
+            measure=measure,
+            title=f"moment of the springs in {'creases' if creases else 'hinges'}",
+            row=f"moment ({unit})",
+            unit=unit,
+            factor=factor,
+            labels=tuple(reading_labels(structure, measure)),
+            values=values,
+        )
+    ]
+
+
+def _marks(path: QuasiStaticPath) -> list[dict[str, Any]]:
+    """Return the start and the events of a path as marks on the slider and in plots."""
+    structure = path.structure
+    start = first_state(structure, [state.name for state in structure.states])
+    marks = [{"letter": state_letters(structure)[start], "name": start, "time": 0.0}] if start else []
+    numbers = dict.fromkeys(_LETTERS, 0)
+    for mark in path.marks:
+        numbers[mark.kind] += 1
+        name = mark.kind if numbers[mark.kind] == 1 else f"{mark.kind} {numbers[mark.kind]}"
+        marks.append({"letter": _LETTERS[mark.kind], "name": name, "time": _PERCENT * mark.share})
+    return [mark | {"readings": {}, "tendonEnergy_J": None} for mark in marks]
+
+
+def _stages(path: QuasiStaticPath) -> list[dict[str, Any]]:
+    """Return the parts of a path between snaps, and the snaps, which are shaded."""
+    stages, before = [], 0.0
+    for mark in path.marks:
+        if mark.kind == "snap":
+            stages += [(before, mark.share, False), (mark.share, mark.end, True)]
+            before = mark.end
+    stages.append((before, 1.0, False))
+    return [
+        {"name": "snap" if snaps else "at rest", "start": _PERCENT * start, "end": _PERCENT * end, "driven": snaps}
+        for start, end, snaps in stages
+    ]
+
+
+def _along(path: QuasiStaticPath, rows: Indices) -> list[dict[str, Any]]:
+    """Return the energy and the strength of the drive at every point, in legible units."""
+    named = [("energy", path.stored, "J"), (effort_word(path.structure, path.drive), path.strength, path.unit)]
+    result = []
+    for name, values, si in named:
+        unit, factor = reading_unit(si, float(np.abs(values).max(initial=0.0)))
+        result.append({"name": name, "unit": unit, "values": packed(factor * values[rows], "f4")})
+    return result
+
+
+def _plots(path: QuasiStaticPath, clip: Clip, rows: Indices) -> list[dict[str, Any]]:
+    """Return the plots of a path over the fold: energies, drive, readings and strains; the first two have a ball."""
+    total = [("total", 0, path.stored[rows])] if len(path.energy) > 1 else []
+    energies = [*total, *((name, 0, values) for name, values in clip.stored_energy.items())]
+    most = ", ".join(f"{name} {readable(value, 'J')}" for name, value in clip.largest_energy.items())
+    balls = [energy_plot("energy", energies, f"Stored energy along the path. Largest values: {most}.")]
+    balls.append(_drive_plot(path, rows))
+    others = [_reading_plot(readings, number) for number, readings in enumerate(clip.readings)]
+    others += _strain_plot(path, rows)
+    data = plot_data([*balls, *others])
+    return [plot | {"ball": 0} for plot in data[: len(balls)]] + data[len(balls) :]
+
+
+def _drive_plot(path: QuasiStaticPath, rows: Indices) -> Plot:
+    """Return the strength of the drive; of a displacement, its force."""
+    forced = bool(np.any(path.force))
+    word = "force" if forced else effort_word(path.structure, path.drive)
+    values, si = (path.force, "N") if forced else (path.strength, path.unit)
+    unit, factor = reading_unit(si, float(np.abs(values).max(initial=0.0)))
+    largest = readable(float(values[np.argmax(np.abs(values))]), si)
+    return Plot(
+        title=f"{word} of the drive “{path.drive.name}”",
+        unit=unit,
+        lines=(Line(name=path.drive.name, clip=0, values=factor * values[rows]),),
+        text=f"{word.capitalize()} at which the {path.structure.appearance.whole} is at rest; largest value {largest}.",
+    )
+
+
+def _reading_plot(readings: Readings, number: int) -> Plot:
+    """Return the plot of one measure over the fold."""
+    first, last = (reading_range(readings.factor * readings.values[row], readings.unit) for row in (0, -1))
+    title = readings.title
+    return Plot(
+        title=title,
+        unit=readings.unit,
+        lines=tuple(
+            Line(name=label, clip=0, values=(readings.measure.name, index)) for index, label in enumerate(readings.labels)
+        ),
+        text=f"{title[:1].upper()}{title[1:]} along the path: {first} at the start, {last} at the end.",
+    )
+
+
+def _strain_plot(path: QuasiStaticPath, rows: Indices) -> list[Plot]:
+    """Return the largest strain of each kind of elastic part, %."""
+    lines, texts = [], []
+    for name, strains in path.strains.items():
+        sizes = np.abs(strains[:, np.isfinite(strains).all(axis=0)])
+        if sizes.shape[1]:
+            largest = _PERCENT * sizes.max(axis=1)
+            lines.append(Line(name=name, clip=0, values=largest[rows]))
+            texts.append(f"{name} {largest.max():.3g} %".replace("-", "−"))
+    text = f"Largest strain of any part at every position. Largest values: {', '.join(texts)}."
+    return [Plot(title="largest strain", unit="%", lines=tuple(lines), text=text)] if lines else []
+
+
+def _creases(path: QuasiStaticPath, mesh: ShapeMesh, rows: Indices) -> dict[str, Any] | None:
+    """Return the lines of hinges in the picture, with their angles and moments; None if no line shows a hinge."""
+    structure, signs, sprung = path.structure, _signs(path.structure), set(_sprung(path))
+    hinges_at = _hinges_by_line(structure, mesh)
+    if not hinges_at:
+        return None
+    unit, factor = reading_unit("N m", float(np.abs(path.moments).max(initial=0.0)))
+    labels = [label_of(structure.hinges[hinges[0]]) for hinges in hinges_at.values()]
+    lines, columns, values = [], list[dict[str, str]](), list[Array]()
+    for (ends, hinges), label in zip(hinges_at.items(), labels, strict=True):
+        first = len(columns)
+        roles = [structure.hinges[hinge].role for hinge in hinges]
+        for hinge, role in zip(hinges, roles, strict=True):
+            columns.append({"name": role if len(hinges) > 1 else "angle", "unit": "°"})
+            values.append(np.degrees(signs[hinge] * path.angles[rows, hinge]))
+            if hinge in sprung:
+                columns.append({"name": "moment" if len(hinges) == 1 else f"moment of {role}", "unit": unit})
+                values.append(factor * signs[hinge] * path.moments[rows, hinge])
+        name = label if labels.count(label) == 1 else f"{label}, {' and '.join(roles)}"
+        lines.append({"name": name, "ends": list(ends), "columns": list(range(first, len(columns)))})
+    kind = "crease" if all(hinge.flaps is not None for hinge in structure.hinges) else "hinge"
+    return {"kind": kind, "lines": lines, "columns": columns, "values": packed_steps(np.stack(values, axis=1))}
+
+
+def _hinges_by_line(structure: Structure, mesh: ShapeMesh) -> dict[tuple[int, int], list[int]]:
+    """Return the hinges whose angle a line in the picture shows, by the line's two vertices.
+
+    The line of a crease is the crease, that of a joint is the bar of its body or the side of its body's plate that lies
+    on its axis. Bends of facets are not drawn.
+    """
+    at_point = {
+        int(mesh.anchors[first]): vertex
+        for vertex, ((first, _), share) in enumerate(zip(mesh.between.tolist(), mesh.share.tolist(), strict=True))
+        if share == 0
+    }
+    bends = hinge_groups(structure).get("facet bends", ())
+    result: dict[tuple[int, int], list[int]] = {}
+    for hinge in range(len(structure.hinges)):
+        points = None if hinge in bends else _line_points(structure, hinge)
+        if points is not None and all(point in at_point for point in points):
+            result.setdefault((at_point[points[0]], at_point[points[1]]), []).append(hinge)
+    return result
+
+
+def _line_points(structure: Structure, number: int) -> tuple[int, int] | None:
+    """Return the two points of a hinge's line; None if it has none."""
+    hinge = structure.hinges[number]
+    if hinge.flaps is not None:
+        return hinge.flaps[0], hinge.flaps[1]
+    for bar in structure.bars:
+        if bar.body == hinge.body:
+            return bar.points
+    origins, frames = built_frames(structure)
+    axis = frames[hinge.body] @ hinge.axis
+    for plate in structure.plates:
+        if plate.body == hinge.body:
+            away = built_points(structure)[list(plate.points)] - origins[hinge.body]
+            along = away @ axis
+            on_axis = np.linalg.norm(away - along[:, None] * axis, axis=1) <= _SAME * structure.span
+            if on_axis.sum() >= 2:
+                corners = np.flatnonzero(on_axis)
+                ends = corners[[np.argmin(along[corners]), np.argmax(along[corners])]]
+                return plate.points[ends[0]], plate.points[ends[1]]
+    return None
+
+
+def _notes(path: QuasiStaticPath) -> list[str]:
+    """Return sentences on how the path was computed, on its events and on its limits."""
+    whole, word = path.structure.appearance.whole, effort_word(path.structure, path.drive)
+    first = (
+        f"The {word} of the drive “{path.drive.name}” grows so slowly that the {whole} is at rest at every position"
+        " outside snaps. Statics compute the shapes, without inertia, damping and contact between bodies."
+    )
+    return [first, *(mark.text for mark in path.marks), *path.remarks]
