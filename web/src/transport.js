@@ -18,7 +18,19 @@ export function makeTransport(clips, clock) {
   const ticks = make("div", { className: "ticks", "aria-hidden": "true" });
   const readout = make("p", { className: "time" });
   const spoken = make("p", { className: "spoken", role: "status" });
-  const states = clips.length === 1 ? clips[0].marks.map((mark) => stateButton(mark, clock)) : [];
+  const row = make("div", { className: "states" });
+  // a fold path that is refined replaces its marks
+  let marks = null;
+  let states = [];
+
+  function nameStates() {
+    if (clips.length > 1 || clips[0].marks === marks) return;
+    marks = clips[0].marks;
+    states = marks.map((mark) => stateButton(mark, clock));
+    row.replaceChildren(...states);
+  }
+
+  nameStates();
   const element = make(
     "div",
     { className: "transport" },
@@ -27,7 +39,7 @@ export function makeTransport(clips, clock) {
       "div",
       { className: "choices" },
       readout,
-      ...(states.length ? [make("div", { className: "states" }, ...states)] : []),
+      row,
       ...(clock.span.unit ? [] : [speedChoice(clock)]),
       ...spanChoice(clock),
       spoken,
@@ -38,20 +50,21 @@ export function makeTransport(clips, clock) {
     clock.pause();
     clock.seek(clock.momentAt(slider.value / TICKS));
   });
-  let drawn = null;
+  let drawn = {};
   let wasPlaying = null;
   let quiet = 0;
   clock.onChange(() => {
-    const line = `${clock.spans.indexOf(clock.span)} ${clock.stretched}`;
-    if (line !== drawn) drawTrack(clips, clock, bands, ticks);
-    drawn = line;
+    nameStates();
+    const { span, stretched } = clock;
+    if (span !== drawn.span || stretched !== drawn.stretched) drawTrack(clips, clock, bands, ticks);
+    drawn = { span, stretched };
     slider.value = Math.round(TICKS * clock.shareAt(clock.time));
     slider.setAttribute("aria-valuetext", momentText(clips, clock));
     const since =
       clips.length === 1 ? ` \u00b7 ${stageText(clips[0], clock.clipTime(0))}` : clock.span.label.replace("time", "");
     const slow = clock.playing && !clock.span.unit ? `, ${slowness(clock.slowness)}` : "";
     readout.textContent = `${timeText(clock.time, clock.span)}${since}${slow}${alongText(clips[0], clock.clipTime(0), " \u00b7 ")}`;
-    for (const [index, mark] of (clips.length === 1 ? clips[0].marks : []).entries()) {
+    for (const [index, mark] of (marks ?? []).entries()) {
       states[index].setAttribute("aria-pressed", String(Math.abs(mark.time - clock.clipTime(0)) < 1e-9));
     }
     if (clock.playing !== wasPlaying) {
