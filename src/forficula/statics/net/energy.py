@@ -108,7 +108,7 @@ def stored_by_part(net: Net, shape: NetShape, further: Array | float = 0.0) -> t
 
 def angle_slopes(net: Net, shape: NetShape) -> tuple[Array, Layout]:
     """Return gradients of the creases' angles by their sides, 1/m, (crease, 3, 3), and the layout of the sides."""
-    return fold_angle_derivatives(sides_of(net, shape.positions)[2])[0], layout_of(net)
+    return fold_angle_slopes(sides_of(net, shape.positions)[2]), layout_of(net)
 
 
 def load_slope(net: Net, shape: NetShape, load: Load) -> Array:
@@ -301,6 +301,18 @@ def fold_angle_derivatives(sides: Array) -> tuple[Array, Array]:
         curvature[:, 0, side] = sign * np.swapaxes(tilted[rows], 1, 2)
         curvature[:, 0, 0] += sign * twisted[rows]
     return slope, curvature
+
+
+def fold_angle_slopes(sides: Array) -> Array:
+    """Compute the gradient of fold angles by their sides, 1/m, (crease, 3, 3), as `fold_angle_derivatives` does."""
+    slope, length = np.zeros_like(sides), np.linalg.norm(sides[:, 0], axis=1)
+    along = sides[:, 0] / length[:, None]
+    for side, sign in ((1, 1.0), (2, -1.0)):
+        normal = _cross(along, sides[:, side])
+        by_corner = sign * normal / _dot(normal, normal)[:, None]
+        slope[:, side] = by_corner
+        slope[:, 0] -= (_dot(sides[:, side], along) / length)[:, None] * by_corner
+    return slope
 
 
 def _dot(a: Array, b: Array) -> Array:

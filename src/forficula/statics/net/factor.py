@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
-from typing import Any
+from functools import lru_cache
 
 import numpy as np
-from scipy.sparse import csc_array, eye_array
+from scipy.linalg.lapack import dpbtrf, dpbtrs
+from scipy.sparse import csc_array, csr_array, eye_array
+from scipy.sparse.csgraph import reverse_cuthill_mckee
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
-from forficula.arrays import Array
+from forficula.arrays import Array, Indices
 
 _DENSE = 100  # rows up to which all eigenvalues are computed
+_WIDEST = 600  # diagonals of the lower triangle up to which a matrix is factorised as a band
 _NUDGE = 1e-13  # of the largest entry: shift of an exactly singular matrix
 
 
@@ -21,29 +24,26 @@ class Factorisation:
     """Factorisation of a symmetric matrix.
 
     Attributes:
-        lower_upper: of SuperLU; None for a matrix without rows.
+        index: number of negative eigenvalues.
+        solve: returns the solution for a right-hand side, (coordinate,), or for several in columns.
     """
 
-    lower_upper: Any
-
-    @cached_property
-    def index(self) -> int:
-        """Return the number of negative eigenvalues: that of negative pivots (Sylvester's law of inertia)."""
-        return 0 if self.lower_upper is None else int(np.count_nonzero(self.lower_upper.U.diagonal() < 0))
-
-    def solve(self, right: Array) -> Array:
-        """Return the solution for a right-hand side, (coordinate,), or for several in columns."""
-        return right.copy() if self.lower_upper is None else np.asarray(self.lower_upper.solve(right))
+    index: int
+    solve: Callable[[Array], Array]
 
 
 def factored(matrix: csc_array, shift: float = 0.0) -> Factorisation:
     """Factorise a symmetric matrix plus a multiple of the identity.
 
-    Pivots stay on the diagonal (minimum degree order, symmetric mode, no threshold), so that their signs give the
-    inertia of the matrix.
+    A positive definite matrix is factorised as a band by Cholesky's method, any other one by SuperLU: its pivots stay
+    on the diagonal (minimum degree order, symmetric mode, no threshold), so that their signs give the inertia of the
+    matrix (Sylvester's law).
     """
     if not matrix.shape[0]:
-        return Factorisation(lower_upper=None)
+        return Factorisation(index=0, solve=np.copy)
+    banded = _cholesky(matrix, shift)
+    if banded is not None:
+        return banded
     scale = float(np.abs(matrix.data).max(initial=0.0)) or 1.0
     for nudge in (0.0, _NUDGE * scale, -10 * _NUDGE * scale, 100 * _NUDGE * scale):
         by = shift + nudge
@@ -53,8 +53,65 @@ def factored(matrix: csc_array, shift: float = 0.0) -> Factorisation:
         except RuntimeError:  # exactly singular
             continue
         if np.array_equal(parts.perm_r, parts.perm_c):
-            return Factorisation(lower_upper=parts)
+            return Factorisation(index=int(np.count_nonzero(parts.U.diagonal() < 0)), solve=parts.solve)
     raise ArithmeticError("a curvature that no shift makes regular")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Band:
+    """Order of the coordinates in which a sparsity pattern is a narrow band (Cuthill and McKee 1969, reversed).
+
+    Attributes:
+        order: number of the coordinate at each position of the band, (coordinate,).
+        places: position of each entry of the lower triangle in the flattened band, (entry,).
+        entries: numbers of these entries among those of the matrix, (entry,).
+        shape: number of diagonals, and number of coordinates.
+    """
+
+    order: Indices
+    places: Indices
+    entries: Indices
+    shape: tuple[int, int]
+
+
+@lru_cache(maxsize=8)
+def _band(starts: bytes, rows: bytes, kind: str) -> _Band | None:
+    """Return the band of a pattern of columns; None if it is too wide to be faster than a sparse factorisation."""
+    begin, row = np.frombuffer(starts, dtype=kind).astype(np.int64), np.frombuffer(rows, dtype=kind).astype(np.int64)
+    count = len(begin) - 1
+    column = np.repeat(np.arange(count), np.diff(begin))
+    pattern = csr_array((np.ones(len(row)), (row, column)), shape=(count, count))
+    order = np.asarray(reverse_cuthill_mckee(pattern, symmetric_mode=True), dtype=np.int64)
+    position = np.empty(count, dtype=np.int64)
+    position[order] = np.arange(count)
+    below = position[row] - position[column]
+    entries = np.flatnonzero(below >= 0)
+    width = int(below.max(initial=0)) + 1
+    if width > _WIDEST:
+        return None
+    places = below[entries] * count + position[column[entries]]
+    return _Band(order=order, places=places, entries=entries, shape=(width, count))
+
+
+def _cholesky(matrix: csc_array, shift: float) -> Factorisation | None:
+    """Factorise a positive definite matrix plus a multiple of the identity; None if it is not positive definite."""
+    band = _band(matrix.indptr.tobytes(), matrix.indices.tobytes(), matrix.indices.dtype.str)
+    if band is None:
+        return None
+    flat = np.zeros(band.shape[0] * band.shape[1])
+    flat[band.places] = matrix.data[band.entries]
+    if shift:
+        flat[: band.shape[1]] += shift
+    lower, failed = dpbtrf(flat.reshape(band.shape), lower=1, overwrite_ab=1)
+    if failed:
+        return None
+
+    def solve(right: Array) -> Array:
+        solution = np.empty_like(right)
+        solution[band.order] = dpbtrs(lower, right[band.order], lower=1)[0].reshape(right.shape)
+        return solution
+
+    return Factorisation(index=0, solve=solve)
 
 
 def softest(matrix: csc_array, count: int, about: float = 0.0) -> tuple[Array, Array]:

@@ -18,7 +18,7 @@ from forficula.statics.net.supports import supported
 
 _CORRECTIONS = 12
 _QUICK = 4  # corrections after which the next increment may be longer
-_HOME = 1e-7  # last correction, as a share of the increment
+_HOME = 1e-7  # correction after the last one, as a share of the increment
 _ASTRAY = 0.5  # longest deviation from the tangent, as a share of the increment
 _BENT = 0.1  # largest difference of the mean rate of the factor from that of its ends, as a share of the larger one
 _SHORTEST = 1e-5  # shortest increment, as a share of the first one
@@ -249,7 +249,7 @@ def _increment(net: Net, load: Load, current: _PathPoint, length: float) -> _Pat
     """Find the next point of the path at about the given length; None if Newton's method does not converge."""
     factor = current.point.factor + length * current.pace
     following = expand(net, _moved(net, current.point.shape, length * current.direction), load, factor)
-    aside = np.zeros_like(net.nodes)
+    aside, before = np.zeros_like(net.nodes), 0.0
     for corrections in range(_CORRECTIONS):
         if not np.all(np.isfinite(following.slope)):
             return None
@@ -264,10 +264,12 @@ def _increment(net: Net, load: Load, current: _PathPoint, length: float) -> _Pat
             return None
         factor += change
         following = expand(net, _moved(net, following.shape, step), load, factor)
-        if moved <= _HOME * length:
+        # corrections decrease ever faster, so the next one would be less than moved^2 / before
+        if moved * (min(moved / before, 1.0) if before else 1.0) <= _HOME * length:
             # the energy is infinite beyond the contact of locking panels, where no path leads
             within = np.isfinite(following.stored)
             return _station(net, load, following, factor, current.direction, True, corrections) if within else None
+        before = moved
     return None
 
 
