@@ -21,6 +21,7 @@ export function showCreases(stage, clip, clock) {
   cell.append(mark, label);
   const list = make("select", {}, make("option", { value: "" }, "none"), ...lines.map(({ name }, index) => make("option", { value: String(index) }, name)));
   const said = make("output", { "aria-live": "off" });
+  const hint = make("span", {}, "or point at one in the picture, or touch it");
   const point = new Vector3();
   let chosen = null;
   let pointed = null;
@@ -67,6 +68,7 @@ export function showCreases(stage, clip, clock) {
     const index = pointed ?? chosen;
     label.hidden = mark.hidden = index === null;
     said.textContent = chosen === null ? "" : text(chosen);
+    hint.hidden = chosen !== null;
     if (index === null) return;
     label.textContent = `${lines[index].name}: ${text(index)}`;
     const [from, to] = lines[index].ends.map(seen);
@@ -76,7 +78,7 @@ export function showCreases(stage, clip, clock) {
     mark.style.transform = `translate(${from[0].toFixed(1)}px, ${from[1].toFixed(1)}px) rotate(${angle.toFixed(4)}rad)`;
   }
 
-  const point_at = (index) => {
+  const pointAt = (index) => {
     if (index === pointed) return;
     pointed = index;
     show();
@@ -87,9 +89,9 @@ export function showCreases(stage, clip, clock) {
     show();
   };
   canvas.addEventListener("pointermove", (event) => {
-    if (event.pointerType === "mouse") point_at(event.buttons ? null : at(event));
+    if (event.pointerType === "mouse") pointAt(event.buttons ? null : at(event));
   });
-  canvas.addEventListener("pointerleave", () => point_at(null));
+  canvas.addEventListener("pointerleave", () => pointAt(null));
   canvas.addEventListener("pointerdown", (event) => {
     pressed = event.isPrimary ? [event.clientX, event.clientY] : null;
   });
@@ -100,7 +102,7 @@ export function showCreases(stage, clip, clock) {
   });
   list.addEventListener("change", () => choose(list.value === "" ? null : Number(list.value)));
   stage.onDraw(show);
-  return make("div", { className: "crease-choice" }, make("label", {}, `${clip.creases.kind} `, list), said);
+  return make("div", { className: "crease-choice" }, make("label", {}, `${clip.creases.kind} `, list), said, hint);
 }
 
 /** Distance of a point from a segment, pixels. */

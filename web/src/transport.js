@@ -10,6 +10,7 @@ import { SPEEDS } from "./pace.js";
 const PLAY = "M7 4.5v15l12-7.5z";
 const PAUSE = "M7 5h3.5v14H7zM13.5 5H17v14h-3.5z";
 const TICKS = 10_000;
+const CLOSE = 0.02; // of the line: letters of marks closer than this would be on top of each other
 
 export function makeTransport(clips, clock) {
   const play = make("button", { type: "button", className: "play" });
@@ -109,7 +110,7 @@ function spanChoice(clock) {
   return [make("label", {}, "show ", select)];
 }
 
-/** Bands where torques act, and ticks at the states; with several clips a tick in each clip's colour. */
+/** Bands where torques act, and ticks at the states; with several clips a tick in each clip's colour. Close ones are one. */
 function drawTrack(clips, clock, bands, ticks) {
   const { span } = clock;
   const place = (moment) => Math.min(1, Math.max(0, clock.shareAt(moment)));
@@ -127,8 +128,13 @@ function drawTrack(clips, clock, bands, ticks) {
     for (const mark of clip.marks) {
       const moment = mark.time - origin;
       if (moment < span.start - 1e-9 || moment > span.end + 1e-9) continue;
-      const tick = make("span", { className: "tick" }, clips.length === 1 ? mark.letter : "");
-      tick.style.left = `${100 * place(moment)}%`;
+      const [at, last] = [place(moment), ticks.lastElementChild];
+      if (last && clips.length === 1 && at - last.at < CLOSE) {
+        last.append(` ${mark.letter}`);
+        continue;
+      }
+      const tick = make("span", { className: "tick", at }, clips.length === 1 ? mark.letter : "");
+      tick.style.left = `${100 * at}%`;
       if (clips.length > 1) tick.style.setProperty("--tick", `var(--line-${index % 7})`);
       ticks.append(tick);
     }

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from forficula.arrays import Array, Indices
+from forficula.errors import InputError
+from forficula.names import listed
 from forficula.quantities import reading_unit
 from forficula.show.page.data.packing import packed, packed_steps
 from forficula.show.page.data.shape_mesh import ShapeMesh, shape_mesh
@@ -27,7 +29,7 @@ from forficula.show.page.playback import (
 )
 from forficula.show.run.state_names import state_letters
 from forficula.show.structure.labels import condensed, label_of, reading_labels, shown_angles
-from forficula.statics import QuasiStaticPath
+from forficula.statics import QuasiStaticPath, quasi_static_path
 from forficula.structure import (
     Measure,
     Structure,
@@ -40,7 +42,7 @@ from forficula.structure import (
 
 # bytes of the positions, angles and moments of a path; as text in the page they grow by a third
 _BUDGET = 120_000
-_TOLERANCE = 1e-4  # largest error of a structure drawn between two shapes, as a share of its span
+_TOLERANCE = 1e-3  # largest error of a structure drawn between two shapes, as a share of its span
 _SECONDS = 6.0  # duration of a path that is played
 _PERCENT = 100.0
 _SAME = 1e-6  # points closer than this share of the span count as one
@@ -51,6 +53,36 @@ _MESH = (
     *("span_m", "pointCount", "between", "share", "triangles", "regions", "solid", "tubes", "built", "faces", "base"),
     *("joints", "jointRadius"),
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Fold:
+    """Fold path of a page.
+
+    Attributes:
+        view: the path as data for JSON; None if it cannot be computed.
+        missing: a sentence that says why there is no path; empty if there is one.
+    """
+
+    view: dict[str, Any] | None
+    missing: str = ""
+
+
+def fold_of(structure: Structure, *, beside_run: bool) -> Fold:
+    """Compute the quasi-static path of a structure for its page.
+
+    Args:
+        structure: the structure.
+        beside_run: as for `fold_view`.
+    """
+    try:
+        path = quasi_static_path(structure, error=_TOLERANCE)
+    except InputError as error:
+        return Fold(view=None, missing=f"This page has no fold path: {error}.")
+    if len(path.share) < 2 or path.length == 0:
+        whole, drive = structure.appearance.whole, path.drive.name
+        return Fold(view=None, missing=f'This page has no fold path: the drive "{drive}" does not move the {whole}.')
+    return Fold(view=fold_view(path, beside_run=beside_run))
 
 
 def fold_view(path: QuasiStaticPath, *, beside_run: bool, budget: int = _BUDGET) -> dict[str, Any]:
@@ -224,7 +256,7 @@ def _drive_plot(path: QuasiStaticPath, rows: Indices) -> Plot:
     unit, factor = reading_unit(si, float(np.abs(values).max(initial=0.0)))
     largest = readable(float(values[np.argmax(np.abs(values))]), si)
     return Plot(
-        title=f"{word} of the drive “{path.drive.name}”",
+        title=f'{word} of the drive "{path.drive.name}"',
         unit=unit,
         lines=(Line(name=path.drive.name, clip=0, values=factor * values[rows]),),
         text=f"{word.capitalize()} at which the {path.structure.appearance.whole} is at rest; largest value {largest}.",
@@ -276,7 +308,7 @@ def _creases(path: QuasiStaticPath, mesh: ShapeMesh, rows: Indices) -> dict[str,
             if hinge in sprung:
                 columns.append({"name": "moment" if len(hinges) == 1 else f"moment of {role}", "unit": unit})
                 values.append(factor * signs[hinge] * path.moments[rows, hinge])
-        name = label if labels.count(label) == 1 else f"{label}, {' and '.join(roles)}"
+        name = label if labels.count(label) == 1 else f"{label}, {listed(roles)}"
         lines.append({"name": name, "ends": list(ends), "columns": list(range(first, len(columns)))})
     kind = "crease" if all(hinge.flaps is not None for hinge in structure.hinges) else "hinge"
     return {"kind": kind, "lines": lines, "columns": columns, "values": packed_steps(np.stack(values, axis=1))}
@@ -328,7 +360,7 @@ def _notes(path: QuasiStaticPath) -> list[str]:
     """Return sentences on how the path was computed, on its events and on its limits."""
     whole, word = path.structure.appearance.whole, effort_word(path.structure, path.drive)
     first = (
-        f"The {word} of the drive “{path.drive.name}” grows so slowly that the {whole} is at rest at every position"
+        f'The {word} of the drive "{path.drive.name}" grows so slowly that the {whole} is at rest at every position'
         " outside snaps. Statics compute the shapes, without inertia, damping and contact between bodies."
     )
     return [first, *(mark.text for mark in path.marks), *path.remarks]
