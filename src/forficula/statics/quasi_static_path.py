@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -17,6 +18,8 @@ from forficula.structure.sheets.facets import springs_name
 
 Flags = NDArray[np.bool_]
 
+_MORE = 1.25  # ratio of the numbers of points from one display of a growing path to the next
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class QuasiStaticPoint:
@@ -27,7 +30,8 @@ class QuasiStaticPoint:
         resting: whether the structure is at rest under this drive; False during a snap.
         angles: of all hinges in their own senses, rad, (hinge,).
         positions: of the structure's points, then of the nodes of its membranes, m, (place, 3).
-        coordinates: what the solver moves, (coordinate,): angles of hinges, or positions of a net's nodes.
+        coordinates: what the solver moves, (coordinate,): angles of hinges, rad, or displacements of a net's nodes from
+            the built shape, m.
         energy: stored by part, J; parts that the structure does not have are left out.
         force: total force along the displacement of the drive, N; 0 for other drives.
     """
@@ -90,7 +94,7 @@ class QuasiStaticPath:
         reached: whether the path reaches the goal of its transition, or the full strength of the drive without a goal.
         complete: whether the path is computed to its end; False while it grows.
         error: largest estimated distance between a point of the structure and its linear interpolation between points
-            of the path, as a share of the structure's span; snaps are left out.
+            of the path at which it is at rest, as a share of the structure's span; nan while the path grows.
         at: position of the shape from which the path was continued; None if it was computed from its start.
         remarks: sentences on what is unreliable or missing.
     """
@@ -142,7 +146,7 @@ class QuasiStaticPath:
 
     @cached_property
     def strains(self) -> Mapping[str, Array]:
-        """Return the strains of elastic parts, (point, element) each; parts that the structure does not have are left out.
+        """Return the strains of elastic parts, (point, element) each, without parts that the structure does not have.
 
         "bars" (or "openings" between plates): change of length per rest length, nan for a rest length of 0. "tendons":
         extension per rest length, 0 if slack. "membranes": largest principal Green strain of each triangle.
@@ -204,7 +208,12 @@ class QuasiStaticPath:
 
 
 def _largest_strain(corners: Array, built: Array) -> Array:
-    """Return the largest principal Green strain of triangles, (point, triangle), from corners (point, triangle, 3, 3)."""
+    """Return the largest principal Green strain of triangles, (point, triangle).
+
+    Args:
+        corners: m, (point, triangle, 3, 3).
+        built: corners without strain, m, (triangle, 3, 3).
+    """
     sides, rest = (
         np.diff(corners[:, :, [0, 1, 0, 2]], axis=2)[:, :, ::2],
         np.diff(built[:, [0, 1, 0, 2]], axis=1)[:, ::2],
@@ -238,6 +247,67 @@ def spring_moments(structure: Structure, angles: Array, further: Array | float =
     linear = law.rest_moment(angles, further)
     # the stops of joints bound their angles and have no stiffness
     return np.where(creases, law.moment(angles, further), linear)
+
+
+class GrowingPath:
+    """Points of a path while it is computed, which are shown to a caller whenever there are noticeably more.
+
+    Attributes:
+        stopped: whether the caller wants to stop.
+    """
+
+    def __init__(
+        self,
+        structure: Structure,
+        name: str,
+        drive: Drive,
+        follow: Callable[[QuasiStaticPath], bool] | None,
+        *,
+        continued: bool = False,
+    ) -> None:
+        """Begin without points.
+
+        Args:
+            structure: the structure.
+            name: name of the transition or of the drive.
+            drive: the drive.
+            follow: called with the growing path, returns whether to go on; None for no caller.
+            continued: whether the first point is the one from which another path is continued.
+        """
+        self.stopped = False
+        self._follow, self._known = follow, (structure, name, drive)
+        self._at = 0 if continued else None
+        self._points, self._due, self._held = list[QuasiStaticPoint](), 2, 0
+
+    def add(self, point: Callable[[], QuasiStaticPoint]) -> None:
+        """Add a point, which is computed only if a caller follows the path."""
+        if self._follow is None or self.stopped:
+            return
+        if self._held:
+            self._held += 1
+        else:
+            self._points.append(point())
+        if len(self._points) + self._held >= self._due:
+            self.show(self._points)
+
+    def hold(self) -> None:
+        """Add no more points; the same path is shown again at times, so that the caller can stop."""
+        self._held = 1
+
+    def show(self, points: Sequence[QuasiStaticPoint], *, at: int | None = None) -> None:
+        """Show all points of the path so far.
+
+        Args:
+            points: in the order of the path.
+            at: number of the point from which another path is continued.
+        """
+        if self._follow is None or self.stopped:
+            return
+        self._points, self._at = list(points), self._at if at is None else at
+        self._due = math.ceil(_MORE * (len(points) + self._held))
+        structure, name, drive = self._known
+        path = path_of(structure, name, drive, self._points, (), reached=False, complete=False, at=self._at)
+        self.stopped = not self._follow(path)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -342,3 +412,31 @@ def _sentence(structure: Structure, drive: Drive, event: NumberedEvent, strength
     if event.kind == "goal":
         return f'The goal is reached when the drive "{drive.name}" is {strength}.'
     return f"The path could not be followed beyond {strength}."
+
+
+def lengths_along(positions: Array) -> Array:
+    """Return the distance of each point of a path from its start in the space of all positions, m, (point,)."""
+    steps = np.linalg.norm(np.diff(positions, axis=0).reshape(len(positions) - 1, -1), axis=1)
+    return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def interval_errors(positions: Array) -> Array:
+    """Estimate the largest distance of a place from its linear interpolation in each interval of a path, m.
+
+    The distance is length^2 / 8 times the curvature of the path, from the differences at both ends of the interval. A
+    path of one interval would deviate at most by the distance that it moves.
+
+    Args:
+        positions: m, (point, place, 3).
+
+    Returns:
+        Errors, (interval,).
+    """
+    moved = np.diff(positions, axis=0)
+    if len(moved) < 2:
+        return np.asarray(np.linalg.norm(moved, axis=2).max(axis=1))
+    steps = np.maximum(np.diff(lengths_along(positions)), 1e-300)
+    rates = moved / steps[:, None, None]
+    curvature = 2 * np.linalg.norm(np.diff(rates, axis=0), axis=2).max(axis=1) / (steps[1:] + steps[:-1])
+    at_ends = np.concatenate([curvature[:1], curvature, curvature[-1:]])
+    return np.asarray(steps**2 / 8 * np.maximum(at_ends[1:], at_ends[:-1]))

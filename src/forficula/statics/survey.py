@@ -86,12 +86,8 @@ def quasi_static_path(
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
     drive, made = _driven_transition(structure, transition)
     if is_net(structure):
-        path = net_path(structure, drive, made)
-    elif made is not None:
-        path = tree_path(structure, drive, made)
-    if follow is not None:
-        follow(path)
-    return path
+        return net_path(structure, drive, made, error=error, near=near, follow=follow)
+    return tree_path(structure, drive, made, error=error, near=near, follow=follow)
 
 
 def _driven_transition(structure: Structure, name: str | None) -> tuple[Drive, Transition | None]:

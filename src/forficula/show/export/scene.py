@@ -9,8 +9,9 @@ import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
+from forficula.kept_frames import kept_frames
 from forficula.show.page.data.shape_mesh import ShapeMesh, shape_mesh
-from forficula.show.page.playback import diverged_rows, kept_frames
+from forficula.show.page.playback import diverged_rows
 from forficula.show.structure.painted_shape import tint
 from forficula.show.structure.shape import Shape, shape_of, vertex_places
 from forficula.show.style import BLUE, VERMILION

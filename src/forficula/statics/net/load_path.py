@@ -109,6 +109,7 @@ def load_path(
     events: int | None = None,
     rising: bool = True,
     direction: Array | None = None,
+    watch: Callable[[PathPoint], None] = lambda _: None,
 ) -> LoadPath:
     """Follow equilibria by modified generalised displacement control.
 
@@ -131,6 +132,7 @@ def load_path(
         rising: whether the factor rises at first.
         direction: in which the path leaves its start, (node, 3). The mode of a bifurcation, or its opposite, leads
             onto the other path. None for the direction given by the load.
+        watch: called with every point before the first event.
 
     Raises:
         InputError: the load does not fit, is zero or would move the net as a rigid body; or there is no equilibrium
@@ -148,6 +150,7 @@ def load_path(
         current = replace(current, direction=direction / np.linalg.norm(direction), pace=0.0)
     length = (net.size / 50 if step is None else step) / np.abs(current.direction).max()
     longest, points, result = length, [current.point], list[PathEvent]()
+    watch(current.point)
     ended: Literal["target", "count", "stop", "stuck"] = "count"
     while len(points) <= increments:
         following = _increment(net, load, current, length)
@@ -170,6 +173,8 @@ def load_path(
             new = [event for event in new if (event.point.factor - target) * (current.point.factor - target) > 0]
         result += new
         points.append(following.point)
+        if not result:
+            watch(following.point)
         if passed or (stop is not None and stop(following.point)) or (events is not None and len(result) >= events):
             ended = "target" if passed else "stop"
             break
@@ -248,7 +253,24 @@ def _station(
 def _increment(net: Net, load: Load, current: _PathPoint, length: float) -> _PathPoint | None:
     """Find the next point of the path at about the given length; None if Newton's method does not converge."""
     factor = current.point.factor + length * current.pace
-    following = expand(net, _moved(net, current.point.shape, length * current.direction), load, factor)
+    guess = _moved(net, current.point.shape, length * current.direction)
+    corrected = _corrected(net, load, guess, factor, current.direction, length)
+    if corrected is None:
+        return None
+    following, factor, corrections = corrected
+    return _station(net, load, following, factor, current.direction, True, corrections)
+
+
+def _corrected(
+    net: Net, load: Load, guess: NetShape, factor: float, direction: Array, length: float
+) -> tuple[Expansion, float, int] | None:
+    """Find the equilibrium in the plane through a guess that is normal to a direction.
+
+    Returns:
+        The equilibrium, its load factor and the number of corrections; None if Newton's method does not converge, or
+        leaves the neighbourhood of the guess.
+    """
+    following = expand(net, guess, load, factor)
     aside, before = np.zeros_like(net.nodes), 0.0
     for corrections in range(_CORRECTIONS):
         if not np.all(np.isfinite(following.slope)):
@@ -257,7 +279,7 @@ def _increment(net: Net, load: Load, current: _PathPoint, length: float) -> _Pat
         step = np.zeros_like(net.nodes)
         step[net.free] = parts.solve(-following.slope[net.free])
         tangent = _tangent(net, load, following, parts)
-        change = -float(np.sum(current.direction * step)) / (float(np.sum(current.direction * tangent)) or np.nan)
+        change = -float(np.sum(direction * step)) / (float(np.sum(direction * tangent)) or np.nan)
         step = step + change * tangent
         aside, moved = aside + step, float(np.linalg.norm(step))
         if not np.linalg.norm(aside) <= _ASTRAY * length:
@@ -267,10 +289,40 @@ def _increment(net: Net, load: Load, current: _PathPoint, length: float) -> _Pat
         # corrections decrease ever faster, so the next one would be less than moved^2 / before
         if moved * (min(moved / before, 1.0) if before else 1.0) <= _HOME * length:
             # the energy is infinite beyond the contact of locking panels, where no path leads
-            within = np.isfinite(following.stored)
-            return _station(net, load, following, factor, current.direction, True, corrections) if within else None
+            return (following, factor, corrections) if np.isfinite(following.stored) else None
         before = moved
     return None
+
+
+def intermediate_point(
+    net: Net, load: Load, before: PathPoint, after: PathPoint, positions: Array, factor: float
+) -> PathPoint | None:
+    """Find the equilibrium between two points of a path near a guess; None if Newton's method does not converge.
+
+    Args:
+        net: as for `load_path`.
+        load: at a factor of 1.
+        before: point of a path.
+        after: next point of the path.
+        positions: guess, between both points, m, (node, 3).
+        factor: guess of the load factor.
+    """
+    net, _ = supported(net, load)
+    chord = after.shape.positions - before.shape.positions
+    length = float(np.linalg.norm(chord))
+    guess = shape_at(net, positions, before.shape.angles)
+    corrected = _corrected(net, load, guess, factor, chord / length, length)
+    if corrected is None:
+        return None
+    found, factor, corrections = corrected
+    return PathPoint(
+        shape=found.shape,
+        factor=factor,
+        energy=found.stored,
+        index=before.index,
+        rising=before.rising,
+        corrections=corrections,
+    )
 
 
 def _pass_kink(net: Net, load: Load, current: _PathPoint, length: float) -> tuple[_PathPoint, _PathPoint | None]:

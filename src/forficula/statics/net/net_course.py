@@ -3,36 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from forficula.arrays import Array
-from forficula.errors import InputError
+from forficula.statics.net.driven_net import (
+    FINE,
+    INCREMENTS,
+    driven_net,
+    follow_drive,
+    prescribes_displacement,
+    short_of,
+)
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import softest
 from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_of import motor_load, own_angles, point_positions
-from forficula.statics.net.slow_path import SlowPath, slow_path
+from forficula.statics.net.net_of import own_angles
+from forficula.statics.net.slow_path import SlowPath
 from forficula.statics.net.supports import supported
 from forficula.structure import (
     Drive,
     StageGoal,
     Structure,
     Transition,
-    distances_of,
     driven_motor,
-    goal_coordinates,
-    goal_of,
 )
-
-MOST = 4.0  # largest multiple of a drive's strength if its strength is not sufficient
-_INCREMENTS = 120
-_FINE = 0.008  # first increment of the equilibria through a snap, of the net's size; short because they are drawn
-
 
 _OFF = 1e-3  # of the net's size: a push off an unstable equilibrium
 _RIDGES = 8  # largest number of such pushes
@@ -108,23 +106,15 @@ def drive_course(
     Raises:
         InputError: the drive would move the net as a rigid body.
     """
-    free, net = net, displaced_net(structure, net, drive)
-    load = motor_load(structure, net, drive.strengths)
-    goal = None if transition is None else goal_of(structure, transition.goal)
-
-    def at_goal(shape: NetShape) -> bool:
-        return goal is not None and short_of(structure, net, goal, shape) <= 0
-
-    end = 1.0 if goal is None else MOST
-    # the force of a displacement is drawn along the whole path, which needs short steps
-    step = _FINE * net.size if prescribes_displacement(structure, drive) else None
-    slow = slow_path(net, start.shape, load, end=end, step=step, increments=_INCREMENTS, stop=at_goal)
+    driven = driven_net(structure, net, drive, transition)
+    free, net, load, goal = net, driven.net, driven.load, driven.goal
+    slow = follow_drive(driven, start.shape)
     last = slow.points[-1] if len(slow.snaps) < len(slow.paths) else None
     shape = slow.snaps[-1].after.shape if last is None else last.shape
     factor = slow.snaps[-1].factor if last is None else last.factor
     through = None
     if slow.snaps and through_snaps:
-        through = load_path(net, start.shape, load, target=factor, step=_FINE * net.size, increments=2 * _INCREMENTS)
+        through = load_path(net, start.shape, load, target=factor, step=FINE * net.size, increments=2 * INCREMENTS)
     reached = None if goal is None else _first_at(structure, net, goal, slow.points)
     if reached is None and slow.ended == "stop":
         reached = factor
@@ -145,41 +135,6 @@ def _largest_force(structure: Structure, net: Net, drive: Drive, points: Sequenc
     if not prescribes_displacement(structure, drive):
         return None
     return max((reaction(structure, net, drive, point.shape) for point in points), key=abs)
-
-
-def displaced_net(structure: Structure, net: Net, drive: Drive) -> Net:
-    """Return a net in which the coordinates that a drive displaces are held.
-
-    Raises:
-        InputError: the displacement is not along an axis.
-    """
-    held = net.free.copy()
-    for motor, share in zip(structure.motors, drive.shares, strict=True):
-        if motor.kind != "displacement" or motor.direction is None or not share:
-            continue
-        axes = np.flatnonzero(motor.direction)
-        if len(axes) > 1:
-            raise InputError(f"drive.{motor.name}.direction: need x, y or z, for statics holds points along these only")
-        held[list(motor.points), axes[0]] = False
-    return net if np.array_equal(held, net.free) else replace(net, free=held)
-
-
-def goal_values(structure: Structure, net: Net, shape: NetShape) -> Array:
-    """Return the coordinates that goals bound: angles and distances, rad and m, (coordinate,)."""
-    pairs = [list(distance.points) for distance in distances_of(structure) if distance.points is not None]
-    distances = [np.linalg.norm(np.diff(point_positions(net, shape)[pair], axis=0)) for pair in pairs]
-    return goal_coordinates(structure, own_angles(structure, shape), np.array(distances))
-
-
-def short_of(structure: Structure, net: Net, goal: StageGoal, shape: NetShape) -> float:
-    """Return by how much a shape is outside a goal's bounds, rad or m; <= 0 within them."""
-    read = goal_values(structure, net, shape)
-    return float(max(np.max(goal.least - read, initial=-np.inf), np.max(read - goal.most, initial=-np.inf)))
-
-
-def prescribes_displacement(structure: Structure, drive: Drive) -> bool:
-    """Return whether a drive prescribes displacements of points instead of forces or torques."""
-    return driven_motor(structure, drive).kind == "displacement"
 
 
 def drive_displacement(structure: Structure, net: Net, drive: Drive, shape: NetShape) -> float:

@@ -2,76 +2,279 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.kept_frames import kept_frames
+from forficula.statics.net.driven_net import INCREMENTS, DrivenNet, driven_net, follow_drive, prescribes_displacement
+from forficula.statics.net.energy import shape_at
+from forficula.statics.net.load_path import PathPoint, intermediate_point, load_path
+from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_course import (
-    MOST,
-    displaced_net,
-    drive_course,
-    prescribes_displacement,
-    reaction,
-    released,
-    short_of,
-)
-from forficula.statics.net.net_of import motor_load, net_of, own_angles, point_positions, start_shape, valley_angles
+from forficula.statics.net.net_course import drive_course, reaction, released
+from forficula.statics.net.net_of import net_of, own_angles, point_positions, start_shape, valley_angles
 from forficula.statics.net.net_state import stored_parts
-from forficula.statics.net.slow_path import Snap, SlowPath, slow_path
+from forficula.statics.net.slow_path import SlowPath, Snap
 from forficula.statics.quasi_static_path import (
+    GrowingPath,
     NumberedEvent,
     QuasiStaticPath,
     QuasiStaticPoint,
+    interval_errors,
     last_event,
+    lengths_along,
     path_of,
     rest_changes,
 )
-from forficula.structure import Drive, Structure, Transition, drive_of, goal_of
+from forficula.structure import Drive, Structure, Transition, drive_of
 
-_INCREMENTS = 120
+_SWEEPS = 6  # halvings of the interval between two points
+_HALVINGS = 20  # of the last interval, to locate the goal
+_ARRIVED = 1e-9  # rad or m, distance from the goal
+_SAME = 1e-3  # of the net's size: distance of two shapes that count as one
+_MOST_POINTS = 1000  # of a snap
+_LOOSE = "a part can move without any force: a crease has no spring, or a support is missing"
 
 
-def net_path(structure: Structure, drive: Drive, transition: Transition | None) -> QuasiStaticPath:
+def net_path(
+    structure: Structure,
+    drive: Drive,
+    transition: Transition | None,
+    *,
+    error: float,
+    near: QuasiStaticPoint | None = None,
+    follow: Callable[[QuasiStaticPath], bool] | None = None,
+) -> QuasiStaticPath:
     """Follow a net under a slowly growing drive; see `forficula.statics.survey.quasi_static_path`."""
-    free = net_of(structure)
+    driven = driven_net(structure, net_of(structure), drive, transition)
+    start, remarks = _start(driven)
+    if not start.stable:
+        points = [net_point(driven, start.shape, 0.0)]
+        lost = [last_event(points, reached=False)]
+        return path_of(structure, driven.name, drive, points, lost, reached=False, remarks=(*remarks, _LOOSE))
+    near_rest = None if near is None else _near_rest(driven, near)
+    growing = GrowingPath(structure, driven.name, drive, follow, continued=near_rest is not None)
+    slow = None if near is None or near_rest is None else _continued(driven, start, near, near_rest, growing)
+    if slow is None:
+        slow = _followed(driven, start.shape, growing)
+    stretches = _Stretches(driven, slow)
+    bound = error * structure.span
+    for _ in range(_SWEEPS):
+        if growing.stopped or not stretches.refine(bound, growing):
+            break
+        points = stretches.points(bound)[0]
+        growing.show(points, at=None if near_rest is None else _nearest(driven, points, near_rest))
+    points, events = stretches.points(bound)
+    reached = slow.ended == ("target" if driven.goal is None else "stop") and not growing.stopped
+    events.append(last_event(points, reached=reached))
+    return path_of(
+        structure,
+        driven.name,
+        drive,
+        points,
+        events,
+        reached=reached,
+        complete=not growing.stopped,
+        error=stretches.error() / structure.span,
+        at=None if near_rest is None else _nearest(driven, points, near_rest),
+        remarks=(*remarks, *_path_remarks(driven, slow, events, reached=reached)),
+    )
+
+
+def _start(driven: DrivenNet) -> tuple[NetRest, tuple[str, ...]]:
+    """Return where a net rests before the transition, and a remark on unstable equilibria on the way."""
+    structure, free = driven.structure, driven.free
     start, remarks = released(free, start_shape(structure, free))
     for before in structure.transitions:
-        if before is transition or transition is None:
+        if before is driven.transition or driven.transition is None or not start.stable:
             break
-        start = drive_course(structure, free, start, drive_of(structure, before.drive), before).rest
-    name = drive.name if transition is None else transition.name
-    net = displaced_net(structure, free, drive)
-    load = motor_load(structure, net, drive.strengths)
-    goal = None if transition is None else goal_of(structure, transition.goal)
-
-    def at_goal(shape: NetShape) -> bool:
-        return goal is not None and short_of(structure, net, goal, shape) <= 0
-
-    end = 1.0 if goal is None else MOST
-    slow = slow_path(net, start.shape, load, end=end, increments=_INCREMENTS, stop=at_goal, finish_snaps=True)
-    points, events = _points(structure, net, drive, slow)
-    reached = slow.ended == ("target" if goal is None else "stop")
-    events.append(last_event(points, reached=reached))
-    return path_of(structure, name, drive, points, events, reached=reached, remarks=remarks)
+        drive = drive_of(structure, before.drive)
+        start = drive_course(structure, free, start, drive, before, through_snaps=False).rest
+    return start, remarks
 
 
-def _points(
-    structure: Structure, net: Net, drive: Drive, slow: SlowPath
-) -> tuple[list[QuasiStaticPoint], list[NumberedEvent]]:
-    """Return the points of consecutive paths and of the snaps between them, and the snaps as events."""
-    points, events = list[QuasiStaticPoint](), list[NumberedEvent]()
-    for number, path in enumerate(slow.paths):
-        points += [net_point(structure, net, drive, point.shape, point.factor) for point in path.points]
-        if number >= len(slow.snaps):
-            continue
-        snap, first = slow.snaps[number], len(points) - 1
-        points += [net_point(structure, net, drive, shape, snap.factor, resting=False) for shape in snap.descent]
-        if number == len(slow.paths) - 1:
-            points.append(net_point(structure, net, drive, snap.after.shape, snap.factor))
-            events.append(_event(drive, snap, first, len(points) - 1))
-        else:
-            events.append(_event(drive, snap, first, len(points)))
-    return points, events
+def _followed(driven: DrivenNet, start: NetShape, growing: GrowingPath, begin: float = 0.0) -> SlowPath:
+    """Follow the path from a shape at rest onwards."""
+    return follow_drive(
+        driven,
+        start,
+        begin=begin,
+        stop=lambda: growing.stopped,
+        finish_snaps=True,
+        watch=lambda shape, factor, resting: growing.add(lambda: net_point(driven, shape, factor, resting=resting)),
+    )
+
+
+def _near_rest(driven: DrivenNet, near: QuasiStaticPoint) -> NetRest | None:
+    """Return the equilibrium that is reached downhill from a shape of another path, at the same strength of the drive.
+
+    It is None if the shape has other parts, if there is no such equilibrium, or if it is already at the goal.
+    """
+    net, drive = driven.net, driven.drive
+    if near.coordinates.size != net.nodes.size or len(near.angles) != len(driven.structure.hinges):
+        return None
+    factor = near.strength / drive.strength
+    held = net.nodes + factor * driven.load.displacements
+    positions = np.where(net.free, net.nodes + near.coordinates.reshape(-1, 3), held)
+    shape = shape_at(net, positions, valley_angles(driven.structure, near.angles))
+    rest = minimum(net, shape, driven.load, factor)
+    return rest if rest.stable and driven.short_of_goal(rest.shape) > 0 else None
+
+
+def _continued(
+    driven: DrivenNet, start: NetRest, near: QuasiStaticPoint, rest: NetRest, growing: GrowingPath
+) -> SlowPath | None:
+    """Follow the path from an equilibrium onwards to its end, then back to its start.
+
+    It is None if the way back meets an event or ends elsewhere, because the path to the start is then another one.
+    """
+    factor = near.strength / driven.drive.strength
+    onwards = _followed(driven, rest.shape, growing, begin=factor)
+    growing.hold()
+    if growing.stopped or factor <= 0:
+        return onwards if growing.stopped else None
+    back = load_path(
+        driven.net,
+        rest.shape,
+        driven.load,
+        step=driven.step,
+        increments=INCREMENTS,
+        factor=factor,
+        target=0.0,
+        events=1,
+        rising=False,
+        stop=lambda _: growing.stopped,
+        watch=lambda point: growing.add(lambda: net_point(driven, point.shape, point.factor)),
+    )
+    if growing.stopped:
+        return onwards
+    apart = np.abs(back.points[-1].shape.positions - start.shape.positions).max()
+    if back.ended != "target" or back.events or apart > _SAME * driven.net.size:
+        return None
+    before = tuple(replace(point, rising=True) for point in back.points[:0:-1])
+    first = replace(onwards.paths[0], points=(*before, *onwards.paths[0].points))
+    return replace(onwards, paths=(first, *onwards.paths[1:]))
+
+
+def _nearest(driven: DrivenNet, points: Sequence[QuasiStaticPoint], rest: NetRest) -> int:
+    """Return the number of the point that is nearest to a shape."""
+    positions = place_positions(driven.structure, driven.net, rest.shape)
+    return int(np.argmin([np.abs(point.positions - positions).max() for point in points]))
+
+
+class _Stretches:
+    """Stretches of equilibria between the snaps of a path, to which points are added."""
+
+    def __init__(self, driven: DrivenNet, slow: SlowPath) -> None:
+        self._driven, self._slow = driven, slow
+        self._stretches = [list(path.points) for path in slow.paths]
+        self._known = dict[int, tuple[NetShape, QuasiStaticPoint]]()
+        self._skipped = set[tuple[int, int]]()
+        if slow.ended == "stop" and driven.goal is not None and len(slow.snaps) < len(slow.paths):
+            self._stretches[-1] = self._up_to_goal(self._stretches[-1])
+
+    def _up_to_goal(self, points: list[PathPoint]) -> list[PathPoint]:
+        """Replace the last point by the one at which the goal is reached (regula falsi with halved weights)."""
+        driven = self._driven
+        if len(points) < 2:
+            return points
+        before, after = points[-2:]
+        low, high = driven.short_of_goal(before.shape), driven.short_of_goal(after.shape)
+        for _ in range(_HALVINGS):
+            if not (math.isfinite(low) and low > 0 >= high) or -high <= _ARRIVED:
+                break
+            share = float(np.clip(low / (low - high), 0.05, 1 - 1e-6))
+            positions = (1 - share) * before.shape.positions + share * after.shape.positions
+            factor = (1 - share) * before.factor + share * after.factor
+            middle = intermediate_point(driven.net, driven.load, before, after, positions, factor)
+            if middle is None:
+                break
+            value = driven.short_of_goal(middle.shape)
+            if value > 0:
+                before, low = middle, value
+            else:
+                after, high = middle, value
+        return [*points[:-1], after]
+
+    def refine(self, bound: float, growing: GrowingPath) -> bool:
+        """Add a point in the middle of every interval whose error exceeds a bound, m; return whether any was added."""
+        added = False
+        for number, points in enumerate(self._stretches):
+            errors, result = interval_errors(_positions(points)), points[:1]
+            for place, (before, after) in enumerate(pairwise(points)):
+                ends = (id(before), id(after))
+                if errors[place] > bound and ends not in self._skipped and not growing.stopped:
+                    middle = self._middle(points, place)
+                    if middle is None:
+                        self._skipped.add(ends)
+                    else:
+                        result.append(middle)
+                        added = True
+                result.append(after)
+            self._stretches[number] = result
+        return added
+
+    def _middle(self, points: Sequence[PathPoint], place: int) -> PathPoint | None:
+        """Find the equilibrium in the middle of an interval, from the cubic through its neighbours."""
+        first = max(0, min(place - 1, len(points) - 4))
+        near = points[first : first + 4]
+        shapes = _positions(near)
+        along = lengths_along(shapes)
+        at = (along[place - first] + along[place - first + 1]) / 2
+        nodes = along[:, None] - along[None, :] + np.eye(len(near))
+        others = np.where(np.eye(len(near)), 1.0, at - along[None, :])
+        weights = np.prod(others / nodes, axis=1)
+        factor = float(weights @ [point.factor for point in near])
+        positions = np.tensordot(weights, shapes, axes=1)
+        driven, (before, after) = self._driven, points[place : place + 2]
+        return intermediate_point(driven.net, driven.load, before, after, positions, factor)
+
+    def error(self) -> float:
+        """Return the largest estimated error of linear interpolation between equilibria, m."""
+        return max(float(interval_errors(_positions(points)).max(initial=0.0)) for points in self._stretches)
+
+    def points(self, bound: float) -> tuple[list[QuasiStaticPoint], list[NumberedEvent]]:
+        """Return all points, and the snaps between stretches as events.
+
+        Args:
+            bound: largest error of linear interpolation within a snap, m.
+        """
+        points, events, drive = list[QuasiStaticPoint](), list[NumberedEvent](), self._driven.drive
+        for number, stretch in enumerate(self._stretches):
+            points += [self._point(point.shape, point.factor) for point in stretch]
+            if number >= len(self._slow.snaps):
+                continue
+            snap, first = self._slow.snaps[number], len(points) - 1
+            points += self._descent(snap, bound)
+            if number == len(self._stretches) - 1:
+                points.append(self._point(snap.after.shape, snap.factor))
+            last = len(points) - (number == len(self._stretches) - 1)
+            events.append(_event(drive, snap, first, last))
+        return points, events
+
+    def _descent(self, snap: Snap, bound: float) -> list[QuasiStaticPoint]:
+        """Return the shapes of a snap between which linear interpolation is accurate."""
+        shapes = [snap.before, *snap.descent, snap.after.shape]
+        positions = np.array([shape.positions for shape in shapes])
+        time = lengths_along(positions)
+        rows = np.flatnonzero(np.diff(time, prepend=-1.0) > 0)
+        kept = kept_frames(time[rows], positions[rows], (), most=_MOST_POINTS, tolerance=bound)
+        return [self._point(shapes[row], snap.factor, resting=False) for row in rows[kept[1:-1]].tolist()]
+
+    def _point(self, shape: NetShape, factor: float, *, resting: bool = True) -> QuasiStaticPoint:
+        if id(shape) not in self._known:
+            self._known[id(shape)] = shape, net_point(self._driven, shape, factor, resting=resting)
+        return self._known[id(shape)][1]
+
+
+def _positions(points: Sequence[PathPoint]) -> Array:
+    """Return the positions of nodes at points of a path, m, (point, node, 3)."""
+    return np.array([point.shape.positions for point in points])
 
 
 def _event(drive: Drive, snap: Snap, first: int, last: int) -> NumberedEvent:
@@ -81,34 +284,40 @@ def _event(drive: Drive, snap: Snap, first: int, last: int) -> NumberedEvent:
         kind="branch" if branch else "snap",
         first=first,
         last=last,
-        strength=snap.factor * drive.strength,
+        strength=float(snap.factor * drive.strength),
         released=0.0 if branch else float(snap.released),
     )
 
 
-def net_point(
-    structure: Structure, net: Net, drive: Drive, shape: NetShape, factor: float, *, resting: bool = True
-) -> QuasiStaticPoint:
-    """Return a shape of a net as a point of a quasi-static path.
+def _path_remarks(
+    driven: DrivenNet, slow: SlowPath, events: Sequence[NumberedEvent], *, reached: bool
+) -> tuple[str, ...]:
+    """Return sentences on what is unreliable on a path."""
+    remarks = list[str]()
+    if any(snap.kind != "limit" for snap in slow.snaps):
+        remarks.append(
+            f'under "{driven.name}" the path branches, and imperfections decide which branch a structure takes; the'
+            " branch of lower energy is shown"
+        )
+    if not reached and events[-1].kind == "lost":
+        reason = "was followed only as far as shown" if slow.ended == "lost" else "ends before its goal"
+        remarks.append(f'the path under "{driven.name}" {reason}')
+    return tuple(remarks)
 
-    Args:
-        structure: the structure.
-        net: net of the structure, with the coordinates held that the drive displaces.
-        drive: the drive.
-        shape: shape of the net.
-        factor: load factor.
-        resting: whether the net is at rest in this shape.
-    """
-    strength = factor * drive.strength
-    force = reaction(structure, net, drive, shape) if prescribes_displacement(structure, drive) else 0.0
+
+def net_point(driven: DrivenNet, shape: NetShape, factor: float, *, resting: bool = True) -> QuasiStaticPoint:
+    """Return a shape of a net under its drive as a point of a quasi-static path."""
+    structure, drive, strength = driven.structure, driven.drive, factor * driven.drive.strength
+    further = valley_angles(structure, strength * rest_changes(structure, drive))
+    displaced = prescribes_displacement(structure, drive)
     return QuasiStaticPoint(
-        strength=strength,
+        strength=float(strength),
         resting=resting,
         angles=own_angles(structure, shape),
-        positions=place_positions(structure, net, shape),
-        coordinates=shape.positions.ravel(),
-        energy=stored_parts(structure, net, shape, valley_angles(structure, strength * rest_changes(structure, drive))),
-        force=force,
+        positions=place_positions(structure, driven.net, shape),
+        coordinates=(shape.positions - driven.net.nodes).ravel(),
+        energy=stored_parts(structure, driven.net, shape, further),
+        force=reaction(structure, driven.net, drive, shape) if displaced else 0.0,
     )
 
 

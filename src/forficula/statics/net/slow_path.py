@@ -73,7 +73,8 @@ def slow_path(
     step: float | None = None,
     increments: int = 100,
     stop: Callable[[NetShape], bool] | None = None,
-    finish_snaps: bool = False,
+    stop_snaps: Callable[[NetShape], bool] | None = None,
+    watch: Callable[[NetShape, float, bool], None] = lambda _shape, _factor, _resting: None,
 ) -> SlowPath:
     """Follow a net under a load that grows or falls so slowly that the net is at rest except during snaps.
 
@@ -89,7 +90,9 @@ def slow_path(
         step: as for `load_path`.
         increments: of each path.
         stop: ends the path at the first shape for which it returns True, on a path or during a snap.
-        finish_snaps: whether a snap continues to its rest if `stop` returns True during the snap.
+        stop_snaps: ends a snap, and the path, at the first shape of the snap for which it returns True; None for
+            `stop`.
+        watch: called with shape, factor, and whether the net rests, at every point of paths and of snaps at a limit.
 
     Raises:
         InputError: as for `load_path`.
@@ -112,6 +115,7 @@ def slow_path(
             stop=None if stop is None else (lambda point: stops(point.shape)),
             events=1,
             rising=end > begin,
+            watch=lambda point: watch(point.shape, point.factor, True),
         )
         stopped = stops(path.points[-1].shape)
         path = path if stopped or not path.events else _up_to_event(path)
@@ -121,7 +125,7 @@ def slow_path(
             break
         limit = path.events[0].point.factor
         factor = limit + _BEYOND * float(np.sign(end - begin)) * max(abs(limit - begin), _BEYOND * abs(end - begin))
-        snaps.append(_snap(net, path.events[0], load, factor, None if finish_snaps else stops))
+        snaps.append(_snap(net, path.events[0], load, factor, stop_snaps or stops, watch))
         if stops(snaps[-1].after.shape):
             ended = "stop"
             break
@@ -138,7 +142,14 @@ def _up_to_event(path: LoadPath) -> LoadPath:
     return LoadPath(load=path.load, points=points, events=path.events[:1], ended=path.ended, pins=path.pins)
 
 
-def _snap(net: Net, event: PathEvent, load: Load, factor: float, stop: Callable[[NetShape], bool] | None) -> Snap:
+def _snap(
+    net: Net,
+    event: PathEvent,
+    load: Load,
+    factor: float,
+    stop: Callable[[NetShape], bool],
+    watch: Callable[[NetShape, float, bool], None],
+) -> Snap:
     """Return the snap at a limit or a bifurcation; of two directions, the one that ends at lower energy."""
     beyond = (factor - event.point.factor) * load.displacements
     before = shape_at(net, event.point.shape.positions + beyond, event.point.shape.angles)
@@ -149,7 +160,9 @@ def _snap(net: Net, event: PathEvent, load: Load, factor: float, stop: Callable[
 
         def follow(shape: NetShape, descent: list[NetShape] = descent) -> bool:
             descent.append(shape)
-            return stop is not None and stop(shape)
+            if event.kind == "limit":
+                watch(shape, event.point.factor, False)
+            return stop(shape)
 
         rest = minimum(net, pushed, load, factor, longest_step=_STEP * net.size, stop=follow)
         landed.append((expand(net, rest.shape, load, factor).energy, rest, descent))

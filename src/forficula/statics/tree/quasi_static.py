@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,6 +28,9 @@ from forficula.structure import (
 
 # largest torque tried on hinges that tendons cross, as a multiple of the largest opposing moment of a tendon
 _MOST_OPENING = 4.0
+# takes torque, N m, angles, rad, (hinge,), and whether the structure rests
+Watch = Callable[[float, Array, bool], None]
+
 _LEAD_IN = 4  # halvings of the first torque
 _ACCURACY = 0.01  # relative accuracy of a least torque
 _FIRST_STEP = 1e-4  # first and shortest step, as a share of the largest torque tried
@@ -196,12 +199,15 @@ def largest_torque(structures: Ensemble, transition: Transition, hinges: Sequenc
 def least_slow_torque(
     structures: Ensemble,
     start: Array,
-    transition: Transition,
+    transition: Transition | None,
     most: ArrayLike,
     drive: Drive | None = None,
     *,
+    begin: float = 0.0,
     recorded: bool = False,
     kicks: ArrayLike = 0.0,
+    watch: Watch = lambda _torque, _position, _resting: None,
+    stop: Callable[[], bool] = lambda: False,
 ) -> SlowTransition:
     """Find the least slowly growing torque that brings each structure to a transition's goal, to 1 %.
 
@@ -213,24 +219,33 @@ def least_slow_torque(
 
     Args:
         structures: side by side.
-        start: angles at rest without torques, rad, (case, hinge).
-        transition: with its goal, and its drive if none is given.
+        start: angles at rest under the first torque, rad, (case, hinge).
+        transition: with its goal, and its drive if none is given; None for a drive without a goal.
         most: size of the largest torque tried, N m, one or by case.
-        drive: of the torque, with its sign.
+        drive: of the torque, with its sign; needed without a transition.
+        begin: size of the first torque, N m.
         recorded: whether to keep the paths.
         kicks: standard deviation of random shifts of hinges at the start of a snap, rad, one or by case. If paths
             separate because of them, the torque depends on small differences.
+        watch: called with every step of recorded paths: torque, angles, (hinge,), and whether the structure rests.
+        stop: ends the paths if it returns True.
     """
-    goal = goal_of(structures.structure, transition.goal)
-    record, random = _PathRecord(start) if recorded else None, np.random.default_rng(_SEED)
+    goal = None if transition is None else goal_of(structures.structure, transition.goal)
+
+    def arrives(angles: Array) -> Flags:
+        return np.zeros(len(angles), dtype=np.bool_) if goal is None else at_goal(structures, angles, goal)
+
+    record, random = _PathRecord(start, begin, watch) if recorded else None, np.random.default_rng(_SEED)
     kicks = np.broadcast_to(np.asarray(kicks, dtype=np.float64), (len(start),))
-    drive = drive or drive_of(structures.structure, transition.drive)
+    if drive is None:
+        assert transition is not None
+        drive = drive_of(structures.structure, transition.drive)
     most = np.broadcast_to(np.asarray(most, dtype=np.float64), (len(start),))
-    position, torque, step = start.copy(), np.zeros(len(start)), _FIRST_STEP * most
-    least = np.where(at_goal(structures, start, goal), 0.0, np.nan)
+    position, torque, step = start.copy(), np.full(len(start), begin), _FIRST_STEP * most
+    least = np.where(arrives(start), begin, np.nan)
     while True:
         left = np.flatnonzero(np.isnan(least) & (torque < most))
-        if not len(left):
+        if not len(left) or stop():
             return SlowTransition(torque=least, position=position, paths=() if record is None else record.paths())
         tried = np.minimum(torque[left] + step[left], most[left])
         result = _pushed_rest(structures, left, position[left], drive, tried, within=_NEAR)
@@ -243,11 +258,11 @@ def least_slow_torque(
             if kicks.any():
                 shift = random.standard_normal(start.shape)[snapping] * kicks[snapping, None]
                 begins = np.clip(begins + shift, structures.lower, structures.upper)
-            for case, snap_torque, path in _snapped(structures, snapping, begins, drive, tried[snaps]):
+            for case, snap_torque, path in _snapped(structures, snapping, begins, drive, tried[snaps], watch):
                 result[left == case] = path[-1]
                 if record is not None:
                     record.add_snap(case, snap_torque, path)
-        reached = at_goal(structures, result, goal)
+        reached = arrives(result)
         kept = snaps | ~(leaves | reached & ~fine)
         torque[left[kept]], position[left[kept]] = tried[kept], result[kept]
         if record is not None:
@@ -261,17 +276,21 @@ def least_slow_torque(
 class _PathRecord:
     """Paths of structures while they are followed."""
 
-    def __init__(self, start: Array) -> None:
-        self._steps: list[list[tuple[float, Array]]] = [[(0.0, position.copy())] for position in start]
+    def __init__(self, start: Array, torque: float, watch: Watch) -> None:
+        self._steps: list[list[tuple[float, Array]]] = [[(torque, position.copy())] for position in start]
         self._snaps: list[list[tuple[int, int]]] = [[] for _ in start]
+        self._watch = watch
+        for position in start:
+            watch(torque, position.copy(), True)
 
     def add(self, case: int, torque: float, position: Array) -> None:
         self._steps[case].append((float(torque), position.copy()))
+        self._watch(float(torque), position.copy(), True)
 
     def add_snap(self, case: int, torque: float, positions: Sequence[Array]) -> None:
         before = len(self._steps[case]) - 1
-        for position in positions:
-            self.add(case, torque, position)
+        self._steps[case] += [(float(torque), position.copy()) for position in positions]
+        self._watch(float(torque), positions[-1].copy(), True)
         self._snaps[case].append((before, len(self._steps[case]) - 1))
 
     def paths(self) -> tuple[TorquePath, ...]:
@@ -286,7 +305,7 @@ class _PathRecord:
 
 
 def _snapped(
-    structures: Ensemble, cases: Indices, start: Array, drive: Drive, torque: Array
+    structures: Ensemble, cases: Indices, start: Array, drive: Drive, torque: Array, watch: Watch
 ) -> list[tuple[int, float, list[Array]]]:
     """Return number, torque and path to rest, rad, (hinge,) each, of structures that snap under a torque.
 
@@ -298,6 +317,7 @@ def _snapped(
     def follow(moving: Indices, position: Array) -> None:
         for row in moving.tolist():
             paths[row].append(position[row].copy())
+            watch(float(torque[row]), paths[row][-1], False)
 
     torques = torque[:, None] * _by_unit(drive)
     ends = rest(structures.only(cases), start, torques, longest_step=_SNAP_STEP, follow=follow).position

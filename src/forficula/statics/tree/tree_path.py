@@ -2,69 +2,221 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
+
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.statics.quasi_static_path import NumberedEvent, QuasiStaticPath, QuasiStaticPoint, last_event, path_of
+from forficula.kept_frames import kept_frames
+from forficula.statics.quasi_static_path import (
+    GrowingPath,
+    NumberedEvent,
+    QuasiStaticPath,
+    QuasiStaticPoint,
+    interval_errors,
+    last_event,
+    lengths_along,
+    path_of,
+)
 from forficula.statics.tree.hinge_landscape import crossed_hinges
 from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
-from forficula.statics.tree.potential import Ensemble, ensemble, potential, stored_energy
-from forficula.statics.tree.quasi_static import TorquePath, largest_torque, least_slow_torque, start_state, state_after
-from forficula.structure import Drive, Structure, Transition, drive_of
+from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, stored_energy
+from forficula.statics.tree.quasi_static import (
+    SlowTransition,
+    TorquePath,
+    at_goal,
+    largest_torque,
+    least_slow_torque,
+    start_state,
+    state_after,
+)
+from forficula.structure import Drive, Structure, Transition, goal_of
+
+_MOST_POINTS = 2000  # of a path
+_STILL = 1e-12  # of the span: distance along the path of two steps in the same shape
 
 
-def tree_path(structure: Structure, drive: Drive, transition: Transition) -> QuasiStaticPath:
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _DrivenTree:
+    """A tree with one of its drives.
+
+    Attributes:
+        structures: the tree as the only case.
+        drive: the drive.
+        transition: that the drive makes; None for none.
+        sign: of the drive.
+        most: largest torque tried, N m.
+    """
+
+    structures: Ensemble
+    drive: Drive
+    transition: Transition | None
+    sign: float
+    most: float
+
+    @property
+    def torques(self) -> Array:
+        """Return the torques of all motors per size of the drive, (motor,)."""
+        return self.sign * np.array(self.drive.shares)
+
+
+def tree_path(
+    structure: Structure,
+    drive: Drive,
+    transition: Transition | None,
+    *,
+    error: float,
+    near: QuasiStaticPoint | None = None,
+    follow: Callable[[QuasiStaticPath], bool] | None = None,
+) -> QuasiStaticPath:
     """Follow a tree under a slowly growing drive; see `forficula.statics.survey.quasi_static_path`."""
-    structures = ensemble([structure])
+    driven, start = _start(structure, drive, transition)
+    name = drive.name if transition is None else transition.name
+    near_rest = None if near is None else _near_rest(driven, near)
+    growing = GrowingPath(structure, name, drive, follow, continued=near_rest is not None)
+    if near is not None and near_rest is not None:
+        _followed(driven, near_rest, growing, begin=abs(near.strength))
+        growing.hold()
+    slow = _followed(driven, start, growing)
+    path, bound = slow.paths[0], error * structure.span
+    points, events, missed = _points(driven, path, bound)
+    reached = bool(np.isfinite(slow.torque[0])) if transition is not None else path.torque[-1] >= driven.most
+    reached = reached and not growing.stopped
+    events.append(last_event(points, reached=reached))
+    remark = f'no slowly growing drive up to its full strength reaches the goal of "{name}"'
+    return path_of(
+        structure,
+        name,
+        drive,
+        points,
+        events,
+        reached=reached,
+        complete=not growing.stopped,
+        error=missed / structure.span,
+        at=None if near_rest is None else _nearest(structure, points, near_rest),
+        remarks=() if reached or growing.stopped else (remark,),
+    )
+
+
+def _start(structure: Structure, drive: Drive, transition: Transition | None) -> tuple[_DrivenTree, Array]:
+    """Return a tree with its drive, and the angles at which it rests before the transition, rad, (hinge,)."""
+    structures, sign = ensemble([structure]), -1.0 if drive.strength < 0 else 1.0
     before, hinges = start_state(structures), crossed_hinges(structure)
-    for earlier in structure.transitions:
+    for earlier in structure.transitions if transition is not None else ():
         most = largest_torque(structures, earlier, hinges)
-        slow = least_slow_torque(structures, before.position, earlier, most, recorded=True)
         if earlier is transition:
             break
+        slow = least_slow_torque(structures, before.position, earlier, most)
         before = state_after(structures, earlier, slow.torque, slow.position)
-    path, reached = slow.paths[0], bool(np.isfinite(slow.torque[0]))
-    points, events = tree_points(structures, drive, path), _snaps(structures, drive, path)
-    events.append(last_event(points, reached=reached))
-    return path_of(structure, transition.name, drive, points, events, reached=reached)
+    else:
+        most = abs(drive.strength)
+    driven = _DrivenTree(structures=structures, drive=drive, transition=transition, sign=sign, most=most)
+    return driven, before.position[0]
 
 
-def _snaps(structures: Ensemble, drive: Drive, path: TorquePath) -> list[NumberedEvent]:
-    """Return the snaps of a path, each with the energy that it releases at its constant torque."""
-    unit, events = np.array(drive.shares) * (-1.0 if drive.strength < 0 else 1.0), list[NumberedEvent]()
+def _followed(driven: _DrivenTree, start: Array, growing: GrowingPath, begin: float = 0.0) -> SlowTransition:
+    """Follow the path from angles at rest, rad, (hinge,), onwards."""
+    return least_slow_torque(
+        driven.structures,
+        start[None],
+        driven.transition,
+        driven.most,
+        driven.drive,
+        begin=begin,
+        recorded=True,
+        watch=lambda torque, angles, resting: growing.add(
+            lambda: _tree_points(driven, np.array([torque]), angles[None], np.array([resting]))[0]
+        ),
+        stop=lambda: growing.stopped,
+    )
+
+
+def _near_rest(driven: _DrivenTree, near: QuasiStaticPoint) -> Array | None:
+    """Return the angles that are reached downhill from a shape of another path, at the same strength of the drive.
+
+    It is None if the shape has other parts, if there is no such equilibrium, or if it is already at the goal.
+    """
+    structures = driven.structures
+    if near.coordinates.size != structures.size or near.strength * driven.sign < 0:
+        return None
+    rested = rest(structures, near.coordinates[None], abs(near.strength) * driven.torques)
+    if not rested.rests[0] or abs(near.strength) >= driven.most:
+        return None
+    if driven.transition is not None:
+        goal = goal_of(structures.structure, driven.transition.goal)
+        if at_goal(structures, rested.position, goal)[0]:
+            return None
+    return np.asarray(rested.position[0])
+
+
+def _nearest(structure: Structure, points: list[QuasiStaticPoint], angles: Array) -> int:
+    """Return the number of the point that is nearest to a shape."""
+    positions = place_positions(structure, angles[None])[0]
+    return int(np.argmin([np.abs(point.positions - positions).max() for point in points]))
+
+
+def _points(
+    driven: _DrivenTree, path: TorquePath, bound: float
+) -> tuple[list[QuasiStaticPoint], list[NumberedEvent], float]:
+    """Return points between which linear interpolation follows a path, its snaps, and the error of interpolation, m.
+
+    Args:
+        driven: the tree with its drive.
+        path: of the tree.
+        bound: largest error of leaving out steps of the path, m.
+    """
+    resting = np.ones(len(path.torque), dtype=np.bool_)
     for first, last in path.snaps:
-        energy = potential(structures.repeated(2), path.position[[first, last]], path.torque[last] * unit)[0]
+        resting[first + 1 : last] = False
+    span = driven.structures.structure.span
+    positions = place_positions(driven.structures.structure, path.position)
+    # steps that move nothing keep their order
+    time = lengths_along(positions) + _STILL * span * np.arange(len(positions))
+    ends = sorted({0, len(resting) - 1, *(end for snap in path.snaps for end in snap)})
+    kept = kept_frames(time, positions, time[ends], most=_MOST_POINTS, tolerance=bound)
+    numbers = {row: number for number, row in enumerate(kept.tolist())}
+    points = _tree_points(driven, path.torque[kept], path.position[kept], resting[kept])
+    events = list[NumberedEvent]()
+    for first, last in path.snaps:
+        torque = float(path.torque[last])
+        energy = potential(driven.structures.repeated(2), path.position[[first, last]], torque * driven.torques)[0]
         events.append(
             NumberedEvent(
                 kind="snap",
-                first=first,
-                last=last,
-                strength=float(path.torque[last]) * (-1.0 if drive.strength < 0 else 1.0),
+                first=numbers[first],
+                last=numbers[last],
+                strength=driven.sign * torque,
                 released=float(energy[0] - energy[1]),
             )
         )
-    return events
-
-
-def tree_points(structures: Ensemble, drive: Drive, path: TorquePath) -> list[QuasiStaticPoint]:
-    """Return the steps of a path as points of a quasi-static path."""
-    structure, count = structures.structure, len(path.torque)
-    energy = stored_energy(structures.repeated(count), path.position)
-    positions = place_positions(structure, path.position)
-    resting = np.ones(count, dtype=np.bool_)
+    snapping = np.zeros(len(path.torque) - 1, dtype=np.bool_)
     for first, last in path.snaps:
-        resting[first + 1 : last] = False
-    sign = -1.0 if drive.strength < 0 else 1.0
+        snapping[first:last] = True
+    return points, events, bound + float(interval_errors(positions)[~snapping].max(initial=0.0))
+
+
+def _tree_points(driven: _DrivenTree, torque: Array, angles: Array, resting: Array) -> list[QuasiStaticPoint]:
+    """Return steps of a path as points of a quasi-static path.
+
+    Args:
+        driven: the tree with its drive.
+        torque: sizes, N m, (step,).
+        angles: rad, (step, hinge).
+        resting: whether the tree is at rest, (step,).
+    """
+    energy = stored_energy(driven.structures.repeated(len(torque)), angles)
+    positions = place_positions(driven.structures.structure, angles)
     return [
         QuasiStaticPoint(
-            strength=sign * float(path.torque[number]),
+            strength=driven.sign * float(torque[number]),
             resting=bool(resting[number]),
-            angles=path.position[number],
+            angles=angles[number],
             positions=positions[number],
-            coordinates=path.position[number],
+            coordinates=angles[number],
             energy={part: float(values[number]) for part, values in energy.items()},
         )
-        for number in range(count)
+        for number in range(len(torque))
     ]
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.names import listed
+from forficula.kept_frames import kept_frames
 from forficula.quantities import reading_unit
 from forficula.show.page.data.packing import packed, packed_steps
 from forficula.show.page.data.shape_mesh import ShapeMesh, shape_mesh
@@ -22,7 +23,6 @@ from forficula.show.page.playback import (
     Readings,
     clip_data,
     energy_scale,
-    kept_frames,
     legend_data,
     readings_of,
     structure_noun,
