@@ -8,7 +8,7 @@ import { readEfforts } from "./efforts.js";
 /** Name of the tendon energies among the values of a clip. */
 export const TENDONS = "tendon energy";
 /** Name of the readings of single creases among them. */
-export const CREASES = "creases";
+export const CREASES = Symbol("readings of single creases");
 
 /** Decode numbers that the page contains as little-endian bytes in base64. */
 export function unpack(text, Kind) {
@@ -30,8 +30,10 @@ export function readClip(data) {
   const tables = { [TENDONS]: { width: data.tendonParts.length, values: unpack(data.tendonEnergy_J, Float32Array) } };
   for (const reading of data.readings)
     tables[reading.name] = { width: reading.parts.length, values: unpack(reading.values, Float32Array) };
-  const { along = [], creases = null } = data;
-  for (const { name, values } of along) tables[name] = { width: 1, values: unpack(values, Float32Array) };
+  const { creases = null } = data;
+  // a measure may have any name
+  const along = (data.along ?? []).map((each) => ({ ...each, key: Symbol(each.name) }));
+  for (const { key, values } of along) tables[key] = { width: 1, values: unpack(values, Float32Array) };
   if (creases) tables[CREASES] = { width: creases.values.low.length, values: unpackSteps(creases.values) };
   const between = Int32Array.from(data.between);
   const share = Float64Array.from(data.share);
@@ -91,7 +93,7 @@ export function readClip(data) {
     stages: data.stages,
     tendons: data.tendonParts.length,
     readings: data.readings,
-    /** Single numbers beside the time, by name and unit. */
+    /** Single numbers beside the time: their names and units, and the key of their values. */
     along,
     creases,
     time,

@@ -12,10 +12,14 @@ export function make(tag, properties = {}, ...children) {
 }
 
 /** A small drawing of a path in a box of 24 by 24. */
-export function icon(path) {
+export const icon = (path) => drawn(path, 24);
+
+/** A drawing of a path in a square box of a size, which a style may stretch. */
+export function drawn(path, size) {
   const space = "http://www.w3.org/2000/svg";
   const drawing = document.createElementNS(space, "svg");
-  drawing.setAttribute("viewBox", "0 0 24 24");
+  drawing.setAttribute("viewBox", `0 0 ${size} ${size}`);
+  if (size !== 24) drawing.setAttribute("preserveAspectRatio", "none");
   drawing.setAttribute("aria-hidden", "true");
   const line = document.createElementNS(space, "path");
   line.setAttribute("d", path);

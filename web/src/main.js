@@ -7,7 +7,6 @@ import { make } from "./elements.js";
 import { takeUnits } from "./format.js";
 import { showBench } from "./page-bench.js";
 import { showComparison } from "./page-compare.js";
-import { showCurves } from "./page-curves.js";
 import { showGoals } from "./page-goals.js";
 import { showParts } from "./page-parts.js";
 import { showRun } from "./page-run.js";
@@ -18,7 +17,7 @@ import { watchTables } from "./tables.js";
 const PAGES = {
   run: showRun,
   compare: showComparison,
-  curves: showCurves,
+  curves: showRun,
   study: showStudy,
   goals: showGoals,
   parts: showParts,

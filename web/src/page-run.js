@@ -1,6 +1,7 @@
 /**
- * Page of one structure, and of its landscape: its run over time, its fold path, or both, of which the reader chooses
- * one. Both are clips: the frames of a run are moments, those of a fold path are shares of the fold.
+ * Page of one structure: its run over time, its fold path, or both, of which the reader chooses one. Both are clips: the
+ * frames of a run are moments, those of a path are positions of a slider from 0 to 100 %. The page of a landscape has
+ * curves as well, with balls at the position of the run or path.
  */
 
 import { readClip } from "./clip.js";
@@ -14,10 +15,12 @@ import { playOnceSeen } from "./start.js";
 import { mountTryIt } from "./try-it.js";
 
 export function showRun(data) {
-  const views = [];
-  if (data.clips) views.push(makeView("motion", "in time, as simulated", data));
-  if (data.fold) views.push(makeView("fold", "slowly along its path", { ...data.fold, clips: data.fold.clips.map((clip) => ({ ...data.clips?.[0], ...clip })) }));
+  // paths on the page of a run have its mesh
+  const paths = (data.paths ?? []).map((path) => ({ ...path, clips: path.clips.map((clip) => ({ ...data.clips?.[0], ...clip })) }));
+  const motion = data.clips ? [{ ...data, name: "motion", title: "in time, as simulated" }] : [];
+  const views = [...motion, ...paths].map(makeView);
   const page = { views };
+  if (!views.length) return { ...page, curves: mountCurves(document.getElementById("curves"), data.curves) };
   const player = document.getElementById("player");
   let shown = null;
   let look;
@@ -36,7 +39,11 @@ export function showRun(data) {
     button.addEventListener("click", () => page.choose(view));
     return button;
   });
-  if (views.length > 1) player.before(make("div", { className: "colours modes", role: "group", "aria-label": `how the ${data.whole} moves` }, make("span", {}, ...buttons), views.map(({ name, title }) => `${name}: ${title}`).join(" \u00b7 ")));
+  if (views.length > 1) {
+    const meaning = views.map(({ name, title }) => `${name}: ${title}`).join(" \u00b7 ");
+    const label = `how the ${data.whole} moves`;
+    player.before(make("div", { className: "colours modes", role: "group", "aria-label": label }, make("span", {}, ...buttons), meaning));
+  }
   page.choose(views[0]);
   if (data.clips) {
     playOnceSeen(player, page.clock);
@@ -46,7 +53,8 @@ export function showRun(data) {
 }
 
 /** A view of a page's structure: a clip with its clock, plots and numbers. */
-function makeView(name, title, data) {
+function makeView(data) {
+  const { name, title } = data;
   const clips = data.clips.map(readClip);
   const view = { name, title, clips, clock: null };
   let stops = [];

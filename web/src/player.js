@@ -72,6 +72,7 @@ function nameState(cell, clip, clock) {
   cell.append(name);
   clock.onChange(() => {
     name.textContent = stageText(clip, clock.clipTime(0));
+    name.hidden = !name.textContent;
   });
 }
 

@@ -3,7 +3,7 @@
  * another quantity than time names its unit; it has no speed.
  */
 
-import { icon, make } from "./elements.js";
+import { drawn, icon, make } from "./elements.js";
 import { fixed, short, timeText } from "./format.js";
 import { SPEEDS } from "./pace.js";
 
@@ -35,7 +35,7 @@ export function makeTransport(clips, clock) {
   const element = make(
     "div",
     { className: "transport" },
-    make("div", { className: "line" }, play, make("div", { className: "track" }, bands, slider, ticks)),
+    make("div", { className: "line" }, play, make("div", { className: "tracks" }, ...profiles(clips[0], clock), make("div", { className: "track" }, bands, slider, ticks))),
     make(
       "div",
       { className: "choices" },
@@ -61,8 +61,8 @@ export function makeTransport(clips, clock) {
     drawn = { span, stretched };
     slider.value = Math.round(TICKS * clock.shareAt(clock.time));
     slider.setAttribute("aria-valuetext", momentText(clips, clock));
-    const since =
-      clips.length === 1 ? ` \u00b7 ${stageText(clips[0], clock.clipTime(0))}` : clock.span.label.replace("time", "");
+    const stage = clips.length === 1 ? stageText(clips[0], clock.clipTime(0)) : "";
+    const since = clips.length === 1 ? (stage && ` \u00b7 ${stage}`) : clock.span.label.replace("time", "");
     const slow = clock.playing && !clock.span.unit ? `, ${slowness(clock.slowness)}` : "";
     readout.textContent = `${timeText(clock.time, clock.span)}${since}${slow}${alongText(clips[0], clock.clipTime(0), " \u00b7 ")}`;
     for (const [index, mark] of (marks ?? []).entries()) {
@@ -81,6 +81,27 @@ export function makeTransport(clips, clock) {
       }, 600);
   });
   return element;
+}
+
+/** The first number beside the time as a curve above the slider, with a ball; none for a clip without such numbers. */
+function profiles(clip, clock) {
+  const [first] = clip.along;
+  if (!first) return [];
+  const values = clip.line(first.key, 0);
+  const [low, high] = [Math.min(0, ...values), Math.max(...values)];
+  const [across, up] = [(moment) => 100 * clock.shareAt(moment), (value) => 100 - (100 * (value - low)) / (high - low || 1)];
+  const points = Array.from(values, (value, frame) => `${across(clip.time[frame]).toFixed(2)} ${up(value).toFixed(2)}`);
+  const curve = drawn(`M${points.join("L")}`, 100);
+  const ball = make("span", { className: "profile-ball" });
+  // above the lower end of the curve
+  const name = make("small", { className: values[0] < values.at(-1) ? "at-start" : "" }, first.name);
+  clock.onChange(() => {
+    const moment = clock.clipTime(0);
+    ball.style.left = `${across(moment).toFixed(2)}%`;
+    ball.style.top = `${up(clip.valuesAt(first.key, moment)[0]).toFixed(2)}%`;
+  });
+  // what it shows is heard as the value of the slider, and is a plot below
+  return [make("div", { className: "profile", "aria-hidden": "true" }, curve, ball, name)];
 }
 
 function stateButton(mark, clock) {
@@ -153,7 +174,7 @@ export function stageText(clip, moment) {
 
 /** The single numbers of a clip, each after a separator, with three digits. */
 function alongText(clip, moment, before) {
-  const text = ({ name, unit }) => `${before}${name} ${short(Number(clip.valuesAt(name, moment)[0].toPrecision(3)))} ${unit}`;
+  const text = ({ name, unit, key }) => `${before}${name} ${short(Number(clip.valuesAt(key, moment)[0].toPrecision(3)))} ${unit}`;
   return clip.along.map(text).join("");
 }
 
@@ -161,7 +182,7 @@ function alongText(clip, moment, before) {
 function momentText(clips, clock) {
   const parts = clips.map((clip, index) => {
     const moment = clock.clipTime(index);
-    return `${clips.length > 1 ? `${clip.name}: ` : ""}${stageText(clip, moment)}${alongText(clip, moment, ", ")}${readingText(clip, moment)}`;
+    return `${clips.length > 1 ? `${clip.name}: ` : ""}${stageText(clip, moment) || clock.span.name}${alongText(clip, moment, ", ")}${readingText(clip, moment)}`;
   });
   return `${timeText(clock.time, clock.span)}: ${parts.join("; ")}`;
 }

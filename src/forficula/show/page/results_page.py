@@ -28,6 +28,7 @@ def results_page(
     *,
     run: str = "",
     data: dict[str, Any] | None = None,
+    missing: str = "",
 ) -> str:
     """Return results as one page.
 
@@ -38,6 +39,7 @@ def results_page(
         figures: sections, from `figure_sections`.
         run: a sentence on the outcome of a run of the same design.
         data: data for the page's script, if any.
+        missing: a sentence on what this page does not show.
     """
     elements = "".join(f'<div id="{item}"></div>\n' for item in ("player", "curves", "plots", "readout"))
     heading = printed.heading.removeprefix(f"{name}: ").rstrip(".")
@@ -47,6 +49,7 @@ def results_page(
             f"<header><h1>{escaped(name)}</h1>{sentence}</header>\n<main>",
             paragraph(run, "note"),
             elements * (data is not None),
+            paragraph(missing, "note") if missing else "",
             *figures,
             section("Numbers", *printed.tables, name="numbers"),
             section("What to know", remarks(printed.sentences), name="remarks"),

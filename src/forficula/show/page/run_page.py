@@ -12,7 +12,7 @@ from forficula.analysis.storage import storage_texts
 from forficula.design import Design, design_text
 from forficula.dynamics import Record, timestep_warnings, versions
 from forficula.files import write_text
-from forficula.show.page.data.fold_view import fold_of
+from forficula.show.page.data.fold_view import fold_of, fold_view
 from forficula.show.page.data.live_data import live_data
 from forficula.show.page.data.time_spans import run_spans, span_data
 from forficula.show.page.page import page_html
@@ -64,14 +64,14 @@ def run_page(record: Record, outcome: Outcome, *, engine: bool = False) -> str:
     live = live_data(design, measures, clip.mesh.anchors.tolist()) if engine else None
     title = design_title(design)
     sentence = paragraph(outcome_sentence(design.name, outcome), "outcome")
-    fold = fold_of(record.structure, beside_run=True)
+    fold = fold_of(record.structure)
     missing = paragraph(fold.missing, "note") if fold.missing else ""
     elements = "".join(f'<div id="{name}"></div>\n' for name in ("player", "plots", "readout"))
     elements = elements.replace('<div id="plots">', f'{missing}<div id="plots">')
     trial = "" if live is None else '<section id="try" aria-label="try it"></section>\n'
     elements = elements.replace('<div id="plots">', f'{trial}<div id="plots">')
     body = f"<header><h1>{escaped(title)}</h1>{sentence}</header>\n<main>{elements}{numbers(record, outcome)}</main>"
-    data = playback_data(clip) | {"fold": fold.view}
+    data = playback_data(clip) | {"paths": [] if fold.path is None else [fold_view(fold.path, beside_run=True)]}
     return page_html(f"{title}: {outcome.status}", body, data, live)
 
 

@@ -1,4 +1,4 @@
-"""Energy over an angle as data, with the positions of a run: plots that the page's script draws."""
+"""Energy over an angle as data, with the positions of a run or of a path: plots that the page's script draws."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
 from forficula.analysis.simulated_snap import inner_hinge
 from forficula.arrays import Array
@@ -22,11 +21,19 @@ from forficula.show.structure.labels import label_of, parts_of, title_of
 from forficula.statics import EnergyLandscape, HingeLandscape
 from forficula.statics.landscape import fold_states
 from forficula.statics.tree.potential import ensemble, stored_energy
-
-Rows = NDArray[np.int64]
+from forficula.structure import Structure
 
 _PLACES = 721  # points of a line
 _SAME = 1e-9  # rad
+# sentences on the balls of a curve, by what moves
+_TENDON_BALLS = {
+    "run": " The balls show the energy of every tendon at its hinge's angle in the run; dots are frames.",
+    "fold": " The balls show the energy of every tendon at its hinge's angle on the path.",
+}
+_FOLD_BALL = {
+    "run": " The ball shows the energy of the same parts in the run, with inertia and flexible panels.",
+    "fold": " The ball shows the energy of the same parts on the path.",
+}
 _MOVING = ("kinetic", "Maxwell branches")  # energies that are zero at rest, so statics does not have them
 
 
@@ -46,6 +53,25 @@ class EnergyLine:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Travel:
+    """Positions of a structure, in time or along a path, on the curves of its landscape.
+
+    Attributes:
+        noun: what moves, in the legend: "run" or "fold".
+        angles: of all hinges, in their own senses, rad, (frame, hinge).
+        tendon_energy: J, (frame, tendon).
+        hinge_energy: energy of the springs of hinges, J, (frame, hinge).
+        energy: stored energy of all parts, with the zero of statics, J, (frame,).
+    """
+
+    noun: str
+    angles: Array
+    tendon_energy: Array
+    hinge_energy: Array
+    energy: Array
+
+
+@dataclass(frozen=True, kw_only=True)
 class EnergyPlot:
     """Plot of energy over an angle, in the structure's own sense of the angle.
 
@@ -54,7 +80,8 @@ class EnergyPlot:
         axis: quantity of the horizontal axis.
         lines: energies computed by statics.
         marks: stable states with their names, each at an angle or over the range of angles at which it rests.
-        balls: angles and energies of the run over the frames of its clip; empty without a run.
+        balls: angles and energies over the frames of a run or path; empty without one.
+        noun: what the balls show, as in `Travel`; empty without balls.
         top: range of angles around a barrier to show enlarged, rad; None if no enlargement is needed.
         text: sentences that describe the plot.
         hinge: index of the hinge whose angle is the horizontal axis; None for the mean of the folding hinges.
@@ -68,24 +95,68 @@ class EnergyPlot:
     top: tuple[float, float] | None
     text: str
     hinge: int | None = None
+    noun: str = ""
 
 
 def landscape_curves(
-    landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None, time: Array | None = None
+    landscape: EnergyLandscape, travel: Travel | None = None, tendon: int | None = None
 ) -> list[EnergyPlot]:
     """Return the energy curves of a landscape: of a tendon and its hinge, and of the structure along its fold.
 
     Args:
         landscape: the landscape.
-        record: a run of the same design.
+        travel: positions of the same structure, which balls show.
         tendon: index of the tendon shown as an example; an inner one by default.
+    """
+    curves = (_of_tendons(landscape, travel, tendon), _along_fold(landscape, travel))
+    return [curve for curve in curves if curve is not None]
+
+
+def run_travel(record: Record, time: Array | None = None) -> Travel:
+    """Return the positions of a run.
+
+    Args:
+        record: the run.
         time: times of the record's rows that are shown, s, (frame,); all rows by default.
     """
-    rows = np.arange(0 if record is None else len(record.time))
-    if record is not None and time is not None:
-        rows = np.searchsorted(record.time, time)
-    curves = (_of_tendons(landscape, record, tendon, rows), _along_fold(landscape, record, rows))
-    return [curve for curve in curves if curve is not None]
+    rows = np.arange(len(record.time)) if time is None else np.searchsorted(record.time, time)
+    angles = record.series["hinge_angle"][rows]
+    stored = [values[rows] for name, (values, _) in stored_energies(record).items() if name not in _MOVING]
+    return Travel(
+        noun="run",
+        angles=angles,
+        tendon_energy=record.series["tendon_energy"][rows],
+        hinge_energy=record.series["hinge_energy"][rows] if "hinge_energy" in record.series else np.zeros_like(angles),
+        energy=np.sum([np.zeros(len(rows)), *stored], axis=0) + _weight_zero(record),
+    )
+
+
+def posed_travel(structure: Structure, angles: Array, positions: Array, energy: Array) -> Travel:
+    """Return the positions of a structure along a path.
+
+    Args:
+        structure: the structure.
+        angles: of all hinges, in their own senses, rad, (pose, hinge).
+        positions: of its points, m, (pose, point, 3).
+        energy: stored energy of all parts, J, (pose,).
+    """
+    stiffness, rest = (np.array([getattr(hinge, key) for hinge in structure.hinges]) for key in ("stiffness", "rest_angle"))
+    return Travel(
+        noun="fold",
+        angles=angles,
+        tendon_energy=tendon_energies(structure, positions),
+        hinge_energy=stiffness / 2 * (angles - rest) ** 2,
+        energy=energy,
+    )
+
+
+def tendon_energies(structure: Structure, positions: Array) -> Array:
+    """Return the energies of the tendons, J, (pose, tendon), from the positions of points, m, (pose, point, 3)."""
+    energies = [
+        tendon.law.elastic.energy(np.linalg.norm(positions[:, tendon.points[1]] - positions[:, tendon.points[0]], axis=1))
+        for tendon in structure.tendons
+    ]
+    return np.array(energies).reshape(len(energies), len(positions)).T
 
 
 def curve_data(curve: EnergyPlot) -> dict[str, Any]:
@@ -106,12 +177,13 @@ def curve_data(curve: EnergyPlot) -> dict[str, Any]:
         "lines": [course(line) for line in curve.lines],
         "marks": [course(mark) for mark in curve.marks],
         "balls": [course(ball) for ball in curve.balls],
+        "along": curve.noun,
         "top": None if curve.top is None else sorted(np.degrees(curve.top).tolist()),
         "text": curve.text,
     }
 
 
-def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int | None, rows: Rows) -> EnergyPlot | None:
+def _of_tendons(landscape: EnergyLandscape, travel: Travel | None, tendon: int | None) -> EnergyPlot | None:
     """Return the energy of one tendon and its hinge; with a ball for every tendon that has the same curve."""
     shown, structure = inner_hinge(landscape, tendon), landscape.structure
     if shown is None:
@@ -125,12 +197,12 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
     names = parts_of([label_of(structure.tendons[hinge.tendon]) for hinge in landscape.hinges]).names
     balls = []
     for name, crossed in zip(names, landscape.hinges, strict=True):
-        if record is None or not _has_same_curve(crossed.actual, actual):
+        if travel is None or not _has_same_curve(crossed.actual, actual):
             continue
-        energy = record.series["tendon_energy"][rows, crossed.tendon]
+        energy = travel.tendon_energy[:, crossed.tendon]
         if actual.spring is not None:
-            energy = energy + record.series["hinge_energy"][rows, crossed.hinge]
-        balls.append(EnergyLine(name=name, angle=record.series["hinge_angle"][rows, crossed.hinge], energy=energy))
+            energy = energy + travel.hinge_energy[:, crossed.hinge]
+        balls.append(EnergyLine(name=name, angle=travel.angles[:, crossed.hinge], energy=energy))
     barrier, top = "", None
     if actual.barrier is not None and actual.barrier_angle is not None:
         start, reach = actual.hinge.overbend, actual.hinge.overbend - actual.barrier_angle
@@ -153,8 +225,9 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
         balls=tuple(balls),
         top=top,
         text=f"Energy over the {title} of one hinge, from statics.{barrier}"
-        + " The balls show the energy of every tendon at its hinge's angle in the run; dots are frames." * bool(balls),
+        + ("" if travel is None else _TENDON_BALLS[travel.noun] * bool(balls)),
         hinge=shown.hinge,
+        noun="" if travel is None else travel.noun,
     )
 
 
@@ -174,7 +247,7 @@ def _has_same_curve(hinge: HingeLandscape, actual: HingeLandscape) -> bool:
     return hinge.sense == actual.sense and bool(np.allclose(*both, rtol=0, atol=1e-6 * float(both[0].max())))
 
 
-def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -> EnergyPlot | None:
+def _along_fold(landscape: EnergyLandscape, travel: Travel | None) -> EnergyPlot | None:
     """Return the stored energy along the rigid fold over the mean angle of the folding hinges."""
     path, structure, fold = landscape.fold_path, landscape.structure, landscape.structure.rigid_fold
     if path is None or fold is None:
@@ -182,11 +255,10 @@ def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -
     folds = bool(np.any(path.ring_angle))
     axis = f"mean {title_of(hinge_measure(structure, fold.folds[0]))}" if folds else "mean pleat angle"
     balls: tuple[EnergyLine, ...] = ()
-    if record is not None:
-        angles = record.series["hinge_angle"][rows]
+    if travel is not None:
+        angles = travel.angles
         angle = angles[:, list(fold.folds)].mean(axis=1) if folds else 2 * angles[:, list(fold.turns)].mean(axis=1)
-        stored = [values[rows] for name, (values, _) in stored_energies(record).items() if name not in _MOVING]
-        balls = (EnergyLine(name="", angle=angle, energy=np.sum(stored, axis=0) + _weight_zero(record)),)
+        balls = (EnergyLine(name="", angle=angle, energy=travel.energy),)
     along = -path.ring_angle if folds else path.pleat_angle
     line = EnergyLine(name="rigid panels, quasi-static", angle=path.pleat_angle, energy=path.energy)
     states = [
@@ -204,7 +276,8 @@ def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -
         balls=balls,
         top=None,
         text=f"Energy stored by the {whole} along the only fold of its rigid panels; stable: {stable or 'none'}."
-        + " The ball shows the energy of the same parts in the run, with inertia and flexible panels." * bool(balls),
+        + ("" if travel is None else _FOLD_BALL[travel.noun]),
+        noun="" if travel is None else travel.noun,
     )
 
 

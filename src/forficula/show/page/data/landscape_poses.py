@@ -1,23 +1,25 @@
-"""Poses of a structure along the curves of a landscape, which a page shows while the reader moves along them."""
+"""Poses of a structure along the curves of a landscape: of its rigid fold, or of one hinge that turns alone."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.show.page.data.fold_view import energies_plot, pose_view, posed_clip, reading_plot
+from forficula.show.page.data.landscape_curves import Travel, posed_travel
 from forficula.show.page.data.shape_mesh import shape_mesh
-from forficula.show.page.playback import Clip
+from forficula.show.page.parts.plots import plot_data
 from forficula.statics import CrossedHinge, EnergyLandscape
-from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
+from forficula.statics.quasi_static_path import spring_moments
+from forficula.statics.tree.potential import ensemble, stored_energy
+from forficula.statics.tree.tree_path import place_positions
 from forficula.structure import Structure
 
 _TURNS = 91  # number of poses of a hinge that turns alone
-NO_POSE = (
-    "There is no picture here: the angle of this hinge alone does not determine the other angles, and the panels have"
-    " more than one way to fold."
-)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,12 +28,18 @@ class LandscapePoses:
 
     Attributes:
         structure: the structure.
+        name: name of these poses, also of the slider that moves through them.
+        title: phrase on how the structure moves.
         angles: angles of all hinges in their own senses, rad, (pose, hinge).
+        energy: stored energy by part, J, (pose,) each.
         why: a sentence on how the poses were computed.
     """
 
     structure: Structure
+    name: str
+    title: str
     angles: Array
+    energy: Mapping[str, Array]
     why: str
 
 
@@ -47,51 +55,48 @@ def poses_of(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Landscap
     """
     structure, path = landscape.structure, landscape.fold_path
     if path is not None:
-        return LandscapePoses(
-            structure=structure,
-            angles=path.angles,
-            why="Panels are rigid and fold together in the only possible way.",
-        )
-    if shown is None or _is_tied(structure):
+        angles, name, title = path.angles, "rigid fold", "along the fold of its rigid panels"
+        why = "Panels are rigid and fold together in the only possible way."
+    elif shown is None or _is_tied(structure):
         return None
-    angles = np.tile([hinge.start for hinge in structure.hinges], (_TURNS, 1))
-    turned = shown.actual.sense * shown.actual.angle
-    angles[:, shown.hinge] = np.linspace(turned.min(), turned.max(), _TURNS)
-    return LandscapePoses(
-        structure=structure, angles=angles, why="This hinge turns alone; all others keep their starting angles."
+    else:
+        angles = np.tile([hinge.start for hinge in structure.hinges], (_TURNS, 1))
+        turned = shown.actual.sense * shown.actual.angle
+        angles[:, shown.hinge] = np.linspace(turned.min(), turned.max(), _TURNS)
+        name, title = "one hinge", "by turning one hinge"
+        why = "This hinge turns alone; all others keep their starting angles."
+    energy = stored_energy(ensemble([structure]).repeated(len(angles)), angles)
+    return LandscapePoses(structure=structure, name=name, title=title, angles=angles, energy=energy, why=why)
+
+
+def poses_view(poses: LandscapePoses, *, beside_run: bool) -> dict[str, Any]:
+    """Return poses as data for JSON, as `fold_view` returns a path."""
+    structure, positions = poses.structure, place_positions(poses.structure, poses.angles)
+    share = np.linspace(0.0, 1.0, len(positions))
+    clip = posed_clip(structure, shape_mesh(structure), share, positions, poses.angles, poses.energy)
+    plots = plot_data([energies_plot(clip), *(reading_plot(item, number) for number, item in enumerate(clip.readings))])
+    return pose_view(
+        clip,
+        poses.angles,
+        spring_moments(structure, poses.angles),
+        [("energy", total_energy(poses), "J")],
+        name=poses.name,
+        title=poses.title,
+        notes=[poses.why],
+        plots=[plots[0] | {"ball": 0}, *plots[1:]],
+        beside_run=beside_run,
     )
 
 
-def pose_clip(poses: LandscapePoses, name: str) -> Clip:
-    """Return poses as a clip whose times are the indices of the poses."""
-    structure = poses.structure
-    mesh, tree = shape_mesh(structure), tree_of(structure)
-    at = pose(tree, poses.angles)
-    bodies = [np.array([point.body for point in structure.points], dtype=np.int64)]
-    places = [np.array([point.place for point in structure.points]).reshape(-1, 3)]
-    for membrane in structure.membranes:
-        bodies.append(membrane.bodies)
-        places.append(membrane.places)
-    carried = carried_points(tree, np.concatenate(bodies), np.concatenate(places))
-    points = np.moveaxis(places_of(carried, at), 0, -1)
-    energies = [
-        tendon.law.elastic.energy(np.linalg.norm(points[:, tendon.points[1]] - points[:, tendon.points[0]], axis=1))
-        for tendon in structure.tendons
-    ]
-    return Clip(
-        name=name,
-        structure=structure,
-        time=np.arange(len(points), dtype=np.float64),
-        points=points[:, mesh.anchors],
-        mesh=mesh,
-        marks=(),
-        stages=(),
-        readings=(),
-        tendon_energy=np.array(energies).reshape(len(energies), -1).T.reshape(len(points), -1),
-        stored_energy={},
-        largest_energy={},
-        rest_length=np.array([[tendon.law.rest_length for tendon in structure.tendons]]),
-    )
+def poses_travel(poses: LandscapePoses) -> Travel:
+    """Return poses as positions on the curves of their landscape."""
+    positions = place_positions(poses.structure, poses.angles)
+    return posed_travel(poses.structure, poses.angles, positions, total_energy(poses))
+
+
+def total_energy(poses: LandscapePoses) -> Array:
+    """Return the stored energy of all parts, J, (pose,)."""
+    return np.sum([np.zeros(len(poses.angles)), *poses.energy.values()], axis=0)
 
 
 def _is_tied(structure: Structure) -> bool:
