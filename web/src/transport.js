@@ -85,17 +85,30 @@ export function makeTransport(clips, clock) {
 
 /** The first number beside the time as a curve above the slider, with a ball; none for a clip without such numbers. */
 function profiles(clip, clock) {
-  const [first] = clip.along;
-  if (!first) return [];
-  const values = clip.line(first.key, 0);
-  const [low, high] = [Math.min(0, ...values), Math.max(...values)];
-  const [across, up] = [(moment) => 100 * clock.shareAt(moment), (value) => 100 - (100 * (value - low)) / (high - low || 1)];
-  const points = Array.from(values, (value, frame) => `${across(clip.time[frame]).toFixed(2)} ${up(value).toFixed(2)}`);
-  const curve = drawn(`M${points.join("L")}`, 100);
+  if (!clip.along.length) return [];
+  const curve = drawn("", 100);
   const ball = make("span", { className: "profile-ball" });
-  // above the lower end of the curve
-  const name = make("small", { className: values[0] < values.at(-1) ? "at-start" : "" }, first.name);
+  const name = make("small");
+  const across = (moment) => 100 * clock.shareAt(moment);
+  let up = null;
+  let shown = null;
+
+  /** Draw the curve; a fold path that grows replaces its numbers. */
+  function draw(first) {
+    const values = clip.line(first.key, 0);
+    const [low, high] = [Math.min(0, ...values), Math.max(...values)];
+    up = (value) => 100 - (100 * (value - low)) / (high - low || 1);
+    const points = Array.from(values, (value, frame) => `${across(clip.time[frame]).toFixed(2)} ${up(value).toFixed(2)}`);
+    curve.querySelector("path").setAttribute("d", `M${points.join("L")}`);
+    name.textContent = first.name;
+    // above the lower end of the curve
+    name.classList.toggle("at-start", values[0] < values.at(-1));
+    shown = first;
+  }
+
   clock.onChange(() => {
+    const [first] = clip.along;
+    if (first !== shown) draw(first);
     const moment = clock.clipTime(0);
     ball.style.left = `${across(moment).toFixed(2)}%`;
     ball.style.top = `${up(clip.valuesAt(first.key, moment)[0]).toFixed(2)}%`;

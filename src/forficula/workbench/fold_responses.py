@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from forficula.errors import InputError
-from forficula.show.page.data.fold_view import fold_view
+from forficula.show.page.data.fold_view import fold_view, shown_path
 from forficula.show.page.data.shape_mesh import ShapeMesh, shape_mesh
 from forficula.show.page.live_page import live_page_data
 from forficula.show.page.playback import Clip
@@ -19,7 +19,7 @@ from forficula.workbench.requests import DesignRequest, FoldRequest, Opened, req
 from forficula.workbench.worker import Report
 
 _AS_BUILT = {"name": "as built", "start": 0.0, "end": 0.0, "driven": False}
-_BETWEEN = 0.2  # s, between paths that are sent while the path grows
+_BETWEEN, _SPARING = 0.2, 4.0  # time between paths that are sent: at least, s, and as a multiple of the time for one
 
 
 class FoldResponses:
@@ -44,15 +44,19 @@ class FoldResponses:
         """
         design = requested_design(request, opened)
         structure = structure_of(design)
-        report({"picture": built_view(structure, design.name)})
+        mesh = shape_mesh(structure)
+        report({"picture": _built_view(structure, mesh, design.name)})
         near = None if self._path is None else self._path.point(request.share)
-        sent, latest = -np.inf, self._path
+        due, latest = -np.inf, self._path
 
         def send(path: QuasiStaticPath) -> bool:
-            nonlocal sent, latest
-            if path.complete or monotonic() - sent >= _BETWEEN:
-                report({"path": _path_data(path, request.share)})
-                sent, latest = monotonic(), path
+            nonlocal due, latest
+            began = monotonic()
+            if path.complete or began >= due:
+                report({"path": _path_data(path, mesh, request.share)})
+                latest = path
+                # most of the time is for the computation
+                due = monotonic() + max(_BETWEEN, _SPARING * (monotonic() - began))
             return True
 
         self._path = quasi_static_path(structure, near=near, follow=send)
@@ -68,9 +72,9 @@ class FoldResponses:
         raise InputError("this structure cannot be dragged")
 
 
-def built_view(structure: Structure, name: str) -> dict[str, Any]:
+def _built_view(structure: Structure, mesh: ShapeMesh, name: str) -> dict[str, Any]:
     """Return a structure as built, as data for JSON: its shape and what a picture needs."""
-    data = live_page_data(_built_clip(structure, shape_mesh(structure), name))
+    data = live_page_data(_built_clip(structure, mesh, name))
     return data | {"clips": [data["clips"][0] | {"stages": [_AS_BUILT]}]}
 
 
@@ -93,16 +97,17 @@ def _built_clip(structure: Structure, mesh: ShapeMesh, name: str) -> Clip:
     )
 
 
-def _path_data(path: QuasiStaticPath, share: float) -> dict[str, Any]:
+def _path_data(path: QuasiStaticPath, mesh: ShapeMesh, share: float) -> dict[str, Any]:
     """Return a path as data for JSON, without the mesh, which the picture has.
 
     Args:
         path: the path; while it grows, the shape from which it is computed keeps the position of the slider.
+        mesh: mesh of the structure.
         share: position of the slider.
     """
     if not path.complete and path.at is not None:
         path = _placed(path, path.at, share)
-    return fold_view(path, beside_run=True) | {"complete": path.complete, "reached": path.reached}
+    return fold_view(shown_path(path), beside_run=True, mesh=mesh) | {"complete": path.complete, "reached": path.reached}
 
 
 def _placed(path: QuasiStaticPath, at: float, share: float) -> QuasiStaticPath:

@@ -85,10 +85,15 @@ def fold_of(structure: Structure) -> Fold:
     if len(path.share) < 2 or path.length == 0:
         whole, drive = structure.appearance.whole, path.drive.name
         return Fold(path=None, missing=f'This page has no fold path: the drive "{drive}" does not move the {whole}.')
+    return Fold(path=shown_path(path))
+
+
+def shown_path(path: QuasiStaticPath) -> QuasiStaticPath:
+    """Return a path as a slider shows it: without panels that pass through each other, and with rising positions."""
     path = without_crossing(path)
     # a drive that grows without a motion takes a little of the slider, so that no two points have one position
     share = path.share + np.linspace(0.0, _STILL, len(path.share))
-    return Fold(path=replace(path, share=share / share[-1]))
+    return replace(path, share=share / share[-1])
 
 
 def without_crossing(path: QuasiStaticPath) -> QuasiStaticPath:
@@ -153,15 +158,18 @@ def _reaches(path: QuasiStaticPath, row: int) -> bool:
     return bool(np.all((read >= goal.least) & (read <= goal.most)))
 
 
-def fold_view(path: QuasiStaticPath, *, beside_run: bool, budget: int = _BUDGET) -> dict[str, Any]:
+def fold_view(
+    path: QuasiStaticPath, *, beside_run: bool, budget: int = _BUDGET, mesh: ShapeMesh | None = None
+) -> dict[str, Any]:
     """Return a path as data for JSON: a view that a page shows alone, or as an alternative to a run.
 
     Args:
         path: path of the structure.
         beside_run: whether the page has a run of the same structure, from which it takes the mesh.
         budget: largest number of bytes for positions, angles and moments.
+        mesh: mesh of the structure, if it is known.
     """
-    mesh = shape_mesh(path.structure)
+    mesh = shape_mesh(path.structure) if mesh is None else mesh
     rows = shown_rows(path, mesh, budget)
     clip = path_clip(path, mesh, rows)
     along = [("energy", path.stored[rows], "J")]
