@@ -1,7 +1,8 @@
+from forficula.statics.drag import Drag, DraggedShape
 from forficula.statics.landscape import EnergyLandscape, Rest, barrier, stable_states
 from forficula.statics.landscape_summary import landscape_summary
 from forficula.statics.quasi_static_path import PathMark, QuasiStaticPath, QuasiStaticPoint
-from forficula.statics.survey import energy_landscape, quasi_static_path
+from forficula.statics.survey import energy_landscape, quasi_static_path, start_drag
 from forficula.statics.tree.fold_path import FoldPath, StableState
 from forficula.statics.tree.hinge import (
     TendonHinge,
@@ -26,6 +27,8 @@ from forficula.statics.tree.snap import final_speed, fold_time, time_scale
 
 __all__ = [
     "CrossedHinge",
+    "Drag",
+    "DraggedShape",
     "EnergyLandscape",
     "FoldPath",
     "HingeLandscape",
@@ -53,6 +56,7 @@ __all__ = [
     "quasi_static_path",
     "slack_angle",
     "stable_states",
+    "start_drag",
     "tendon_hinge",
     "tendon_hinges",
     "time_scale",

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from forficula.design import AnyDesign, as_design
 from forficula.errors import InputError
 from forficula.names import one_of
+from forficula.statics.drag import Drag
 from forficula.statics.landscape import EnergyLandscape
+from forficula.statics.net.net_drag import net_drag
 from forficula.statics.net.net_landscape import Progress, net_landscape, slow_courses
 from forficula.statics.net.net_of import is_net
 from forficula.statics.net.net_path import net_path
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
 from forficula.statics.tree.potential import ensemble
 from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
+from forficula.statics.tree.tree_drag import tree_drag
 from forficula.statics.tree.tree_path import tree_path
 from forficula.statics.tree_landscape import tree_landscape
 from forficula.structure import Drive, Structure, Transition, drive_of, goal_of, structure_of
@@ -88,6 +91,36 @@ def quasi_static_path(
     if is_net(structure):
         return net_path(structure, drive, made, error=error, near=near, follow=follow)
     return tree_path(structure, drive, made, error=error, near=near, follow=follow)
+
+
+def start_drag(
+    design: AnyDesign | Structure,
+    places: int | Mapping[int, float],
+    near: QuasiStaticPoint | None = None,
+    transition: str | None = None,
+) -> Drag:
+    """Prepare to drag a point of a structure quasi-statically: the structure is at rest at every position of the point.
+
+    Args:
+        design: the design, or its structure.
+        places: number of a place in `QuasiStaticPath.positions`, or numbers with weights that add up to 1, such as
+            those of a point on a panel.
+        near: shape from which the drag starts, and strength of the drive; by default where the structure rests when
+            released from the start of the protocol.
+        transition: name of the transition whose drive acts; as for `quasi_static_path`.
+
+    Raises:
+        InputError: the design cannot be built, there is no such transition or place, or the point cannot move.
+    """
+    structure = design if isinstance(design, Structure) else structure_of(as_design(design))
+    if transition is None and not any(any(drive.strengths) for drive in structure.drives):
+        shares = tuple(0.0 for _ in structure.motors)
+        drive, made = Drive(name="none", shares=shares, rise=0.0, key="", strength=0.0), None
+    else:
+        drive, made = _driven_transition(structure, transition)
+    if is_net(structure):
+        return net_drag(structure, drive, made, places, near)
+    return tree_drag(structure, drive, places, near)
 
 
 def _driven_transition(structure: Structure, name: str | None) -> tuple[Drive, Transition | None]:

@@ -25,7 +25,7 @@ from forficula.structure import Measure, Motor, Structure, read_angles, springs_
 
 _MODES = 4  # reported for every state, besides rigid-body motions
 _STEPS, _INCREMENTS = (0.04, 0.01), 40  # first increments of a path to collapse, of the net's size, and their number
-_STRAINED = 0.05  # strain of a bar that ends a path to collapse, because panels tear or crumple
+STRAINED = 0.05  # strain of a bar that ends a path to collapse, because panels tear or crumple
 _ROUNDING = 1e-15
 _LARGEST = 1500  # free coordinates up to which mechanisms are counted
 
@@ -207,7 +207,7 @@ def _loss_under(net: Net, rest: NetRest, load: Load) -> Collapse | None:
     """Find the loss of a state under a load; None for a rigid-body motion, and if no path is found."""
 
     def strained(point: PathPoint) -> bool:
-        return bool(np.abs(strength(net, point.shape).strains).max(initial=0.0) > _STRAINED)
+        return bool(np.abs(strength(net, point.shape).strains).max(initial=0.0) > STRAINED)
 
     for step in _STEPS:
         try:

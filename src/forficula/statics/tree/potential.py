@@ -5,7 +5,7 @@ Coordinates are the angles of the structure's hinges, in its order, each in its 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -227,6 +227,7 @@ def rest(
     within: float = np.inf,
     longest_step: float | None = None,
     follow: Follow | None = None,
+    pull: Callable[[Array], Expansion] | None = None,
 ) -> Equilibria:
     """Let structures move slowly from given angles to where they rest under torques.
 
@@ -242,6 +243,8 @@ def rest(
         within: largest turn of each hinge, rad.
         longest_step: rad; shorter steps follow the steepest descent more closely.
         follow: called after every step with the numbers of the cases that are not at rest and all angles.
+        pull: returns a further energy that acts on the structures, with gradient and Hessian by the angles; None for
+            none.
     """
     count = len(start)
     torques = np.broadcast_to(torques, (count, len(structures.motors)))
@@ -255,7 +258,11 @@ def rest(
         nonlocal some, which
         if not np.array_equal(cases, which):
             some, which = structures.only(cases), cases
-        return potential(some, angles, torques[cases])
+        expansion = potential(some, angles, torques[cases])
+        if pull is None:
+            return expansion
+        (value, slope, curvature), (more, steeper, stiffer) = expansion, pull(angles)
+        return value + more, slope + steeper, curvature + stiffer
 
     steps: Any = {"longest_step": longest_step or _LONGEST_STEP, "force": _QUIET * torque_scale(structures)}
     if ties is None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from forficula.arrays import Array
+from forficula.arrays import Array, Flags
 from forficula.kept_frames import kept_frames
 from forficula.statics.quasi_static_path import (
     GrowingPath,
@@ -34,6 +34,8 @@ from forficula.statics.tree.quasi_static import (
 from forficula.structure import Drive, Structure, Transition, goal_of
 
 _MOST_POINTS = 2000  # of a path
+_SWEEPS = 6  # halvings of the interval between two steps
+_BESIDE = 0.01  # rad, by which a step may be outside the angles of its neighbours
 _STILL = 1e-12  # of the span: distance along the path of two steps in the same shape
 
 
@@ -79,7 +81,8 @@ def tree_path(
         _followed(driven, near_rest, growing, begin=abs(near.strength))
         growing.hold()
     slow = _followed(driven, start, growing)
-    path, bound = slow.paths[0], error * structure.span
+    bound = error * structure.span
+    path = slow.paths[0] if growing.stopped else _refined(driven, slow.paths[0], bound)
     points, events, missed = _points(driven, path, bound)
     reached = bool(np.isfinite(slow.torque[0])) if transition is not None else path.torque[-1] >= driven.most
     reached = reached and not growing.stopped
@@ -126,7 +129,9 @@ def _followed(driven: _DrivenTree, start: Array, growing: GrowingPath, begin: fl
         begin=begin,
         recorded=True,
         watch=lambda torque, angles, resting: growing.add(
-            lambda: _tree_points(driven, np.array([torque]), angles[None], np.array([resting]))[0]
+            lambda: tree_points(
+                driven.structures, np.array([driven.sign * torque]), angles[None], np.array([resting], dtype=np.bool_)
+            )[0]
         ),
         stop=lambda: growing.stopped,
     )
@@ -156,6 +161,40 @@ def _nearest(structure: Structure, points: list[QuasiStaticPoint], angles: Array
     return int(np.argmin([np.abs(point.positions - positions).max() for point in points]))
 
 
+def _snapping(path: TorquePath) -> Flags:
+    """Return which intervals between steps of a path belong to snaps, (interval,)."""
+    snapping = np.zeros(len(path.torque) - 1, dtype=np.bool_)
+    for first, last in path.snaps:
+        snapping[first:last] = True
+    return snapping
+
+
+def _refined(driven: _DrivenTree, path: TorquePath, bound: float) -> TorquePath:
+    """Add a step in the middle of every interval between equilibria whose error exceeds a bound, m."""
+    structures = driven.structures
+    for _ in range(_SWEEPS):
+        errors = interval_errors(place_positions(structures.structure, path.position))
+        rows = np.flatnonzero((errors > bound) & ~_snapping(path) & (np.diff(path.torque) > 0))
+        if not len(rows):
+            break
+        torque = (path.torque[rows] + path.torque[rows + 1]) / 2
+        middle = (path.position[rows] + path.position[rows + 1]) / 2
+        rested = rest(structures.repeated(len(rows)), middle, torque[:, None] * driven.torques)
+        # a shape outside the interval belongs to another path
+        low, high = (bounds(path.position[rows], path.position[rows + 1]) for bounds in (np.minimum, np.maximum))
+        inside = np.all((rested.position >= low - _BESIDE) & (rested.position <= high + _BESIDE), axis=1)
+        rows, torque, position = rows[inside], torque[inside], rested.position[inside]
+        if not len(rows):
+            break
+        shift = np.searchsorted(rows, np.arange(len(path.torque)))
+        path = TorquePath(
+            torque=np.insert(path.torque, rows + 1, torque),
+            position=np.insert(path.position, rows + 1, position, axis=0),
+            snaps=tuple((int(first + shift[first]), int(last + shift[last])) for first, last in path.snaps),
+        )
+    return path
+
+
 def _points(
     driven: _DrivenTree, path: TorquePath, bound: float
 ) -> tuple[list[QuasiStaticPoint], list[NumberedEvent], float]:
@@ -176,7 +215,7 @@ def _points(
     ends = sorted({0, len(resting) - 1, *(end for snap in path.snaps for end in snap)})
     kept = kept_frames(time, positions, time[ends], most=_MOST_POINTS, tolerance=bound)
     numbers = {row: number for number, row in enumerate(kept.tolist())}
-    points = _tree_points(driven, path.torque[kept], path.position[kept], resting[kept])
+    points = tree_points(driven.structures, driven.sign * path.torque[kept], path.position[kept], resting[kept])
     events = list[NumberedEvent]()
     for first, last in path.snaps:
         torque = float(path.torque[last])
@@ -190,33 +229,30 @@ def _points(
                 released=float(energy[0] - energy[1]),
             )
         )
-    snapping = np.zeros(len(path.torque) - 1, dtype=np.bool_)
-    for first, last in path.snaps:
-        snapping[first:last] = True
-    return points, events, bound + float(interval_errors(positions)[~snapping].max(initial=0.0))
+    return points, events, bound + float(interval_errors(positions)[~_snapping(path)].max(initial=0.0))
 
 
-def _tree_points(driven: _DrivenTree, torque: Array, angles: Array, resting: Array) -> list[QuasiStaticPoint]:
-    """Return steps of a path as points of a quasi-static path.
+def tree_points(structures: Ensemble, strength: Array, angles: Array, resting: Flags) -> list[QuasiStaticPoint]:
+    """Return shapes of a tree as points of a quasi-static path.
 
     Args:
-        driven: the tree with its drive.
-        torque: sizes, N m, (step,).
-        angles: rad, (step, hinge).
-        resting: whether the tree is at rest, (step,).
+        structures: the tree as the only case.
+        strength: of the drive, N m, with its sign, (point,).
+        angles: of all hinges, rad, (point, hinge).
+        resting: whether the tree is at rest, (point,).
     """
-    energy = stored_energy(driven.structures.repeated(len(torque)), angles)
-    positions = place_positions(driven.structures.structure, angles)
+    energy = stored_energy(structures.repeated(len(strength)), angles)
+    positions = place_positions(structures.structure, angles)
     return [
         QuasiStaticPoint(
-            strength=driven.sign * float(torque[number]),
+            strength=float(strength[number]),
             resting=bool(resting[number]),
             angles=angles[number],
             positions=positions[number],
             coordinates=angles[number],
             energy={part: float(values[number]) for part, values in energy.items()},
         )
-        for number in range(len(torque))
+        for number in range(len(strength))
     ]
 
 

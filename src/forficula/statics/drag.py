@@ -1,0 +1,97 @@
+"""Quasi-static drag: the equilibrium of a structure while one of its points is pulled to a position."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from forficula.arrays import Array
+from forficula.errors import InputError
+from forficula.quantities import show_value
+from forficula.statics.quasi_static_path import QuasiStaticPoint
+from forficula.structure import Structure
+
+# distance within which a target counts as reached, as a share of the structure's span
+NEAR = 1e-4
+UPDATES = 4  # of the pull, until the target is reached
+LESS = 0.5  # ratio of the distances before and after an update above which a target is out of reach
+# stiffness of the pull, relative to the stiffness of the structure at the dragged point
+STIFF = 1e3
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class DraggedShape:
+    """Equilibrium of a structure while a point of it is pulled to a target.
+
+    Attributes:
+        point: the equilibrium, at an unchanged strength of the drive; start of the next move.
+        target: m, (3,).
+        position: position of the dragged point, m, (3,).
+        force: force that holds the dragged point at the target, N, (3,); nan if the target is not reached.
+        reached: whether the dragged point is at the target; otherwise the shape is the nearest equilibrium.
+        stable: whether the structure comes to rest in this shape while the point is held.
+        text: a sentence on the force or on the distance that is missing.
+    """
+
+    point: QuasiStaticPoint
+    target: Array
+    position: Array
+    force: Array
+    reached: bool
+    stable: bool
+    text: str
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Drag:
+    """A structure with a point that can be dragged.
+
+    Attributes:
+        structure: the structure.
+        places: weights of the places, as in `QuasiStaticPoint.positions`, whose mean is the dragged point.
+        start: shape from which the drag starts.
+        pull: solver: takes a shape near the equilibrium and a target, m, (3,).
+    """
+
+    structure: Structure
+    places: Mapping[int, float]
+    start: QuasiStaticPoint
+    pull: Callable[[QuasiStaticPoint, Array], DraggedShape]
+
+    def to(self, target: Array, near: QuasiStaticPoint | None = None) -> DraggedShape:
+        """Pull the point to a target.
+
+        Args:
+            target: m, (3,).
+            near: shape of the previous move; by default that from which the drag starts.
+        """
+        target = np.asarray(target, dtype=np.float64)
+        if target.shape != (3,) or not np.isfinite(target).all():
+            raise InputError(f"target: need three finite coordinates in m, got {target}")
+        return self.pull(self.start if near is None else near, target)
+
+
+def checked_places(structure: Structure, places: int | Mapping[int, float]) -> dict[int, float]:
+    """Return the weights of places, which add up to 1.
+
+    Raises:
+        InputError: there is no such place, or the weights add up to another number.
+    """
+    weights = {places: 1.0} if isinstance(places, int) else dict(places)
+    count = len(structure.points) + sum(len(membrane.bodies) for membrane in structure.membranes)
+    unknown = [place for place in weights if not 0 <= place < count]
+    if unknown:
+        raise InputError(f"places: need numbers from 0 to {count - 1}, got {unknown[0]}")
+    if not abs(sum(weights.values()) - 1) <= 1e-6:
+        raise InputError(f"places: need weights that add up to 1, got {sum(weights.values()):g}")
+    return weights
+
+
+def drag_text(structure: Structure, force: Array, gap: Array, *, reached: bool) -> str:
+    """Return a sentence on the force that holds a dragged point, or on the distance from a target out of reach."""
+    if reached:
+        return f"A force of {show_value(float(np.linalg.norm(force)), 'N', 3)} holds the point here."
+    away = show_value(float(np.linalg.norm(gap)), "m", 3)
+    return f"The {structure.appearance.whole} cannot reach this position; the nearest equilibrium is {away} away."

@@ -1,0 +1,170 @@
+"""Drag of a point of a net."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.sparse import block_array, csr_array
+
+from forficula.arrays import Array
+from forficula.errors import InputError
+from forficula.statics.drag import LESS, NEAR, STIFF, UPDATES, Drag, DraggedShape, checked_places, drag_text
+from forficula.statics.net.driven_net import DrivenNet, driven_net
+from forficula.statics.net.energy import expand, shape_at
+from forficula.statics.net.factor import factored
+from forficula.statics.net.load import Load
+from forficula.statics.net.minimum import minimum
+from forficula.statics.net.net import Net, NetShape
+from forficula.statics.net.net_course import released
+from forficula.statics.net.net_of import net_of, start_shape, valley_angles
+from forficula.statics.net.net_path import net_point
+from forficula.statics.net.net_state import STRAINED, strength
+from forficula.statics.net.supports import supported
+from forficula.statics.quasi_static_path import QuasiStaticPoint
+from forficula.structure import Drive, Structure, Transition
+
+# stiffness of the pull, relative to the stiffest part: a target out of reach hardly stretches the structure
+_SOFT = 0.1
+_LEAST = 1e-9  # of the stiffest part: stiffness of a structure that a point of it can move without force
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _PulledNet:
+    """A net whose last node is the target of a drag, which a spring joins to the dragged point.
+
+    Attributes:
+        driven: net with its drive.
+        net: net with the target.
+        load: of the drive, on this net.
+        weights: of the nodes without the target, whose mean is the dragged point, (node,).
+        spring: stiffness of the spring, N/m.
+    """
+
+    driven: DrivenNet
+    net: Net
+    load: Load
+    weights: Array
+    spring: float
+
+
+def net_drag(
+    structure: Structure,
+    drive: Drive,
+    transition: Transition | None,
+    places: int | Mapping[int, float],
+    near: QuasiStaticPoint | None,
+) -> Drag:
+    """Prepare the drag of a point of a net; see `forficula.statics.survey.start_drag`."""
+    weights = checked_places(structure, places)
+    driven = driven_net(structure, net_of(structure), drive, transition)
+    start = near or net_point(driven, released(driven.free, start_shape(structure, driven.free))[0].shape, 0.0)
+    pulled = _pulled_net(driven, weights, start)
+    return Drag(
+        structure=structure,
+        places=weights,
+        start=start,
+        pull=lambda near, target: _pulled(pulled, near, target),
+    )
+
+
+def _pulled_net(driven: DrivenNet, places: Mapping[int, float], start: QuasiStaticPoint) -> _PulledNet:
+    """Return a net with the target of a drag.
+
+    Raises:
+        InputError: supports hold the dragged point.
+    """
+    structure, (net, _) = driven.structure, supported(driven.net, driven.load)
+    at = {point.body: number for number, point in enumerate(structure.points)}
+    rows = [
+        *range(len(structure.points)),
+        *(at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()),
+    ]
+    weights = np.zeros(len(net.nodes))
+    for place, weight in places.items():
+        weights += weight * net.points[[rows[place]]].toarray()[0]
+    if not net.free[weights != 0].any():
+        raise InputError("places: need a point that can move, got one that supports hold")
+    stiffness = expand(net, _shape(driven, net, start), driven.load, _factor(driven, start)).free
+    stiffest = float(stiffness.diagonal().max())
+    pulls = np.zeros((net.nodes.size, 3))
+    for axis in range(3):
+        pulls[axis::3, axis] = weights
+    pulls = pulls[net.free.ravel()]
+    compliance = pulls.T @ factored(stiffness, _LEAST * stiffest).solve(pulls)
+    softest = 1 / float(np.abs(np.linalg.eigvalsh(compliance)).max())
+    spring = min(STIFF * softest, _SOFT * stiffest)
+    joined = csr_array(
+        block_array(
+            [[net.points, None], [csr_array(weights[None]), None], [None, csr_array(np.ones((1, 1)))]], format="csr"
+        )
+    )
+    dragged = net.points.shape[0]
+    masses = block_array([[net.mass_matrix, None], [None, csr_array((1, 1))]], format="csr")
+    extended = replace(
+        net,
+        nodes=np.concatenate([net.nodes, np.zeros((1, 3)) + net.nodes.mean(axis=0)]),
+        free=np.concatenate([net.free, np.zeros((1, 3), dtype=np.bool_)]),
+        points=joined,
+        masses=csr_array(masses),
+        springs=replace(
+            net.springs,
+            points=np.concatenate([net.springs.points, [[dragged, dragged + 1]]]),
+            stiffness=np.concatenate([net.springs.stiffness, [spring]]),
+            rest_length=np.concatenate([net.springs.rest_length, [0.0]]),
+        ),
+    )
+    none = np.zeros((1, 3))
+    load = Load(
+        forces=np.concatenate([driven.load.forces, none]),
+        torques=driven.load.torques,
+        displacements=np.concatenate([driven.load.displacements, none]),
+    )
+    return _PulledNet(driven=driven, net=extended, load=load, weights=weights, spring=spring)
+
+
+def _factor(driven: DrivenNet, near: QuasiStaticPoint) -> float:
+    return near.strength / driven.drive.strength if driven.drive.strength else 0.0
+
+
+def _shape(driven: DrivenNet, net: Net, near: QuasiStaticPoint) -> NetShape:
+    """Return the shape of a net at a point of a path."""
+    positions = net.nodes + near.coordinates.reshape(-1, 3)
+    return shape_at(net, positions, valley_angles(driven.structure, near.angles))
+
+
+def _pulled(pulled: _PulledNet, near: QuasiStaticPoint, target: Array) -> DraggedShape:
+    """Find the equilibrium near a shape while the point is pulled to a target.
+
+    The spring ends beyond the target by the distance that it is stretched (method of multipliers, Hestenes 1969), until
+    the point is at the target. If the distance does not decrease, or if bars are strained by more than 5 %, the target
+    is out of reach, and the spring ends at the target.
+    """
+    driven, factor = pulled.driven, _factor(pulled.driven, near)
+    structure, shape, aim = driven.structure, _shape(driven, driven.net, near), target.copy()
+    first, before = None, np.inf
+    for _ in range(UPDATES):
+        positions = np.concatenate([shape.positions, aim[None]])
+        rest = minimum(pulled.net, NetShape(positions=positions, angles=shape.angles), pulled.load, factor)
+        shape = NetShape(positions=rest.shape.positions[:-1], angles=rest.shape.angles)
+        position = pulled.weights @ shape.positions
+        gap = target - position
+        away = float(np.linalg.norm(gap))
+        result = shape, position, pulled.spring * (aim - position), rest.stable
+        first = first or result
+        torn = np.abs(strength(driven.net, shape).strains).max(initial=0.0) > STRAINED
+        reached = away <= NEAR * structure.span and not torn
+        if reached or torn or away > LESS * before:
+            break
+        aim, before = aim + gap, away
+    shape, position, force, stable = result if reached else first
+    return DraggedShape(
+        point=net_point(driven, shape, factor, resting=False),
+        target=target,
+        position=position,
+        force=force if reached else np.full(3, np.nan),
+        reached=reached,
+        stable=stable,
+        text=drag_text(structure, force, target - position, reached=reached),
+    )
