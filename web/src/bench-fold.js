@@ -1,6 +1,7 @@
 /** Fold path of a workbench's structure: its picture at once, then the path, which grows while a slider moves along it. */
 
 import { follow } from "./bench-ask.js";
+import { listenToDrags } from "./bench-drag.js";
 import { firstLook } from "./camera.js";
 import { readClip } from "./clip.js";
 import { makeClock } from "./clock.js";
@@ -48,7 +49,7 @@ export function makeFold() {
         if (line.path) showPath(picture, line.path, mine);
         if (line.done) said.textContent = summary(fold.path, (performance.now() - began) / 1000);
       };
-      follow("fold", { ...wanted, share: fold.share }, mine.signal, hear).then(
+      follow("fold", { ...wanted, share: fresh ? null : fold.share }, mine.signal, hear).then(
         ({ refused }) => {
           settle({ refused });
           if (!refused || doing !== mine) return;
@@ -98,39 +99,60 @@ export function makeFold() {
     const clip = readClip(picture.clips[0]);
     const { stage } = mountStill(player, [clip], makePoseClock(clip), { ...picture, text: `${picture.shape}, as built.` }, { ...look, following: false });
     player.setAttribute("aria-label", `the ${picture.whole} as built`);
-    mounted = { look: stage?.eye.look ?? look, dispose: () => stage?.dispose() };
+    mounted = { clip: () => clip, look: stage?.eye.look ?? look, dispose: () => stage?.dispose() };
   }
 
   function showPath(picture, path, mine) {
     const clip = readClip({ ...picture.clips[0], ...path.clips[0] });
     fold.path = path;
     if (mounted?.mine === mine && mounted.largest === path.energy.largest_J) mounted.grow(clip, path);
-    else mountPath(clip, path, mine);
+    else mountPath(clip, path, mine, picture.points);
     if (path.complete) mounted.complete(path);
     fold.complete = path.complete;
   }
 
   /** Display a path that grows: its clip is replaced in place. */
-  function mountPath(clip, path, mine) {
+  function mountPath(clip, path, mine, names) {
     const focused = player.contains(document.activeElement);
+    const before = mounted?.clip();
     const look = unmount() ?? firstLook();
     const moving = makeMoving(clip);
+    // framed as the former picture, until the whole path is known
+    if (before?.mesh.pointCount === clip.mesh.pointCount) moving.lend(before);
     const clock = makeClock([moving], path.spans);
     clock.seek(FOLD * fold.share);
     const view = mountPlayer(player, [moving], clock, path, look, false);
-    const stops = [() => view.dispose(), clock.onChange(() => (fold.share = clock.time / FOLD))];
+    view.stage?.eye.aim();
+    moving.lend(null);
+    let drags = null;
+    const follows = () => {
+      if (fold.share !== clock.time / FOLD) drags?.end();
+      fold.share = clock.time / FOLD;
+    };
+    const stops = [() => view.dispose(), clock.onChange(follows)];
     mounted = {
       mine,
+      clip: moving.now,
       look: view.stage?.eye.look ?? look,
       largest: path.energy.largest_J,
       dispose: () => stops.forEach((stop) => stop()),
-      grow(next, { spans }) {
+      grow(next) {
         moving.replace(next);
+        clock.redraw();
+      },
+      complete({ plots: drawn, notes: texts, energy, spans }) {
         // framing and speed are computed again for another span
         clock.setSpan({ ...spans[0] });
-      },
-      complete({ plots: drawn, notes: texts, energy }) {
         notes.replaceChildren(...texts.map((text) => make("p", { className: "note" }, text)));
+        const held = (pulled) => {
+          element.classList.toggle("pulled", pulled);
+          clock.redraw();
+        };
+        if (view.stage) {
+          const shape = () => moving.pointsAt(clock.clipTime(0));
+          drags = listenToDrags(view.stage, { moving, shape, names, asked: () => ({ ...asked, share: fold.share }), held });
+          (player.querySelector(".crease-choice") ?? player.querySelector(".transport")).after(drags.element);
+        }
         const charts = mountPlots(plots, drawn, [moving], clock);
         stops.push(() => charts.dispose(), mountReadout(readout, moving, clock, energy));
       },
@@ -142,11 +164,27 @@ export function makeFold() {
   return fold;
 }
 
-/** A clip that is replaced by another one of the same structure. */
+/** A clip that is replaced by another one of the same structure, and whose shape is held while it is dragged. */
 function makeMoving(clip) {
   let now = clip;
-  const replace = (next) => (now = next);
-  return new Proxy({}, { get: (_, name) => (name === "replace" ? replace : now[name]) });
+  let lent = null;
+  let shape = null;
+  const own = {
+    now: () => now,
+    replace: (next) => (now = next),
+    /** Take the points of another clip of the same structure; null for its own ones. */
+    lend: (other) => (lent = other),
+    /** Hold the points of a shape; null to move along the clip again. */
+    hold: (points) => (shape = points),
+    pointsAt(moment, into) {
+      if (!shape) return (lent ?? now).pointsAt(moment, into);
+      if (!into) return shape;
+      into.set(shape);
+      return into;
+    },
+    verticesAt: (moment, into) => (shape ? now.verticesOf(shape, into) : now.verticesAt(moment, into)),
+  };
+  return new Proxy(own, { get: (_, name) => own[name] ?? now[name] });
 }
 
 function summary(path, seconds) {
