@@ -24,6 +24,7 @@ from .calls import new_study as new_study
 from .calls import optimise as optimise
 from .calls import page as page
 from .calls import pattern_facts as pattern_facts
+from .calls import quasi_static_path as quasi_static_path
 from .calls import run as run
 from .calls import run_cycles as run_cycles
 from .calls import run_study as run_study

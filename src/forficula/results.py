@@ -50,6 +50,9 @@ _CLASSES = {
     "Course": "forficula.statics.net.net_course",
     "CrossedHinge": "forficula.statics",
     "HingeLandscape": "forficula.statics",
+    "QuasiStaticPath": "forficula.statics",
+    "QuasiStaticPoint": "forficula.statics",
+    "PathMark": "forficula.statics",
     # many runs
     "Assumptions": "forficula.study.assumptions.assumptions",
     "AssumptionRun": "forficula.study.assumptions.assumptions",

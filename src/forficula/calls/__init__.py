@@ -8,7 +8,7 @@ from forficula.calls.goals import identify, optimise, tolerance
 from forficula.calls.output import compare, export, figure, film, page, save
 from forficula.calls.patterns import pattern_facts
 from forficula.calls.progress import Progress
-from forficula.calls.runs import landscape, load_run, run
+from forficula.calls.runs import landscape, load_run, quasi_static_path, run
 from forficula.calls.studies import (
     assumptions,
     collect,
@@ -40,6 +40,7 @@ __all__ = [
     "optimise",
     "page",
     "pattern_facts",
+    "quasi_static_path",
     "run",
     "run_cycles",
     "run_study",

@@ -9,8 +9,10 @@ from forficula.design import AnyDesign, as_design
 from forficula.files import AnyPath
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from forficula.analysis.run import Run
-    from forficula.statics import EnergyLandscape
+    from forficula.statics import EnergyLandscape, QuasiStaticPath, QuasiStaticPoint
 
 
 def run(design: AnyDesign, progress: ProgressOption = None, *, confirm: bool = True) -> Run:
@@ -85,3 +87,44 @@ def landscape(design: AnyDesign, points: int = 181, *, progress: ProgressOption 
     read = as_design(design)
     with reporting(progress, lambda step: Progress(task=step)) as tell:
         return energy_landscape(read, points) if tell is None else energy_landscape(read, points, tell)
+
+
+def quasi_static_path(
+    design: AnyDesign,
+    transition: str | None = None,
+    *,
+    near: QuasiStaticPoint | None = None,
+    error: float = 2e-3,
+    follow: Callable[[QuasiStaticPath], bool] | None = None,
+) -> QuasiStaticPath:
+    """Compute the shapes through which a slowly growing drive takes a structure, from rest to the goal of a transition.
+
+    The structure is at rest at every point except within snaps. The slider "fold 0 to 100 %" of a page moves along this
+    path.
+
+    Args:
+        design: design, its name, or the path of a design file, a FOLD file or a drawing.
+        transition: name of the transition; by default the first one, or the first drive of a design without
+            transitions.
+        near: shape on the path of the design before values changed, from `QuasiStaticPath.point`: the path is then
+            computed from the nearest equilibrium, first onwards to its end and then back to its start. A shape of a
+            structure with other parts is ignored.
+        error: largest distance between a point of the structure and its linear interpolation between points of the
+            path, as a share of the structure's span.
+        follow: called with the growing path; returns whether to go on.
+
+    Returns:
+        Shapes, drive, energies, moments and strains along the path, with its snaps and branches.
+
+    Raises:
+        InputError: no such design or transition, it cannot be built, or it has no drive.
+
+    >>> path = ff.quasi_static_path(design)
+    >>> path
+    <QuasiStaticPath close: 17 points; snap at 0 %, goal at 100 %>
+    >>> path.marks[0].text
+    'The structure snaps when the drive "close" reaches 0.203 N cm; the snap releases 68.8 mJ.'
+    """
+    from forficula.statics import quasi_static_path as path_of
+
+    return path_of(as_design(design), transition, near=near, error=error, follow=follow)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -13,12 +15,15 @@ from forficula.quantities import show_value
 from forficula.statics.quasi_static_path import QuasiStaticPoint
 from forficula.structure import Structure
 
+Shape = TypeVar("Shape")
+
 # distance within which a target counts as reached, as a share of the structure's span
-NEAR = 1e-4
-UPDATES = 4  # of the pull, until the target is reached
-LESS = 0.5  # ratio of the distances before and after an update above which a target is out of reach
+_NEAR = 1e-4
+_UPDATES = 4  # of the pull, until the target is reached
+_LESS = 0.5  # ratio of the distances before and after an update above which a target is out of reach
 # stiffness of the pull, relative to the stiffness of the structure at the dragged point
 STIFF = 1e3
+_RIGID = 5e-3  # compliance that counts as none, relative to the largest one at the dragged point
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -29,7 +34,8 @@ class DraggedShape:
         point: the equilibrium, at an unchanged strength of the drive; start of the next move.
         target: m, (3,).
         position: position of the dragged point, m, (3,).
-        force: force that holds the dragged point at the target, N, (3,); nan if the target is not reached.
+        force: force on the dragged point that holds the structure in this shape, N, (3,); if the target is not reached,
+            the least such force, without components along which the structure hardly yields.
         reached: whether the dragged point is at the target; otherwise the shape is the nearest equilibrium.
         stable: whether the structure comes to rest in this shape while the point is held.
         text: a sentence on the force or on the distance that is missing.
@@ -73,6 +79,57 @@ class Drag:
         return self.pull(self.start if near is None else near, target)
 
 
+class Held(NamedTuple, Generic[Shape]):
+    """Equilibrium while a spring pulls a point to an aim.
+
+    Attributes:
+        shape: in the solver's coordinates.
+        position: position of the dragged point, m, (3,).
+        force: force of the spring on the dragged point, N, (3,).
+        stable: whether the structure comes to rest.
+    """
+
+    shape: Shape
+    position: Array
+    force: Array
+    stable: bool
+
+
+def approach(
+    hold: Callable[[Shape, Array], Held[Shape]],
+    start: Shape,
+    target: Array,
+    span: float,
+    torn: Callable[[Shape], bool] = lambda _: False,
+) -> tuple[Held[Shape], bool]:
+    """Pull a point to a target by a spring, whose end moves beyond the target by the distance that is missing.
+
+    This is the method of multipliers (Hestenes 1969, J. Optim. Theory Appl. 4, 303-320). If the distance does not
+    decrease, or if parts tear, the target is out of reach, and the spring ends at the target.
+
+    Args:
+        hold: finds the equilibrium near a shape while the spring ends at an aim, m, (3,).
+        start: shape near the equilibrium.
+        target: m, (3,).
+        span: of the structure, m.
+        torn: whether parts of a shape are strained so much that they tear.
+
+    Returns:
+        The equilibrium, and whether the point is at the target.
+    """
+    held = first = hold(start, target)
+    before, aim = math.inf, target
+    for _ in range(_UPDATES):
+        away, tears = float(np.linalg.norm(target - held.position)), torn(held.shape)
+        if away <= _NEAR * span and not tears:
+            return held, True
+        if tears or away > _LESS * before:
+            break
+        aim, before = aim + target - held.position, away
+        held = hold(held.shape, aim)
+    return first, False
+
+
 def checked_places(structure: Structure, places: int | Mapping[int, float]) -> dict[int, float]:
     """Return the weights of places, which add up to 1.
 
@@ -91,7 +148,22 @@ def checked_places(structure: Structure, places: int | Mapping[int, float]) -> d
 
 def drag_text(structure: Structure, force: Array, gap: Array, *, reached: bool) -> str:
     """Return a sentence on the force that holds a dragged point, or on the distance from a target out of reach."""
+    size, away = show_value(float(np.linalg.norm(force)), "N", 3), show_value(float(np.linalg.norm(gap)), "m", 3)
     if reached:
-        return f"A force of {show_value(float(np.linalg.norm(force)), 'N', 3)} holds the point here."
-    away = show_value(float(np.linalg.norm(gap)), "m", 3)
-    return f"The {structure.appearance.whole} cannot reach this position; the nearest equilibrium is {away} away."
+        return f"A force of {size} holds the point here."
+    return (
+        f"The {structure.appearance.whole} cannot reach this position; the nearest equilibrium is {away} away, and a"
+        f" force of {size} holds it there."
+    )
+
+
+def least_force(force: Array, compliance: Array) -> Array:
+    """Return the components of a force along which a structure yields, N, (3,).
+
+    Args:
+        force: N, (3,).
+        compliance: of the structure at the point of the force, m/N, (3, 3).
+    """
+    values, axes = np.linalg.eigh(compliance)
+    soft = axes[:, (values > _RIGID * values.max()) & (values > 0)]
+    return np.asarray(soft @ (soft.T @ force))

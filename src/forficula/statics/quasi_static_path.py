@@ -6,15 +6,19 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from forficula.arrays import Array
 from forficula.quantities import show_value
+from forficula.results import pandas_module
 from forficula.structure import Drive, Structure, crease_law, drive_unit
 from forficula.structure.sheets.facets import springs_name
+
+if TYPE_CHECKING:
+    from forficula.results import DataFrame
 
 Flags = NDArray[np.bool_]
 
@@ -131,7 +135,7 @@ class QuasiStaticPath:
     @cached_property
     def stored(self) -> Array:
         """Return the stored energy of all parts, J, (point,)."""
-        return np.sum([np.zeros(len(self.share)), *self.energy.values()], axis=0)
+        return np.asarray(np.sum([np.zeros(len(self.share)), *self.energy.values()], axis=0))
 
     @cached_property
     def moments(self) -> Array:
@@ -165,6 +169,14 @@ class QuasiStaticPath:
         if structure.membranes:
             result["membranes"] = self._membrane_strains()
         return result
+
+    def to_dataframe(self) -> DataFrame:
+        """Return a pandas table with share, strength of the drive, energies and rest of every point."""
+        pandas = pandas_module()
+        unit = self.unit.replace(" ", "_")
+        columns: dict[str, object] = {"share": self.share, f"drive_{unit}": self.strength}
+        columns |= {f"{part.replace(' ', '_')}_J": values for part, values in self.energy.items()}
+        return pandas.DataFrame(columns | {"resting": self.resting})
 
     def index(self, share: float) -> int:
         """Return the number of the point at or just before a position on the path."""

@@ -10,7 +10,7 @@ from scipy.sparse import block_array, csr_array
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.drag import LESS, NEAR, STIFF, UPDATES, Drag, DraggedShape, checked_places, drag_text
+from forficula.statics.drag import STIFF, Drag, DraggedShape, Held, approach, checked_places, drag_text, least_force
 from forficula.statics.net.driven_net import DrivenNet, driven_net
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import factored
@@ -27,6 +27,7 @@ from forficula.structure import Drive, Structure, Transition
 
 # stiffness of the pull, relative to the stiffest part: a target out of reach hardly stretches the structure
 _SOFT = 0.1
+_RELAXATIONS = 3
 _LEAST = 1e-9  # of the stiffest part: stiffness of a structure that a point of it can move without force
 
 
@@ -43,6 +44,7 @@ class _PulledNet:
     """
 
     driven: DrivenNet
+    supported: Net
     net: Net
     load: Load
     weights: Array
@@ -86,13 +88,8 @@ def _pulled_net(driven: DrivenNet, places: Mapping[int, float], start: QuasiStat
         weights += weight * net.points[[rows[place]]].toarray()[0]
     if not net.free[weights != 0].any():
         raise InputError("places: need a point that can move, got one that supports hold")
-    stiffness = expand(net, _shape(driven, net, start), driven.load, _factor(driven, start)).free
-    stiffest = float(stiffness.diagonal().max())
-    pulls = np.zeros((net.nodes.size, 3))
-    for axis in range(3):
-        pulls[axis::3, axis] = weights
-    pulls = pulls[net.free.ravel()]
-    compliance = pulls.T @ factored(stiffness, _LEAST * stiffest).solve(pulls)
+    shape = _shape(driven, net, start)
+    compliance, stiffest = _compliance(driven, net, weights, shape, _factor(driven, start))
     softest = 1 / float(np.abs(np.linalg.eigvalsh(compliance)).max())
     spring = min(STIFF * softest, _SOFT * stiffest)
     joined = csr_array(
@@ -121,7 +118,19 @@ def _pulled_net(driven: DrivenNet, places: Mapping[int, float], start: QuasiStat
         torques=driven.load.torques,
         displacements=np.concatenate([driven.load.displacements, none]),
     )
-    return _PulledNet(driven=driven, net=extended, load=load, weights=weights, spring=spring)
+    return _PulledNet(driven=driven, supported=net, net=extended, load=load, weights=weights, spring=spring)
+
+
+def _compliance(driven: DrivenNet, net: Net, weights: Array, shape: NetShape, factor: float) -> tuple[Array, float]:
+    """Return the compliance of a net at the dragged point, m/N, (3, 3), and its largest stiffness, N/m."""
+    stiffness = expand(net, shape, driven.load, factor).free
+    stiffest = float(stiffness.diagonal().max())
+    pulls = np.zeros((net.nodes.size, 3))
+    for axis in range(3):
+        pulls[axis::3, axis] = weights
+    pulls = pulls[net.free.ravel()]
+    compliance = pulls.T @ factored(stiffness, _LEAST * stiffest).solve(pulls)
+    return (compliance + compliance.T) / 2, stiffest
 
 
 def _factor(driven: DrivenNet, near: QuasiStaticPoint) -> float:
@@ -134,37 +143,48 @@ def _shape(driven: DrivenNet, net: Net, near: QuasiStaticPoint) -> NetShape:
     return shape_at(net, positions, valley_angles(driven.structure, near.angles))
 
 
+def _held(pulled: _PulledNet, shape: NetShape, aim: Array, factor: float) -> Held[NetShape]:
+    """Find the equilibrium near a shape while the spring ends at an aim, m, (3,)."""
+    start = NetShape(positions=np.concatenate([shape.positions, aim[None]]), angles=shape.angles)
+    rest = minimum(pulled.net, start, pulled.load, factor)
+    position = pulled.weights @ rest.shape.positions[:-1]
+    return Held(
+        shape=NetShape(positions=rest.shape.positions[:-1], angles=rest.shape.angles),
+        position=position,
+        force=pulled.spring * (aim - position),
+        stable=rest.stable,
+    )
+
+
 def _pulled(pulled: _PulledNet, near: QuasiStaticPoint, target: Array) -> DraggedShape:
     """Find the equilibrium near a shape while the point is pulled to a target.
 
-    The spring ends beyond the target by the distance that it is stretched (method of multipliers, Hestenes 1969), until
-    the point is at the target. If the distance does not decrease, or if bars are strained by more than 5 %, the target
-    is out of reach, and the spring ends at the target.
+    Bars that are strained by more than 5 % tear. If the target is out of reach, the spring finally ends where the point
+    is, which relaxes the parts along which the net hardly yields.
     """
     driven, factor = pulled.driven, _factor(pulled.driven, near)
-    structure, shape, aim = driven.structure, _shape(driven, driven.net, near), target.copy()
-    first, before = None, np.inf
-    for _ in range(UPDATES):
-        positions = np.concatenate([shape.positions, aim[None]])
-        rest = minimum(pulled.net, NetShape(positions=positions, angles=shape.angles), pulled.load, factor)
-        shape = NetShape(positions=rest.shape.positions[:-1], angles=rest.shape.angles)
-        position = pulled.weights @ shape.positions
-        gap = target - position
-        away = float(np.linalg.norm(gap))
-        result = shape, position, pulled.spring * (aim - position), rest.stable
-        first = first or result
-        torn = np.abs(strength(driven.net, shape).strains).max(initial=0.0) > STRAINED
-        reached = away <= NEAR * structure.span and not torn
-        if reached or torn or away > LESS * before:
-            break
-        aim, before = aim + gap, away
-    shape, position, force, stable = result if reached else first
+
+    def torn(shape: NetShape) -> bool:
+        return bool(np.abs(strength(driven.net, shape).strains).max(initial=0.0) > STRAINED)
+
+    held, reached = approach(
+        lambda shape, aim: _held(pulled, shape, aim, factor),
+        _shape(driven, driven.net, near),
+        target,
+        driven.structure.span,
+        torn,
+    )
+    if not reached:
+        for _ in range(_RELAXATIONS):
+            held = _held(pulled, held.shape, held.position, factor)
+        compliance = _compliance(driven, pulled.supported, pulled.weights, held.shape, factor)[0]
+        held = held._replace(force=least_force(held.force, compliance))
     return DraggedShape(
-        point=net_point(driven, shape, factor, resting=False),
+        point=net_point(driven, held.shape, factor, resting=False),
         target=target,
-        position=position,
-        force=force if reached else np.full(3, np.nan),
+        position=held.position,
+        force=held.force,
         reached=reached,
-        stable=stable,
-        text=drag_text(structure, force, target - position, reached=reached),
+        stable=held.stable,
+        text=drag_text(driven.structure, held.force, target - held.position, reached=reached),
     )

@@ -9,15 +9,16 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.drag import LESS, NEAR, STIFF, UPDATES, Drag, DraggedShape, checked_places, drag_text
+from forficula.statics.drag import STIFF, Drag, DraggedShape, Held, approach, checked_places, drag_text, least_force
 from forficula.statics.quasi_static_path import QuasiStaticPoint
-from forficula.statics.tree.elements import Elements, Expansion, LinePiece, elements, stretched
+from forficula.statics.tree.elements import Expansion, LinePiece, elements, stretched
 from forficula.statics.tree.pose import carried_points, moves_of, places_of, pose
 from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, start_angles, torque_scale
 from forficula.statics.tree.tree_path import tree_points
 from forficula.structure import GROUND, Drive, Structure
 
-_LEAST = 1e-3  # of the structure's torque per square of its span: least stiffness against a pull
+_LEAST = 1.0  # of the structure's torque per square of its span: least stiffness against a pull
+_AT_STOP = 1e-9  # rad
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -84,15 +85,30 @@ def _torques(pulled: _PulledTree, near: QuasiStaticPoint) -> Array:
 
 def _spring(pulled: _PulledTree, near: QuasiStaticPoint) -> float:
     """Return a stiffness of the pull that is large relative to that of the tree at the dragged point, N/m."""
-    structures, angles = pulled.structures, near.coordinates[None]
+    structures = pulled.structures
     least = _LEAST * torque_scale(structures) / structures.structure.span**2
+    compliance = _compliance(pulled, near.coordinates[None], _torques(pulled, near))
+    softest = float(np.linalg.eigvalsh(compliance).max())
+    return STIFF * max(least, 1 / softest if softest > 0 else 0.0)
+
+
+def _compliance(pulled: _PulledTree, angles: Array, torques: Array) -> Array:
+    """Return the compliance of a tree at the dragged point, m/N, (3, 3), without hinges that press on their stops."""
+    structures = pulled.structures
     moves = _point_moves(pulled, angles)
-    curvature = potential(structures, angles, _torques(pulled, near))[2][0]
+    ties = structures.ties
+    curvature = potential(structures, angles, torques)[2][0]
+    loose = (angles[0] > structures.lower + _AT_STOP) & (angles[0] < structures.upper - _AT_STOP)
+    if ties is not None:
+        moves, curvature = moves @ ties.spread, ties.spread.T @ curvature @ ties.spread
+    else:
+        moves, curvature = moves[:, loose], curvature[np.ix_(loose, loose)]
+    if not len(curvature):
+        return np.zeros((3, 3))
     values, axes = np.linalg.eigh(curvature)
     positive = np.maximum(np.abs(values), 1e-9 * np.abs(values).max(initial=1e-300))
     along = moves @ axes
-    softest = 1 / max(float(np.linalg.eigvalsh((along / positive) @ along.T).max()), 1e-300)
-    return STIFF * max(softest, least)
+    return np.asarray((along / positive) @ along.T)
 
 
 def _point_moves(pulled: _PulledTree, angles: Array) -> Array:
@@ -107,50 +123,43 @@ def _point_moves(pulled: _PulledTree, angles: Array) -> Array:
     return moves
 
 
-def _joined(pulled: _PulledTree, aim: Array) -> Elements:
-    """Return an element whose side is the vector from the dragged point to an aim, m, (3,)."""
-    count = len(pulled.bodies)
+def _held(pulled: _PulledTree, angles: Array, aim: Array, torques: Array) -> Held[Array]:
+    """Find the equilibrium near angles, (hinge,), while the spring ends at an aim, m, (3,)."""
+    structures, count = pulled.structures, len(pulled.bodies)
+    tree = structures.sheet.laid.tree
+    # its side is the vector from the dragged point to the aim
     piece = LinePiece(points=tuple(range(count + 1)), sides=np.concatenate([-pulled.weights, [1.0]])[None])
-    places = np.concatenate([pulled.places, aim[None]])
-    return elements(pulled.structures.sheet.laid.tree, [*pulled.bodies, GROUND], places, [piece])
+    joined = elements(tree, [*pulled.bodies, GROUND], np.concatenate([pulled.places, aim[None]]), [piece])
+
+    def law(sides: Array) -> Expansion:
+        stiffness = np.broadcast_to(pulled.spring * np.eye(3), (len(sides), 1, 1, 3, 3))
+        return pulled.spring / 2 * np.sum(sides**2, axis=(1, 2, 3)), pulled.spring * sides, stiffness
+
+    rested = rest(structures, angles[None], torques, pull=lambda angles: stretched(joined, angles, [law]))
+    carried = carried_points(tree, pulled.bodies, pulled.places)
+    position = places_of(carried, pose(tree, rested.position))[:, 0] @ pulled.weights
+    return Held(
+        shape=rested.position[0],
+        position=position,
+        force=pulled.spring * (aim - position),
+        stable=bool(rested.rests[0]),
+    )
 
 
 def _pulled(pulled: _PulledTree, near: QuasiStaticPoint, target: Array) -> DraggedShape:
-    """Find the equilibrium near a shape while the point is pulled to a target, as for nets."""
-    structures, spring, aim = pulled.structures, pulled.spring, target.copy()
-    tree, angles = structures.sheet.laid.tree, near.coordinates[None]
-    carried = carried_points(tree, pulled.bodies, pulled.places)
-
-    def law(sides: Array) -> Expansion:
-        stiffness = np.broadcast_to(spring * np.eye(3), (len(sides), 1, 1, 3, 3))
-        return spring / 2 * np.sum(sides**2, axis=(1, 2, 3)), spring * sides, stiffness
-
-    first, before = None, np.inf
-    for _ in range(UPDATES):
-        joined = _joined(pulled, aim)
-        rested = rest(
-            structures,
-            angles,
-            _torques(pulled, near),
-            pull=lambda angles, joined=joined: stretched(joined, angles, [law]),
-        )
-        angles = rested.position
-        position = places_of(carried, pose(tree, angles))[:, 0] @ pulled.weights
-        gap = target - position
-        away = float(np.linalg.norm(gap))
-        result = angles[0], position, spring * (aim - position), bool(rested.rests[0])
-        first = first or result
-        reached = away <= NEAR * structures.structure.span
-        if reached or away > LESS * before:
-            break
-        aim, before = aim + gap, away
-    shape, position, force, stable = result if reached else first
+    """Find the equilibrium near a shape while the point is pulled to a target."""
+    structure, torques = pulled.structures.structure, _torques(pulled, near)
+    held, reached = approach(
+        lambda angles, aim: _held(pulled, angles, aim, torques), near.coordinates, target, structure.span
+    )
+    if not reached:
+        held = held._replace(force=least_force(held.force, _compliance(pulled, held.shape[None], torques)))
     return DraggedShape(
-        point=_point(structures, near.strength, shape, resting=False),
+        point=_point(pulled.structures, near.strength, held.shape, resting=False),
         target=target,
-        position=position,
-        force=force if reached else np.full(3, np.nan),
+        position=held.position,
+        force=held.force,
         reached=reached,
-        stable=stable,
-        text=drag_text(structures.structure, force, target - position, reached=reached),
+        stable=held.stable,
+        text=drag_text(structure, held.force, target - held.position, reached=reached),
     )

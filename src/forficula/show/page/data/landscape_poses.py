@@ -74,7 +74,8 @@ def poses_view(poses: LandscapePoses, *, beside_run: bool) -> dict[str, Any]:
     structure, positions = poses.structure, place_positions(poses.structure, poses.angles)
     share = np.linspace(0.0, 1.0, len(positions))
     clip = posed_clip(structure, shape_mesh(structure), share, positions, poses.angles, poses.energy)
-    plots = plot_data([energies_plot(clip), *(reading_plot(item, number) for number, item in enumerate(clip.readings))])
+    energies = energies_plot(clip)
+    plots = plot_data([*energies, *(reading_plot(item, number) for number, item in enumerate(clip.readings))])
     return pose_view(
         clip,
         poses.angles,
@@ -83,7 +84,7 @@ def poses_view(poses: LandscapePoses, *, beside_run: bool) -> dict[str, Any]:
         name=poses.name,
         title=poses.title,
         notes=[poses.why],
-        plots=[plots[0] | {"ball": 0}, *plots[1:]],
+        plots=[plot | {"ball": 0} for plot in plots[: len(energies)]] + plots[len(energies) :],
         beside_run=beside_run,
     )
 
