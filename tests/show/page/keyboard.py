@@ -43,8 +43,10 @@ _WATCH = f"""(elsewhere) => window.watched = (() => {{
     return each.selectedIndex < each.options.length - 1 ? "ArrowDown" : "ArrowUp";
   }}
   const find = (name) => controls().find((each) => nameOf(each) === name);
+  // those that exchange the other controls come last
+  const last = (each) => Number(each.closest(".modes") !== null);
   return {{
-    names: () => [...new Set(controls().map(nameOf))],
+    names: () => [...new Set(controls().sort((one, other) => last(one) - last(other)).map(nameOf))],
     async choose(name) {{
       playing()?.clock?.pause?.();
       await settled();

@@ -39,10 +39,14 @@ LEAST_TRIED = {
     "run": {
         *("CANVAS", "BUTTON play", "INPUT time", "BUTTON b folded", "SELECT speed", "SELECT show", "BUTTON turn left"),
         *("BUTTON top: view from above", "BUTTON nearer", "SUMMARY Keys", "A Download design.toml"),
+        *("BUTTON motion", "BUTTON fold"),
     },
     "compare": {"BUTTON one scale: draw all wings at the same scale", "BUTTON turn left"},
     "landscape": {"BUTTON barrier enlarged", "BUTTON whole curve"},
-    "curves": {"INPUT distal angle along the curve", "INPUT mean distal angle along the curve"},
+    "curves": {
+        *("INPUT rigid fold", "SELECT hinge", "BUTTON S snap", "BUTTON barrier enlarged"),
+        *("BUTTON rigid fold", "BUTTON fold"),
+    },
     "study": {
         *("point", "SELECT show", "BUTTON pin to compare with another", "BUTTON unpin point #", "SUMMARY Commands"),
         *("INPUT", "BUTTON open point #", "BUTTON Download table.csv", "BUTTON outcome"),

@@ -7,8 +7,8 @@ import pytest
 
 from forficula.analysis.simulated_snap import inner_hinge
 from forficula.design import load_design
-from forficula.show.page.data.landscape_curves import curve_data, landscape_curves
-from forficula.show.page.data.landscape_poses import poses_of
+from forficula.show.page.data.landscape_curves import curve_data, landscape_curves, run_travel
+from forficula.show.page.data.landscape_poses import poses_of, poses_travel
 from forficula.show.page.landscape_page import landscape_page
 from forficula.statics import energy_landscape
 from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
@@ -36,7 +36,7 @@ def on_line(course, line):
 
 @pytest.fixture(scope="module")
 def curves(surveyed, short_run):
-    return landscape_curves(surveyed("reference"), short_run)
+    return landscape_curves(surveyed("reference"), run_travel(short_run))
 
 
 def test_every_tendon_that_was_simulated_is_on_the_curve_of_statics(curves, short_run):
@@ -70,7 +70,7 @@ def test_gravitational_energy_has_the_reference_level_of_statics():
     design = load_design("binder2025", {"protocol.gravity": "9.81 m/s^2", "protocol.stages": [still]})
     record = run(design)
     landscape = energy_landscape(design, points=31)
-    ball = landscape_curves(landscape, record)[1].balls[0]
+    ball = landscape_curves(landscape, run_travel(record))[1].balls[0]
     rows = [0, -1]
     angles = record.series["hinge_angle"][rows]
     parts = stored_energy(ensemble([record.structure]), angles)
@@ -80,7 +80,7 @@ def test_gravitational_energy_has_the_reference_level_of_statics():
 
 def test_tendons_with_springs_are_on_the_sum_of_both_in_the_sense_of_their_hinges(surveyed):
     landscape = surveyed("plates")
-    (curve,) = landscape_curves(landscape, run(landscape.design))
+    (curve,) = landscape_curves(landscape, run_travel(run(landscape.design)))
     assert curve.lines[0].name == "tendon and spring"
     assert not curve_data(curve)["backwards"]
     assert [ball.name for ball in curve.balls] == ["left", "right"]
@@ -185,49 +185,51 @@ def test_the_page_fits_a_desktop_and_a_phone(opened, width, height, scheme):
     opened.show()
 
 
-def test_without_a_run_the_keyboard_moves_the_ball_along_the_curve(watch, pages, surveyed):
-    opened = watch(pages / "still.html")
-    page, path = opened.page, surveyed("reference").fold_path
-    slider = page.get_by_role("slider", name="mean distal angle along the curve")
-    slider.focus()
-    page.keyboard.press("End")
-    opened.settle()
-    (place,) = page.evaluate("forficula.curves[1].now")
-    assert place == pytest.approx([-np.degrees(path.ring_angle[-1]), path.energy[-1]], abs=1e-4)
-    page.keyboard.press("Home")
-    opened.settle()
-    assert page.evaluate("forficula.curves[1].now")[0][1] == pytest.approx(path.energy[0], rel=1e-4)
-    assert page.locator(".slide output").nth(1).inner_text().endswith("J")
-    drawn, wanted = balls(page, 1)
-    assert drawn == pytest.approx(wanted, abs=0.1)
-    assert opened.messages == []
-    assert len(opened.requests) == 1
+@pytest.fixture(scope="module")
+def still(watch_all, pages):
+    return watch_all(pages / "still.html")
 
 
-def test_without_a_run_a_slider_moves_the_structure_along_its_rigid_fold_and_the_other_slider(watch, pages, surveyed):
-    opened = watch(pages / "still.html")
-    page, landscape = opened.page, surveyed("reference")
+def test_without_a_run_a_slider_moves_the_structure_along_its_rigid_fold_with_the_balls_on_its_curves(still, surveyed):
+    page, landscape = still.page, surveyed("reference")
     path, structure = landscape.fold_path, landscape.structure
-    slider = page.get_by_role("slider", name="mean distal angle along the curve")
+    slider = page.get_by_role("slider", name="rigid fold")
     slider.focus()
     for key, place in (("End", -1), ("Home", 0)):
         page.keyboard.press(key)
-        until(page, f"forficula.clock.time === {place % len(path.pleat_angle)}")
-        opened.settle()
+        until(page, f"forficula.clock.time === {100 * (place < 0)}")
+        still.settle()
         vertices = page.evaluate("Array.from(forficula.player.stage.views[0].shape.vertices)")
         points, _ = posed_points(structure, path.angles[place])
-        # every drawn end of a bar agrees with the kinematics
+        # every drawn end of a bar agrees with the kinematics, to the 65535th part of the range of its coordinate
         ends = np.array([points[point] for bar in structure.bars for point in bar.points])
         away = np.linalg.norm(ends[:, None] - np.reshape(vertices, (-1, 3)), axis=2).min(axis=1)
-        assert away.max() < 1e-6
-        output = [text.split("°")[0].replace("−", "-") for text in page.locator(".slide output").all_inner_texts()]
-        assert [float(item) for item in output] == pytest.approx(2 * [-np.degrees(path.ring_angle[place])], abs=0.3)
+        assert away.max() < 1e-5 * structure.span
+        (ball,) = page.evaluate("forficula.curves[1].now")
+        assert ball == pytest.approx([-np.degrees(path.ring_angle[place]), path.energy[place]], abs=1e-4)
+        drawn, wanted = balls(page, 1)
+        assert drawn == pytest.approx(wanted, abs=0.1)
+        assert all(angle == pytest.approx(ball[0], abs=0.01) for angle, _ in page.evaluate("forficula.curves[0].now"))
+    assert page.locator(".time").inner_text() == f"0.0 % · energy {path.energy[0]:.3g} J"
+    assert still.messages == []
+    assert len(still.requests) == 1
 
 
-def test_a_hinge_that_turns_alone_moves_its_plate_and_what_ties_hinges_says_why_nothing_is_drawn(surveyed, tmp_path):
+def test_a_path_under_the_drive_is_beside_the_rigid_fold(still):
+    page = still.page
+    names = page.locator(".modes button").all_inner_texts()
+    assert names == ["rigid fold", "fold"]
+    page.get_by_role("button", name="fold", exact=True).click()
+    assert page.get_by_role("slider", name="fold", exact=True).count() == 1
+    assert page.evaluate("forficula.curves.length") == 2
+    page.get_by_role("button", name="rigid fold").click()
+
+
+def test_a_hinge_that_turns_alone_moves_its_plate_unless_it_is_tied_to_others(surveyed, tmp_path):
     plates = surveyed("plates")
     data = data_of(landscape_page(plates, tmp_path, {}))
-    assert data["curves"][0]["drawn"] == "This hinge turns alone; all others keep their starting angles."
+    assert data["paths"][0]["notes"] == ["This hinge turns alone; all others keep their starting angles."]
+    assert [path["name"] for path in data["paths"]] == ["one hinge", "fold"]
     shown = inner_hinge(plates)
     poses = poses_of(plates, shown)
     assert np.ptp(poses.angles, axis=0) == pytest.approx(
@@ -235,3 +237,11 @@ def test_a_hinge_that_turns_alone_moves_its_plate_and_what_ties_hinges_says_why_
     )
     tied = replace(plates, structure=replace(plates.structure, couplings=(None,)))
     assert poses_of(tied, shown) is None
+
+
+def test_poses_have_the_energy_of_the_curve_on_which_they_are(surveyed):
+    for name in ("reference", "plates"):
+        landscape = surveyed(name)
+        for curve in landscape_curves(landscape, poses_travel(poses_of(landscape, inner_hinge(landscape)))):
+            for ball in curve.balls:
+                assert np.nanmax(np.abs(ball.energy - on_line(ball, curve.lines[0]))) < 1e-4 * curve.lines[0].energy.max()

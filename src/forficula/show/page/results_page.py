@@ -49,7 +49,7 @@ def results_page(
             f"<header><h1>{escaped(name)}</h1>{sentence}</header>\n<main>",
             paragraph(run, "note"),
             elements * (data is not None),
-            paragraph(missing, "note") if missing else "",
+            paragraph(missing, "note"),
             *figures,
             section("Numbers", *printed.tables, name="numbers"),
             section("What to know", remarks(printed.sentences), name="remarks"),

@@ -65,11 +65,9 @@ def run_page(record: Record, outcome: Outcome, *, engine: bool = False) -> str:
     title = design_title(design)
     sentence = paragraph(outcome_sentence(design.name, outcome), "outcome")
     fold = fold_of(record.structure)
-    missing = paragraph(fold.missing, "note") if fold.missing else ""
     elements = "".join(f'<div id="{name}"></div>\n' for name in ("player", "plots", "readout"))
-    elements = elements.replace('<div id="plots">', f'{missing}<div id="plots">')
     trial = "" if live is None else '<section id="try" aria-label="try it"></section>\n'
-    elements = elements.replace('<div id="plots">', f'{trial}<div id="plots">')
+    elements = elements.replace('<div id="plots">', f'{paragraph(fold.missing, "note")}{trial}<div id="plots">')
     body = f"<header><h1>{escaped(title)}</h1>{sentence}</header>\n<main>{elements}{numbers(record, outcome)}</main>"
     data = playback_data(clip) | {"paths": [] if fold.path is None else [fold_view(fold.path, beside_run=True)]}
     return page_html(f"{title}: {outcome.status}", body, data, live)

@@ -172,7 +172,7 @@ def fold_view(
     mesh = shape_mesh(path.structure) if mesh is None else mesh
     rows = shown_rows(path, mesh, budget)
     clip = path_clip(path, mesh, rows)
-    along = [("energy", path.stored[rows], "J")]
+    along = [("energy", path.stored[rows], "J")] * bool(path.energy)
     along.append((effort_word(path.structure, path.drive), path.strength[rows], path.unit))
     view = pose_view(
         clip,
@@ -369,19 +369,21 @@ def _along_data(name: str, values: Array, si: str) -> dict[str, Any]:
 
 def _plots(path: QuasiStaticPath, clip: Clip, rows: Indices) -> list[dict[str, Any]]:
     """Return the plots of a path over the fold: energies, drive, readings and strains; the first two have a ball."""
-    balls = [energies_plot(clip), _drive_plot(path, rows)]
+    balls = [*energies_plot(clip), _drive_plot(path, rows)]
     others = [reading_plot(readings, number) for number, readings in enumerate(clip.readings)]
     others += _strain_plot(path, rows)
     data = plot_data([*balls, *others])
     return [plot | {"ball": 0} for plot in data[: len(balls)]] + data[len(balls) :]
 
 
-def energies_plot(clip: Clip) -> Plot:
-    """Return the plot of the stored energies of a clip: their sum first, if there are several."""
+def energies_plot(clip: Clip) -> list[Plot]:
+    """Return the plot of the stored energies of a clip: their sum first, if there are several; none without energy."""
+    if not clip.stored_energy:
+        return []
     parts = [(name, 0, values) for name, values in clip.stored_energy.items()]
     total = [("total", 0, np.sum([values for *_, values in parts], axis=0))] if len(parts) > 1 else []
     most = ", ".join(f"{name} {readable(value, 'J')}" for name, value in clip.largest_energy.items())
-    return energy_plot("energy", [*total, *parts], f"Stored energy along the path. Largest values: {most}.")
+    return [energy_plot("energy", [*total, *parts], f"Stored energy along the path. Largest values: {most}.")]
 
 
 def _drive_plot(path: QuasiStaticPath, rows: Indices) -> Plot:
