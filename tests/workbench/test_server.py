@@ -244,11 +244,30 @@ def test_a_dragged_vertex_is_held_by_the_force_that_the_package_computes(served)
     assert served.ask("drag", **drag | {"weights": {999: 1.0}})["refused"].startswith("weights: need points from 0 to ")
 
 
-def test_a_design_that_nothing_folds_has_a_picture_and_the_reason(served):
-    flat = SQUARE | {"edges_assignment": ["B", "B", "B", "B", "B", "B", "F"]}
-    first, last = lines(served, "fold", files=sent("flat.fold", json.dumps(flat)))
-    assert "picture" in first
-    assert last["refused"]
+TWICE = SQUARE | {
+    "vertices_coords": SQUARE["vertices_coords"] + [[x + 20, y] for x, y in SQUARE["vertices_coords"]],
+    "edges_vertices": SQUARE["edges_vertices"] + [[one + 6, other + 6] for one, other in SQUARE["edges_vertices"]],
+    "edges_assignment": 2 * SQUARE["edges_assignment"],
+    "faces_vertices": SQUARE["faces_vertices"] + [[corner + 6 for corner in face] for face in SQUARE["faces_vertices"]],
+}
+
+
+@pytest.mark.parametrize(
+    ("sheet", "pictured", "why"),
+    [
+        ({}, False, "it.fold: vertices_coords: need a list, but the key is missing"),
+        (SQUARE | {"edges_vertices": [], "faces_vertices": []}, False, "it.fold: edges_"),
+        (SQUARE | {"edges_assignment": ["B"] * 6 + ["C"]}, False, "it.fold: pattern: need a mountain or a valley"),
+        (SQUARE | {"edges_assignment": ["B"] * 6 + ["U"]}, True, "it: need a drive that folds it"),
+        # two sheets that nothing joins
+        (TWICE, True, 'the drive "fold" does not move the sheet; a part can move without any force'),
+    ],
+)
+def test_a_sheet_that_cannot_be_folded_ends_in_one_line(served, sheet, pictured, why):
+    *pictures, last = lines(served, "fold", files=sent("it.fold", json.dumps(sheet)))
+    assert [list(line) for line in pictures] == [["picture"]] * pictured
+    assert last["refused"].startswith(why)
+    assert "\n" not in last["refused"]
 
 
 def test_a_fold_path_that_is_superseded_stops_and_its_process_continues(served):

@@ -47,7 +47,7 @@ class FoldResponses:
             report: receives parts of the result as data for JSON.
 
         Raises:
-            InputError: the design cannot be read or built, or nothing drives its fold.
+            InputError: the design cannot be read or built, or nothing folds it.
             StoppedError: the page sent a later request.
         """
         design = requested_design(request, opened)
@@ -61,7 +61,8 @@ class FoldResponses:
         def send(path: QuasiStaticPath) -> bool:
             nonlocal due
             began = monotonic()
-            if path.complete or began >= due:
+            # the first points may have one position
+            if path.complete or (began >= due and path.length > 0):
                 self._path = _shown(path, share or 0.0)
                 report({"path": _path_data(self._path, mesh)})
                 # most of the time is for the computation
@@ -146,11 +147,14 @@ def _shown(path: QuasiStaticPath, share: float) -> QuasiStaticPath:
     Args:
         path: the path; while it grows, the shape from which it is computed keeps the position of the slider.
         share: position of the slider.
+
+    Raises:
+        InputError: nothing moves on the path.
     """
-    at = path.at
-    path = shown_path(path)
-    if path.complete or at is None:
+    whole, path = path, shown_path(path)
+    if path.complete or whole.at is None:
         return path
+    at = path.share[min(whole.index(whole.at), len(path.share) - 1)]
 
     def moved(shares: ArrayLike) -> Array:
         return np.interp(shares, [0.0, at, 1.0], [0.0, share, 1.0])
