@@ -13,7 +13,10 @@ import { mountReadout } from "./readout.js";
 
 const FOLD = 100; // end of the slider, %
 
-/** The view has `share`, the position of the slider from 0 to 1, and `complete`, whether its path is computed. */
+/**
+ * The view has `share`, the position of the slider from 0 to 1, `complete`, whether its path is computed, and `look`, the
+ * view of the camera.
+ */
 export function makeFold() {
   const said = make("p", { className: "note", role: "status" });
   const [player, notes, plots, readout] = ["", "notes", "", ""].map((className) => make("div", { className }));
@@ -22,6 +25,7 @@ export function makeFold() {
   let asked = null;
   let doing = null;
   let mounted = null;
+  Object.defineProperty(fold, "look", { get: () => mounted?.look });
 
   /**
    * Request the path of a design in place of another one; returns {shown: true} once it is built, or {refused}.

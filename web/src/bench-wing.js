@@ -27,9 +27,14 @@ export function makeWing(asked, set, run) {
   let look;
   let pace;
 
-  function clear() {
-    look = wing.panel?.stage?.eye.look ?? look;
+  /** Keep the reader's view and speed. */
+  function remember() {
+    look = wing.panel?.stage?.eye.look ?? fold.look ?? look;
     pace = wing.panel?.pace ?? pace;
+  }
+
+  function clear() {
+    remember();
     wing.panel?.leave();
     wing.panel = null;
   }
@@ -59,6 +64,7 @@ export function makeWing(asked, set, run) {
 
   async function showLive() {
     const { bench, live, warnings } = model;
+    remember();
     try {
       const panel = await makePanel(readClip(bench.clips[0]), bench, JSON.stringify(live), take, { look, pace, set });
       clear();
