@@ -1,4 +1,4 @@
-"""Responses of a workbench about the fold of a structure: its picture, its fold path as it grows, and drags along it."""
+"""Responses of a workbench about the fold of a structure: its picture, its fold path as it grows, and drags."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from time import monotonic
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from forficula.arrays import Array
 from forficula.errors import InputError
@@ -76,8 +75,8 @@ class FoldResponses:
             send(path)
         self._design, self._mesh = _design_of(request), mesh
 
-    def drag(self, request: DragRequest, opened: Opened) -> dict[str, Any]:
-        """Return the equilibrium of a structure of which a page drags a point, and the force, for JSON.
+    def drag(self, request: DragRequest) -> dict[str, Any]:
+        """Return the equilibrium of a structure while a page drags a point, and the force, for JSON.
 
         Raises:
             InputError: the page shows no fold path of this structure, or the point cannot be dragged.
@@ -156,8 +155,11 @@ def _shown(path: QuasiStaticPath, share: float) -> QuasiStaticPath:
         return path
     at = path.share[min(whole.index(whole.at), len(path.share) - 1)]
 
-    def moved(shares: ArrayLike) -> Array:
-        return np.interp(shares, [0.0, at, 1.0], [0.0, share, 1.0])
+    def moved(shares: Array) -> Array:
+        return np.asarray(np.interp(shares, [0.0, at, 1.0], [0.0, share, 1.0]))
 
-    marks = [replace(mark, share=float(moved(mark.share)), end=float(moved(mark.end))) for mark in path.marks]
+    marks = []
+    for mark in path.marks:
+        begin, end = moved(np.array([mark.share, mark.end])).tolist()
+        marks.append(replace(mark, share=begin, end=end))
     return replace(path, share=moved(path.share), marks=tuple(marks))

@@ -95,7 +95,7 @@ class FoldRequest(DesignRequest):
 
 
 class DragRequest(FoldRequest):
-    """A design of which a page drags a point.
+    """A design, and a point of its structure that a page drags.
 
     Attributes:
         weights: numbers of the drawn points whose weighted mean is dragged, and their weights.

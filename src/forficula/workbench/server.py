@@ -93,8 +93,15 @@ async def _serve(
     with TemporaryDirectory(prefix="forficula-", ignore_cleanup_errors=True) as folder:
         workers = [Worker(opened, Path(folder)) for _ in range(3)]
         quick, statics, slow = (WorkerSession(worker) for worker in workers)
-        sessions = {"quick": quick, "statics": statics, "slow": slow}
-        bench = Bench(opened=opened, port=own_port, access=access, folder=Path(folder), **sessions)
+        bench = Bench(
+            opened=opened,
+            port=own_port,
+            access=access,
+            quick=quick,
+            statics=statics,
+            slow=slow,
+            folder=Path(folder),
+        )
         # the bound of a body depends on its sender
         server = HTTPServer(application(bench), max_body_size=LARGEST_REFUSED, max_buffer_size=_BUFFER)
         ended = _end_signals()
@@ -269,14 +276,14 @@ class _Page(_Guarded):
 
 
 class _Answer(_Guarded):
-    asked: type[DesignRequest] = DesignRequest
+    request_type: type[DesignRequest] = DesignRequest
 
     @property
     def session(self) -> WorkerSession:
         return self.bench.quick
 
     async def post(self, task: Task) -> None:
-        if (request := self.read_request(self.asked)) is None:
+        if (request := self.read_request(self.request_type)) is None:
             return
         try:
             await self.finish(await self.session.do(self, task, request))
@@ -293,7 +300,7 @@ class _Answer(_Guarded):
 class _Drag(_Answer):
     """Answers with the equilibrium of a structure that is dragged."""
 
-    asked = DragRequest
+    request_type = DragRequest
 
     @property
     def session(self) -> WorkerSession:

@@ -23,7 +23,14 @@ from forficula.show.folder.landscape_folder import write_landscape
 from forficula.show.folder.run_folder import write_run
 from forficula.statics import energy_landscape
 from forficula.study.running.runs import run
-from forficula.workbench.requests import DesignRequest, Opened, reading_for_page, requested_design
+from forficula.workbench.requests import (
+    DesignRequest,
+    DragRequest,
+    FoldRequest,
+    Opened,
+    reading_for_page,
+    requested_design,
+)
 
 if TYPE_CHECKING:
     from forficula.workbench.fold_responses import FoldResponses
@@ -204,9 +211,11 @@ def _result(
         case "run":
             _write_run(request, opened, folder, report)
         case "fold":
+            assert isinstance(request, FoldRequest)
             folds.follow(request, opened, report)
         case "drag":
-            return folds.drag(request, opened)
+            assert isinstance(request, DragRequest)
+            return folds.drag(request)
     return None
 
 
