@@ -212,3 +212,21 @@ def test_a_path_that_misses_its_goal_says_so():
     assert not path.reached
     assert path.marks[-1].kind == "lost"
     assert path.remarks
+
+
+def test_a_snap_past_the_goal_ends_there_and_the_drive_is_released():
+    """Under its drive, the apex of four-plate-snap would come to rest beyond the goal of its second transition."""
+    path = quasi_static_path(structure("four-plate-snap"), "pull")
+    snap, goal = path.marks
+    assert (snap.kind, goal.kind) == ("snap", "goal")
+    assert snap.end == goal.share < 1
+    assert path.reached
+    assert path.resting[-1]
+    assert path.strength[-1] == 0
+    assert np.degrees(path.angles[-1]).min() > 10
+    assert "released" in path.remarks[-1]
+
+
+def test_a_drive_without_strength_is_refused():
+    with pytest.raises(ff.InputError, match='need a drive "fold" with a strength other than 0'):
+        quasi_static_path(structure("miura-sheet", ("drive.fold.angle", "0 deg")))

@@ -112,7 +112,7 @@ def approach(
         start: shape near the equilibrium.
         target: m, (3,).
         span: of the structure, m.
-        torn: whether parts of a shape are strained so much that they tear.
+        torn: whether the strains of a shape tear parts of it.
 
     Returns:
         The equilibrium, and whether the point is at the target.

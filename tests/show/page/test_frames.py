@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from forficula.show.page.playback import kept_frames
+from forficula.kept_frames import kept_frames
 
 
 def drawn_between(time, points, rows):

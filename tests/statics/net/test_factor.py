@@ -44,3 +44,15 @@ def test_softest_are_the_eigenvalues_nearest_to_zero(size):
 def test_the_lowest_is_found_however_far_below_zero(size):
     matrix = csc_array(np.diag(np.linspace(1.0, 50.0, size) - 1000.0 * (np.arange(size) == 7)))
     assert abs(lowest(matrix)[7]) == pytest.approx(1.0)
+
+
+@settings(deadline=None, max_examples=10)
+@given(st.integers(101, 300), st.integers(0, 1000))
+def test_a_large_positive_definite_matrix_is_solved_as_a_band(size, seed):
+    matrix, right = symmetric(size, seed), np.arange(2.0 * size).reshape(size, 2)
+    shift = 1.0 - np.linalg.eigvalsh(matrix.toarray())[0]
+    factors = factored(matrix, shift)
+    assert factors.index == 0
+    solution = factors.solve(right)
+    np.testing.assert_allclose(matrix @ solution + shift * solution, right, atol=1e-8)
+    np.testing.assert_allclose(factors.solve(right[:, 1]), solution[:, 1], rtol=1e-9, atol=1e-9)

@@ -103,6 +103,7 @@ def follow_drive(
     begin: float = 0.0,
     stop: Callable[[], bool] = lambda: False,
     finish_snaps: bool = False,
+    increments: int = INCREMENTS,
     watch: Callable[[NetShape, float, bool], None] = lambda _shape, _factor, _resting: None,
 ) -> SlowPath:
     """Let the drive of a net grow slowly, to the goal or to the largest load factor.
@@ -113,6 +114,7 @@ def follow_drive(
         begin: first factor.
         stop: ends the path if it returns True.
         finish_snaps: whether a snap continues to its rest if it passes the goal.
+        increments: of each path.
         watch: as for `slow_path`.
     """
 
@@ -126,7 +128,7 @@ def follow_drive(
         begin=begin,
         end=driven.end,
         step=driven.step,
-        increments=INCREMENTS,
+        increments=increments,
         stop=at_goal,
         stop_snaps=(lambda _: stop()) if finish_snaps else at_goal,
         watch=watch,

@@ -15,6 +15,7 @@ from scipy.sparse.linalg import LinearOperator, eigsh, splu
 from forficula.arrays import Array, Indices
 
 _DENSE = 100  # rows up to which all eigenvalues are computed
+_FEW = 100  # rows up to which SuperLU is as fast as the band
 _WIDEST = 600  # diagonals of the lower triangle up to which a matrix is factorised as a band
 _NUDGE = 1e-13  # of the largest entry: shift of an exactly singular matrix
 
@@ -35,13 +36,13 @@ class Factorisation:
 def factored(matrix: csc_array, shift: float = 0.0) -> Factorisation:
     """Factorise a symmetric matrix plus a multiple of the identity.
 
-    A positive definite matrix is factorised as a band by Cholesky's method, any other one by SuperLU: its pivots stay
-    on the diagonal (minimum degree order, symmetric mode, no threshold), so that their signs give the inertia of the
-    matrix (Sylvester's law).
+    A large positive definite matrix is factorised as a band by Cholesky's method, which is several times as fast as
+    SuperLU. Any other matrix is factorised by SuperLU: its pivots stay on the diagonal (minimum degree order, symmetric
+    mode, no threshold), so that their signs give the inertia of the matrix (Sylvester's law).
     """
     if not matrix.shape[0]:
         return Factorisation(index=0, solve=np.copy)
-    banded = _cholesky(matrix, shift)
+    banded = _cholesky(matrix, shift) if matrix.shape[0] > _FEW else None
     if banded is not None:
         return banded
     scale = float(np.abs(matrix.data).max(initial=0.0)) or 1.0

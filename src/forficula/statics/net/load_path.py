@@ -18,7 +18,7 @@ from forficula.statics.net.supports import supported
 
 _CORRECTIONS = 12
 _QUICK = 4  # corrections after which the next increment may be longer
-_HOME = 1e-7  # correction after the last one, as a share of the increment
+_HOME = 1e-7  # last correction, as a share of the increment
 _ASTRAY = 0.5  # longest deviation from the tangent, as a share of the increment
 _BENT = 0.1  # largest difference of the mean rate of the factor from that of its ends, as a share of the larger one
 _SHORTEST = 1e-5  # shortest increment, as a share of the first one
@@ -271,7 +271,7 @@ def _corrected(
         leaves the neighbourhood of the guess.
     """
     following = expand(net, guess, load, factor)
-    aside, before = np.zeros_like(net.nodes), 0.0
+    aside = np.zeros_like(net.nodes)
     for corrections in range(_CORRECTIONS):
         if not np.all(np.isfinite(following.slope)):
             return None
@@ -286,11 +286,9 @@ def _corrected(
             return None
         factor += change
         following = expand(net, _moved(net, following.shape, step), load, factor)
-        # corrections decrease ever faster, so the next one would be less than moved^2 / before
-        if moved * (min(moved / before, 1.0) if before else 1.0) <= _HOME * length:
+        if moved <= _HOME * length:
             # the energy is infinite beyond the contact of locking panels, where no path leads
             return (following, factor, corrections) if np.isfinite(following.stored) else None
-        before = moved
     return None
 
 
@@ -314,11 +312,11 @@ def intermediate_point(
     corrected = _corrected(net, load, guess, factor, chord / length, length)
     if corrected is None:
         return None
-    found, factor, corrections = corrected
+    expansion, factor, corrections = corrected
     return PathPoint(
-        shape=found.shape,
+        shape=expansion.shape,
         factor=factor,
-        energy=found.stored,
+        energy=expansion.stored,
         index=before.index,
         rising=before.rising,
         corrections=corrections,

@@ -10,8 +10,9 @@ from itertools import pairwise
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.errors import InputError
 from forficula.kept_frames import kept_frames
-from forficula.statics.net.driven_net import INCREMENTS, DrivenNet, driven_net, follow_drive, prescribes_displacement
+from forficula.statics.net.driven_net import DrivenNet, driven_net, follow_drive, prescribes_displacement
 from forficula.statics.net.energy import shape_at
 from forficula.statics.net.load_path import PathPoint, intermediate_point, load_path
 from forficula.statics.net.minimum import NetRest, minimum
@@ -19,7 +20,7 @@ from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_course import drive_course, reaction, released
 from forficula.statics.net.net_of import net_of, own_angles, point_positions, start_shape, valley_angles
 from forficula.statics.net.net_state import stored_parts
-from forficula.statics.net.slow_path import SlowPath, Snap
+from forficula.statics.net.slow_path import STEP, SlowPath, Snap
 from forficula.statics.quasi_static_path import (
     GrowingPath,
     NumberedEvent,
@@ -33,6 +34,7 @@ from forficula.statics.quasi_static_path import (
 )
 from forficula.structure import Drive, Structure, Transition, drive_of
 
+_INCREMENTS = 500  # of each path
 _SWEEPS = 6  # halvings of the interval between two points
 _HALVINGS = 20  # of the last interval, to locate the goal
 _ARRIVED = 1e-9  # rad or m, distance from the goal
@@ -51,6 +53,8 @@ def net_path(
     follow: Callable[[QuasiStaticPath], bool] | None = None,
 ) -> QuasiStaticPath:
     """Follow a net under a slowly growing drive; see `forficula.statics.survey.quasi_static_path`."""
+    if not any(drive.strengths):
+        raise InputError(f'{structure.name}: need a drive "{drive.name}" with a strength other than 0, got 0')
     driven = driven_net(structure, net_of(structure), drive, transition)
     start, remarks = _start(driven)
     if not start.stable:
@@ -72,6 +76,8 @@ def net_path(
     points, events = stretches.points(bound)
     reached = slow.ended == ("target" if driven.goal is None else "stop") and not growing.stopped
     events.append(last_event(points, reached=reached))
+    if reached and not points[-1].resting:
+        points += _release(driven, slow.snaps[-1].after.shape, bound)
     return path_of(
         structure,
         driven.name,
@@ -99,15 +105,27 @@ def _start(driven: DrivenNet) -> tuple[NetRest, tuple[str, ...]]:
 
 
 def _followed(driven: DrivenNet, start: NetShape, growing: GrowingPath, begin: float = 0.0) -> SlowPath:
-    """Follow the path from a shape at rest onwards."""
-    return follow_drive(
+    """Follow the path from a shape at rest onwards.
+
+    A snap continues to its rest. If it passes the goal but comes to rest beyond, it ends where it passes the goal.
+    """
+
+    def watch(shape: NetShape, factor: float, resting: bool) -> None:
+        growing.add(lambda: net_point(driven, shape, factor, resting=resting))
+
+    slow = follow_drive(
         driven,
         start,
         begin=begin,
         stop=lambda: growing.stopped,
         finish_snaps=True,
-        watch=lambda shape, factor, resting: growing.add(lambda: net_point(driven, shape, factor, resting=resting)),
+        increments=_INCREMENTS,
+        watch=watch,
     )
+    passed = (driven.short_of_goal(shape) <= 0 for snap in slow.snaps for shape in snap.descent)
+    if slow.ended == "stop" or growing.stopped or not any(passed):
+        return slow
+    return follow_drive(driven, start, begin=begin, increments=_INCREMENTS)
 
 
 def _near_rest(driven: DrivenNet, near: QuasiStaticPoint) -> NetRest | None:
@@ -143,7 +161,7 @@ def _continued(
         rest.shape,
         driven.load,
         step=driven.step,
-        increments=INCREMENTS,
+        increments=_INCREMENTS,
         factor=factor,
         target=0.0,
         events=1,
@@ -159,6 +177,39 @@ def _continued(
     before = tuple(replace(point, rising=True) for point in back.points[:0:-1])
     first = replace(onwards.paths[0], points=(*before, *onwards.paths[0].points))
     return replace(onwards, paths=(first, *onwards.paths[1:]))
+
+
+def _release(driven: DrivenNet, shape: NetShape, bound: float) -> list[QuasiStaticPoint]:
+    """Return the shapes through which a net comes to rest when its drive is released.
+
+    Args:
+        driven: the net with its drive.
+        shape: when the drive is released.
+        bound: largest error of linear interpolation, m.
+    """
+    shapes = list[NetShape]()
+
+    def watch(shape: NetShape) -> bool:
+        shapes.append(shape)
+        return False
+
+    rest = minimum(driven.free, shape, longest_step=STEP * driven.net.size, stop=watch)
+    kept = [*kept_shapes([shape, *shapes, rest.shape], bound), rest.shape]
+    return [net_point(driven, shape, 0.0, resting=number == len(kept) - 1) for number, shape in enumerate(kept)]
+
+
+def kept_shapes(shapes: Sequence[NetShape], bound: float) -> list[NetShape]:
+    """Return the shapes between the first and the last one that linear interpolation needs.
+
+    Args:
+        shapes: in the order of a motion.
+        bound: largest error of linear interpolation, m.
+    """
+    positions = np.array([shape.positions for shape in shapes])
+    time = lengths_along(positions)
+    rows = np.flatnonzero(np.diff(time, prepend=-1.0) > 0)
+    kept = kept_frames(time[rows], positions[rows], (), most=_MOST_POINTS, tolerance=bound)
+    return [shapes[row] for row in rows[kept[1:-1]].tolist()]
 
 
 def _nearest(driven: DrivenNet, points: Sequence[QuasiStaticPoint], rest: NetRest) -> int:
@@ -252,19 +303,15 @@ class _Stretches:
             snap, first = self._slow.snaps[number], len(points) - 1
             points += self._descent(snap, bound)
             if number == len(self._stretches) - 1:
-                points.append(self._point(snap.after.shape, snap.factor))
+                points.append(self._point(snap.after.shape, snap.factor, resting=snap.after.settled))
             last = len(points) - (number == len(self._stretches) - 1)
             events.append(_event(drive, snap, first, last))
         return points, events
 
     def _descent(self, snap: Snap, bound: float) -> list[QuasiStaticPoint]:
         """Return the shapes of a snap between which linear interpolation is accurate."""
-        shapes = [snap.before, *snap.descent, snap.after.shape]
-        positions = np.array([shape.positions for shape in shapes])
-        time = lengths_along(positions)
-        rows = np.flatnonzero(np.diff(time, prepend=-1.0) > 0)
-        kept = kept_frames(time[rows], positions[rows], (), most=_MOST_POINTS, tolerance=bound)
-        return [self._point(shapes[row], snap.factor, resting=False) for row in rows[kept[1:-1]].tolist()]
+        kept = kept_shapes([snap.before, *snap.descent, snap.after.shape], bound)
+        return [self._point(shape, snap.factor, resting=False) for shape in kept]
 
     def _point(self, shape: NetShape, factor: float, *, resting: bool = True) -> QuasiStaticPoint:
         if id(shape) not in self._known:
@@ -298,6 +345,11 @@ def _path_remarks(
         remarks.append(
             f'under "{driven.name}" the path branches, and imperfections decide which branch a structure takes; the'
             " branch of lower energy is shown"
+        )
+    if reached and slow.snaps and len(slow.snaps) == len(slow.paths) and not slow.snaps[-1].after.settled:
+        remarks.append(
+            f'under "{driven.name}" a snap passes the goal and does not come to rest within it; the drive is released'
+            " there, as in a run"
         )
     if not reached and events[-1].kind == "lost":
         reason = "was followed only as far as shown" if slow.ended == "lost" else "ends before its goal"
