@@ -219,8 +219,8 @@ def test_a_fold_path_is_preceded_by_a_picture_and_grows(served):
 
 def test_a_dragged_vertex_is_held_by_the_force_that_the_package_computes(served):
     from forficula.design import load_design
-    from forficula.show.page.data.fold_view import shown_path
     from forficula.show.page.data.shape_mesh import shape_mesh
+    from forficula.show.page.data.shown_path import shown_path
     from forficula.statics import quasi_static_path, start_drag
     from forficula.structure import structure_of
 

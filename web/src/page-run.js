@@ -1,7 +1,7 @@
 /**
- * Page of one structure: its run over time, its fold path, or both, of which the reader chooses one. Both are clips: the
- * frames of a run are moments, those of a path are positions of a slider from 0 to 100 %. The page of a landscape has
- * curves as well, with balls at the position of the run or path.
+ * Page of one structure: its run over time, its fold path, or both. The reader chooses which one is shown. Both are
+ * clips: the frames of a run are moments, those of a path are positions of a slider from 0 to 100 %. The page of a
+ * landscape has curves as well, with balls at the position of the run or path.
  */
 
 import { readClip } from "./clip.js";
@@ -42,7 +42,7 @@ export function showRun(data) {
   if (views.length > 1) {
     const meaning = views.map(({ name, title }) => `${name}: ${title}`).join(" \u00b7 ");
     const label = `how the ${data.whole} moves`;
-    player.before(make("div", { className: "colours modes", role: "group", "aria-label": label }, make("span", {}, ...buttons), meaning));
+    player.before(make("div", { className: "colours modes", role: "group", "aria-label": label }, make("span", {}, ...buttons), make("small", {}, meaning)));
   }
   page.choose(views[0]);
   if (data.clips) {

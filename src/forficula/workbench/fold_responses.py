@@ -10,10 +10,11 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.show.page.data.fold_view import fold_view, shown_path
+from forficula.show.page.data.fold_view import fold_view
 from forficula.show.page.data.live_data import read_aloud
 from forficula.show.page.data.packing import packed
 from forficula.show.page.data.shape_mesh import ShapeMesh, shape_mesh
+from forficula.show.page.data.shown_path import shown_path
 from forficula.show.page.live_page import live_page_data
 from forficula.show.page.playback import Clip
 from forficula.statics import Drag, DraggedShape, QuasiStaticPath, quasi_static_path, start_drag

@@ -8,8 +8,9 @@ import pytest
 
 from forficula.design import load_design
 from forficula.show.page import write_run_page
-from forficula.show.page.data.fold_view import fold_of, fold_view
+from forficula.show.page.data.fold_view import fold_view
 from forficula.show.page.data.shape_mesh import shape_mesh
+from forficula.show.page.data.shown_path import fold_of
 from forficula.show.page.run_page import run_page
 from forficula.statics import quasi_static_path
 from forficula.statics.landscape import net_courses
@@ -87,6 +88,15 @@ def test_energies_by_part_add_up_to_the_total(tower):
     assert sum(parts) == pytest.approx(total, abs=1e-5 * total.max())
 
 
+def test_statics_that_fail_do_not_cost_the_page_of_a_run(short_run, monkeypatch):
+    def fail(*_, **__):
+        raise np.linalg.LinAlgError("Singular matrix")
+
+    monkeypatch.setattr("forficula.show.page.data.shown_path.quasi_static_path", fail)
+    fold = fold_of(short_run.structure)
+    assert fold.missing == "This page has no fold path, because its computation failed: Singular matrix."
+
+
 def test_a_structure_that_stores_no_energy_has_no_plot_of_it():
     structure = structure_of(pushed(0.01, [stage(drive="push")]))
     view = fold_view(fold_of(structure).path, beside_run=False)
@@ -103,7 +113,9 @@ def test_a_small_budget_leaves_out_shapes_but_no_event(tower):
         assert np.abs(time / 100 - mark.share).min() < 2e-3
 
 
-def test_a_structure_without_a_drive_gets_a_sentence_that_says_why_it_has_no_path(short_run, short_outcome, monkeypatch):
+def test_a_structure_without_a_drive_gets_a_sentence_that_says_why_it_has_no_path(
+    short_run, short_outcome, monkeypatch
+):
     fold = fold_of(replace(short_run.structure, drives=(), transitions=()))
     assert fold.path is None
     assert fold.missing.startswith("This page has no fold path: binder2025: need a drive that folds it")
@@ -151,6 +163,25 @@ def test_the_keyboard_moves_shape_energy_and_ball_along_the_path(opened, short_r
     assert opened.messages == []
 
 
+def test_a_position_of_the_slider_takes_so_little_of_a_processor_that_a_phone_draws_thirty_per_second(opened):
+    page, count = opened.page, 20
+    session = page.context.new_cdp_session(page)
+    session.send("Performance.enable", {"timeDomain": "threadTicks"})  # does not count other programs
+
+    def spent():
+        metrics = {item["name"]: item["value"] for item in session.send("Performance.getMetrics")["metrics"]}
+        return sum(metrics[f"{kind}Duration"] for kind in ("Script", "Layout", "RecalcStyle"))
+
+    before = spent()
+    page.evaluate(
+        "async (count) => { for (let at = 0; at < count; at++) { forficula.clock.seek((100 * at) / count);"
+        " await new Promise(requestAnimationFrame); } }",
+        count,
+    )
+    # a phone is assumed to be four times as slow; the graphics chip draws at the same time
+    assert (spent() - before) / count < 1 / 30 / 4
+
+
 def test_a_crease_is_read_by_pointer_touch_and_list(opened, short_run):
     page, path = opened.page, fold_of(short_run.structure).path
     page.evaluate("forficula.clock.seek(30)")
@@ -162,12 +193,11 @@ def test_a_crease_is_read_by_pointer_touch_and_list(opened, short_run):
     assert page.locator(".crease-label").inner_text() == f"vein 0, ring: {output}"
     # pressing the middle of the same bar releases it, and pressing again chooses it
     page.evaluate("scrollTo(0, 0)")
-    box = page.locator(".crease-mark").evaluate(
-        "(mark) => { const { x, y, width, height } = mark.getBoundingClientRect(); return [x + width / 2, y + height / 2]; }"
-    )
-    page.mouse.click(*box)
+    box = page.locator(".crease-mark").bounding_box()
+    middle = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.click(*middle)
     assert page.get_by_role("combobox", name="hinge").input_value() == ""
-    page.mouse.click(*box)
+    page.mouse.click(*middle)
     assert page.locator(".crease-label").inner_text().startswith("vein 0, ring")
     # a pointer shows another one while it is there
     page.mouse.move(5, 5)
@@ -194,7 +224,10 @@ def test_switching_between_motion_and_fold_keeps_the_view_of_the_eye_and_both_po
 def test_the_fold_slider_and_the_energy_curve_fit_a_phone(opened, scheme):
     opened.show(390, 844, scheme)
     assert opened.page.evaluate("document.documentElement.scrollWidth") == 390
-    tops = opened.page.evaluate("['.picture', '.profile', '.track'].map((each) => document.querySelector(each).getBoundingClientRect().bottom - document.querySelector('.player').getBoundingClientRect().top)")
-    assert tops == sorted(tops)
-    assert tops[-1] < 844  # picture, curve and slider are visible at once
+    ends = """['.player', '.picture', '.profile', '.track'].map((each) => {
+        const { top, bottom } = document.querySelector(each).getBoundingClientRect();
+        return each === ".player" ? top : bottom; })"""
+    start, *bottoms = opened.page.evaluate(ends)
+    assert bottoms == sorted(bottoms)
+    assert bottoms[-1] - start < 844  # picture, curve and slider are visible at once
     opened.show()

@@ -244,4 +244,6 @@ def test_poses_have_the_energy_of_the_curve_on_which_they_are(surveyed):
         landscape = surveyed(name)
         for curve in landscape_curves(landscape, poses_travel(poses_of(landscape, inner_hinge(landscape)))):
             for ball in curve.balls:
-                assert np.nanmax(np.abs(ball.energy - on_line(ball, curve.lines[0]))) < 1e-4 * curve.lines[0].energy.max()
+                assert (
+                    np.nanmax(np.abs(ball.energy - on_line(ball, curve.lines[0]))) < 1e-4 * curve.lines[0].energy.max()
+                )

@@ -1,5 +1,6 @@
 """Every kind of page in a second browser, without network: `make browsers`, before a release."""
 
+import json
 import os
 
 import numpy as np
@@ -59,11 +60,15 @@ def test_plots_and_the_structure_are_drawn_and_play_moves_them(firefox, pages, k
     assert all(ink > 1000 for ink in firefox.evaluate(_INKS))
     without = kind in ("drawn study", "parts")
     assert firefox.evaluate("document.querySelectorAll('.chart canvas').length") >= (not without)
-    if kind in ("curves", "drawn study"):  # have no run
+    if kind == "curves":
+        _moves_by_slider(firefox)
+    if kind == "drawn study":  # has no run
         return
     if not firefox.evaluate(_WEBGL):
         assert "This browser has no WebGL" in firefox.evaluate("document.querySelector('.player').textContent")
         pytest.fail(f"Firefox has no WebGL here; by {INSTALL} the processor draws: {WHY}")
+    if kind == "curves":  # have no run
+        return
     before = np.asarray(firefox.picture(".stage"), dtype=int)
     assert len(np.unique(before.reshape(-1, 3), axis=0)) > 200
     firefox.click(".play")
@@ -74,6 +79,24 @@ def test_plots_and_the_structure_are_drawn_and_play_moves_them(firefox, pages, k
     moved = np.abs(np.asarray(firefox.picture(".stage"), dtype=int) - before).max(axis=2) > 16
     assert moved.mean() > 0.01
     assert (firefox.messages, requests_of(firefox)) == ([], [])
+
+
+def _moves_by_slider(firefox):
+    """Check that the slider of a fold moves the structure, its energy and the ball on the curve of the energy."""
+    state = """JSON.stringify([document.querySelector('.time').textContent, forficula.plots.charts[0].over
+        .querySelector('.ball').style.transform, Array.from(forficula.player?.stage?.views[0].shape.vertices ?? [])])"""
+    before = firefox.evaluate(state)
+    firefox.evaluate(
+        "document.querySelector('.track input').value = 6000,"
+        " document.querySelector('.track input').dispatchEvent(new Event('input'))"
+    )
+    firefox.until("Math.abs(forficula.clock.time - 60) < 0.1")
+    firefox.evaluate(_DRAWN)
+    after = firefox.evaluate(state)
+    (text, ball, vertices), (later_text, later_ball, later_vertices) = json.loads(before), json.loads(after)
+    assert (later_text.startswith("60.0 %"), text != later_text, ball != later_ball) == (True, True, True)
+    if firefox.evaluate(_WEBGL):
+        assert vertices != later_vertices
 
 
 def test_what_a_page_should_not_do_is_heard(firefox, tmp_path):

@@ -8,7 +8,7 @@ import pytest
 
 from forficula.analysis import measure
 from forficula.design import design_from_text
-from forficula.show.page.data.fold_view import shown_path
+from forficula.show.page.data.shown_path import shown_path
 from forficula.statics import quasi_static_path
 from forficula.study.running.runs import run
 from forficula.workbench.access import write_redirect

@@ -10,7 +10,7 @@ from forficula.analysis import measure
 from forficula.analysis.simulated_snap import inner_hinge
 from forficula.dynamics import Record
 from forficula.show.landscape.landscape_table import landscape_table
-from forficula.show.page.data.fold_view import fold_of, fold_view, shown_rows
+from forficula.show.page.data.fold_view import fold_view
 from forficula.show.page.data.landscape_curves import (
     Travel,
     curve_data,
@@ -20,6 +20,7 @@ from forficula.show.page.data.landscape_curves import (
 )
 from forficula.show.page.data.landscape_poses import poses_of, poses_travel, poses_view
 from forficula.show.page.data.shape_mesh import shape_mesh
+from forficula.show.page.data.shown_path import fold_of, shown_rows
 from forficula.show.page.parts.design_rows import design_title
 from forficula.show.page.parts.rich_html import printed_result
 from forficula.show.page.parts.run_sentences import outcome_sentence

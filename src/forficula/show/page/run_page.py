@@ -12,8 +12,9 @@ from forficula.analysis.storage import storage_texts
 from forficula.design import Design, design_text
 from forficula.dynamics import Record, timestep_warnings, versions
 from forficula.files import write_text
-from forficula.show.page.data.fold_view import fold_of, fold_view
+from forficula.show.page.data.fold_view import fold_view
 from forficula.show.page.data.live_data import live_data
+from forficula.show.page.data.shown_path import fold_of
 from forficula.show.page.data.time_spans import run_spans, span_data
 from forficula.show.page.page import page_html
 from forficula.show.page.parts.design_rows import design_title

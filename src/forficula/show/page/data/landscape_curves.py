@@ -140,7 +140,9 @@ def posed_travel(structure: Structure, angles: Array, positions: Array, energy: 
         positions: of its points, m, (pose, point, 3).
         energy: stored energy of all parts, J, (pose,).
     """
-    stiffness, rest = (np.array([getattr(hinge, key) for hinge in structure.hinges]) for key in ("stiffness", "rest_angle"))
+    stiffness, rest = (
+        np.array([getattr(hinge, key) for hinge in structure.hinges]) for key in ("stiffness", "rest_angle")
+    )
     return Travel(
         noun="fold",
         angles=angles,
@@ -153,7 +155,9 @@ def posed_travel(structure: Structure, angles: Array, positions: Array, energy: 
 def tendon_energies(structure: Structure, positions: Array) -> Array:
     """Return the energies of the tendons, J, (pose, tendon), from the positions of points, m, (pose, point, 3)."""
     energies = [
-        tendon.law.elastic.energy(np.linalg.norm(positions[:, tendon.points[1]] - positions[:, tendon.points[0]], axis=1))
+        tendon.law.elastic.energy(
+            np.linalg.norm(positions[:, tendon.points[1]] - positions[:, tendon.points[0]], axis=1)
+        )
         for tendon in structure.tendons
     ]
     return np.array(energies).reshape(len(energies), len(positions)).T

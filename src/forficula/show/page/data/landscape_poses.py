@@ -75,7 +75,7 @@ def poses_view(poses: LandscapePoses, *, beside_run: bool) -> dict[str, Any]:
     share = np.linspace(0.0, 1.0, len(positions))
     clip = posed_clip(structure, shape_mesh(structure), share, positions, poses.angles, poses.energy)
     energies = energies_plot(clip)
-    plots = plot_data([*energies, *(reading_plot(item, number) for number, item in enumerate(clip.readings))])
+    plots = plot_data([*energies, *(reading_plot(readings) for readings in clip.readings)])
     return pose_view(
         clip,
         poses.angles,
@@ -97,7 +97,7 @@ def poses_travel(poses: LandscapePoses) -> Travel:
 
 def total_energy(poses: LandscapePoses) -> Array:
     """Return the stored energy of all parts, J, (pose,)."""
-    return np.sum([np.zeros(len(poses.angles)), *poses.energy.values()], axis=0)
+    return np.asarray(np.sum([np.zeros(len(poses.angles)), *poses.energy.values()], axis=0))
 
 
 def _is_tied(structure: Structure) -> bool:

@@ -23,7 +23,7 @@ def packed_directions(vectors: ArrayLike) -> str:
 
 
 def packed_steps(values: ArrayLike) -> dict[str, Any]:
-    """Pack numbers, (row, column), as 2-byte steps of 1/65535 of the range of their column; return also these ranges."""
+    """Pack numbers, (row, column), as 2-byte steps of 1/65535 of the range of their column, with these ranges."""
     table = np.asarray(values, dtype=np.float64)
     low, high = (table.min(axis=0), table.max(axis=0)) if len(table) else (np.zeros(table.shape[1]),) * 2
     step = (high - low) / _FINEST
