@@ -7,7 +7,7 @@ import { makeFold } from "./bench-fold.js";
 import { readClip } from "./clip.js";
 import { make } from "./elements.js";
 import { startEngine } from "./engine.js";
-import { makePanel } from "./try-panel.js";
+import { makePanel, ROOM } from "./try-panel.js";
 
 const MODES = [
   ["live", "simulated in time"],
@@ -27,9 +27,10 @@ export function makeWing(asked, set, run) {
   let look;
   let pace;
 
-  /** Keep the reader's view and speed. */
+  /** Keep the reader's view and speed; a live structure, whose motion is unknown, is seen from further away. */
   function remember() {
-    look = wing.panel?.stage?.eye.look ?? fold.look ?? look;
+    const live = wing.panel?.stage?.eye.look;
+    look = live ? { ...live, closer: live.closer / ROOM } : (fold.look ?? look);
     pace = wing.panel?.pace ?? pace;
   }
 
@@ -66,7 +67,7 @@ export function makeWing(asked, set, run) {
     const { bench, live, warnings } = model;
     remember();
     try {
-      const panel = await makePanel(readClip(bench.clips[0]), bench, JSON.stringify(live), take, { look, pace, set });
+      const panel = await makePanel(readClip(bench.clips[0]), bench, JSON.stringify(live), take, { look: further(look), pace, set });
       clear();
       fold.clear();
       element.replaceChildren(modes(), panel.element, ...toKnow(warnings));
@@ -118,6 +119,8 @@ export function makeWing(asked, set, run) {
 
   return wing;
 }
+
+const further = (look) => look && { ...look, following: false, closer: ROOM * look.closer };
 
 function toKnow(warnings) {
   if (!warnings.length) return [];

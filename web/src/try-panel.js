@@ -20,7 +20,7 @@ const PACES = [
   ["1/100", 0.01],
 ];
 const PACE = 0.2; // initial speed: at its own speed a wing snaps too fast to see
-const ROOM = 1.4; // distance of the eye without a run to frame, relative to the one that fits the start
+export const ROOM = 1.4; // distance of the eye without a run to frame, relative to the one that fits the start
 const MEDDLED = "Values were changed, or it was pushed, during the motion, which no run of a design file repeats. \u201cWhole protocol\u201d runs these settings from the start.";
 const LEAST = 1e-15; // J, below which an energy is a rounding error
 
