@@ -102,8 +102,11 @@ export function listenToDrags(stage, { moving, shape, names, asked, held }) {
     left: release,
   });
   const controls = makeDragKeys(stage, shape, names, drag, release);
-  const hint = make("span", { className: "note" }, "Drag a vertex: the package computes the equilibrium with the springs of the creases, and the force that holds it.");
-  const element = make("div", { className: "drag" }, make("div", { className: "choices" }, panels, hint), said, controls.element);
+  const hint = make("p", { className: "note" }, "Drag a vertex: the package computes the equilibrium with the springs of the creases, and the force that holds it.");
+  const element = make("div", { className: "drag" }, hint, said, controls.element);
+  // beside the views, so that it is in sight together with the picture
+  const row = stage.element.parentElement.querySelector(".views");
+  row.prepend(make("span", { className: "panels" }, panels));
   return { element, end: controls.end };
 }
 
