@@ -121,7 +121,7 @@ def quasi_static_path(
 
     >>> path = ff.quasi_static_path(design)
     >>> path
-    <QuasiStaticPath close: 17 points; snap at 0 %, goal at 100 %>
+    <QuasiStaticPath close: 18 points; snap at 0 %, goal at 100 %>
     >>> path.marks[0].text
     'The structure snaps when the drive "close" reaches 0.203 N cm; the snap releases 68.8 mJ.'
     """

@@ -20,7 +20,7 @@ from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_course import drive_course, reaction, released
 from forficula.statics.net.net_of import net_of, own_angles, point_positions, start_shape, valley_angles
 from forficula.statics.net.net_state import stored_parts
-from forficula.statics.net.slow_path import STEP, SlowPath, Snap
+from forficula.statics.net.slow_path import SlowPath, Snap
 from forficula.statics.quasi_static_path import (
     GrowingPath,
     NumberedEvent,
@@ -107,7 +107,8 @@ def _start(driven: DrivenNet) -> tuple[NetRest, tuple[str, ...]]:
 def _followed(driven: DrivenNet, start: NetShape, growing: GrowingPath, begin: float = 0.0) -> SlowPath:
     """Follow the path from a shape at rest onwards.
 
-    A snap continues to its rest. If it passes the goal but comes to rest beyond, it ends where it passes the goal.
+    A snap continues to its rest. If it does not come to rest within the goal that it passes, it ends where it
+    reaches the goal.
     """
 
     def watch(shape: NetShape, factor: float, resting: bool) -> None:
@@ -123,7 +124,8 @@ def _followed(driven: DrivenNet, start: NetShape, growing: GrowingPath, begin: f
         watch=watch,
     )
     passed = (driven.short_of_goal(shape) <= 0 for snap in slow.snaps for shape in snap.descent)
-    if slow.ended == "stop" or growing.stopped or not any(passed):
+    rests = len(slow.snaps) < len(slow.paths) or slow.snaps[-1].after.settled
+    if (slow.ended == "stop" and rests) or growing.stopped or not any(passed):
         return slow
     return follow_drive(driven, start, begin=begin, increments=_INCREMENTS)
 
@@ -193,7 +195,7 @@ def _release(driven: DrivenNet, shape: NetShape, bound: float) -> list[QuasiStat
         shapes.append(shape)
         return False
 
-    rest = minimum(driven.free, shape, longest_step=STEP * driven.net.size, stop=watch)
+    rest = minimum(driven.free, shape, stop=watch)
     kept = [*kept_shapes([shape, *shapes, rest.shape], bound), rest.shape]
     return [net_point(driven, shape, 0.0, resting=number == len(kept) - 1) for number, shape in enumerate(kept)]
 

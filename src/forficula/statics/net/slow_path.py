@@ -17,7 +17,7 @@ from forficula.statics.net.net import Net, NetShape
 _MOST_SNAPS = 12
 _BEYOND = 1e-4  # share of the factor by which the load exceeds a limit after the snap
 _PUSH = 1e-3  # of the net's size, along the mode in which a bifurcation loses its stiffness
-STEP = 0.03  # longest step during a snap, of the net's size
+_STEP = 0.03  # longest step during a snap, of the net's size
 _NEAR = 1e-2  # of the net's size: a smaller motion is not a snap
 
 
@@ -164,7 +164,7 @@ def _snap(
                 watch(shape, event.point.factor, False)
             return stop(shape)
 
-        rest = minimum(net, pushed, load, factor, longest_step=STEP * net.size, stop=follow)
+        rest = minimum(net, pushed, load, factor, longest_step=_STEP * net.size, stop=follow)
         landed.append((expand(net, rest.shape, load, factor).energy, rest, descent))
     energy, after, descent = min(landed, key=lambda landing: landing[0])
     moved = np.abs(after.shape.positions - before.positions).max()

@@ -81,7 +81,8 @@ def tree_path(
         _followed(driven, near_rest, growing, begin=abs(near.strength))
         growing.hold()
     slow = _followed(driven, start, growing)
-    bound = error * structure.span
+    # one half for the steps of the path, one half for steps that are left out
+    bound = error * structure.span / 2
     path = slow.paths[0] if growing.stopped else _refined(driven, slow.paths[0], bound)
     points, events, missed = _points(driven, path, bound)
     reached = bool(np.isfinite(slow.torque[0])) if transition is not None else path.torque[-1] >= driven.most
