@@ -203,16 +203,20 @@ def _marks(path: QuasiStaticPath) -> list[dict[str, Any]]:
 
 
 def _stages(path: QuasiStaticPath) -> list[dict[str, Any]]:
-    """Return the parts of a path between snaps, and the snaps, which are shaded."""
+    """Return the parts of a path: at rest, or moving in a snap or after a release at the goal, which are shaded."""
     stages, before = [], 0.0
     for mark in path.marks:
         if mark.kind == "snap":
-            stages += [(before, mark.share, False), (mark.share, mark.end, True)]
+            stages += [("at rest", before, mark.share), ("snap", mark.share, mark.end)]
             before = mark.end
-    stages.append((before, 1.0, False))
+        elif mark.kind == "goal" and mark.share < 1:
+            stages += [("at rest", before, mark.share), ("drive released", mark.share, 1.0)]
+            before = 1.0
+    stages.append(("at rest", before, 1.0))
     return [
-        {"name": "snap" if snaps else "at rest", "start": _PERCENT * start, "end": _PERCENT * end, "driven": snaps}
-        for start, end, snaps in stages
+        {"name": name, "start": _PERCENT * start, "end": _PERCENT * end, "driven": name != "at rest"}
+        for name, start, end in stages
+        if end > start
     ]
 
 
@@ -291,4 +295,5 @@ def _notes(path: QuasiStaticPath) -> list[str]:
         f'The {word} of the drive "{path.drive.name}" grows so slowly that the {whole} is at rest at every position'
         " outside snaps. Statics compute the shapes, without inertia, damping and contact between bodies."
     )
-    return [first, *(mark.text for mark in path.marks), *path.remarks]
+    remarks = [f"{remark[:1].upper()}{remark[1:].removesuffix('.')}." for remark in path.remarks]
+    return [first, *(mark.text for mark in path.marks), *remarks]
