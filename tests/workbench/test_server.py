@@ -4,6 +4,7 @@ import http.client
 import json
 import signal
 import socket
+import subprocess
 import sys
 
 import pytest
@@ -154,9 +155,7 @@ def test_a_dropped_fold_file_is_a_design(served):
     assert output["command"] == "forficula run door.fold"
     assert {key["key"] for key in output["keys"] if key["chosen"]} >= {"facet.thickness"}
     assert "mountain" not in served.ask("pattern", files=files)["said"]
-    model = served.ask("model", files=files)
-    assert model["live"]["refused"]
-    assert model["bench"]["clips"][0]["pointCount"] == 6
+    assert "creases are not joints" in served.ask("model", files=files)["live"]["refused"]
 
 
 def test_a_drawing_without_a_unit_takes_that_of_the_page(served):
@@ -203,6 +202,91 @@ def test_a_landscape_reports_progress_and_is_stored_as_a_page(served):
     status, page = served.request("GET", last["done"])
     assert status == 200
     assert b"<title>binder2025-joint: landscape</title>" in page
+
+
+def test_a_fold_path_is_preceded_by_a_picture_and_grows(served):
+    files = sent("door.fold", json.dumps(SQUARE))
+    first, *parts, last = lines(served, "fold", files=files)
+    assert first["picture"]["clips"][0]["pointCount"] == 6
+    assert [name for name in first["picture"]["points"] if name] == [f"vertex {number}" for number in range(6)]
+    assert last == {"done": True}
+    assert [part["path"]["complete"] for part in parts] == [False] * (len(parts) - 1) + [True]
+    path = parts[-1]["path"]
+    assert path["reached"]
+    # the picture has the mesh
+    assert "triangles" not in path["clips"][0]
+
+
+def test_a_dragged_vertex_is_held_by_the_force_that_the_package_computes(served):
+    from forficula.design import load_design
+    from forficula.show.page.data.shape_mesh import shape_mesh
+    from forficula.show.page.data.shown_path import shown_path
+    from forficula.statics import quasi_static_path, start_drag
+    from forficula.structure import structure_of
+
+    structure = structure_of(load_design("letter-fold"))
+    path = shown_path(quasi_static_path(structure))
+    near = path.point(0.25)
+    anchors = shape_mesh(structure).anchors.tolist()
+    drawn, tip = next(
+        (drawn, anchor) for drawn, anchor in enumerate(anchors) if structure.points[anchor].name == "facet2_vertex3"
+    )
+    # on the arc about the panel's joint
+    target = path.positions[path.index(0.3)][tip]
+    assert lines(served, "fold")[-1] == {"done": True}
+    drag = {"share": 0.25, "weights": {drawn: 1.0}, "target": target.tolist(), "begins": True}
+    output = served.ask("drag", **drag)
+    assert output["text"] == start_drag(structure, tip, near=near).to(target).text
+    assert output["text"].endswith("N holds the point here.")
+    # a design whose path is not computed
+    refused = served.ask("drag", **drag, settings={"tendon.0.stiffness": "0.6 N/cm"})["refused"]
+    assert refused == "the fold path of this design is not computed yet; drag it once it is"
+    assert served.ask("drag", **drag | {"weights": {999: 1.0}})["refused"].startswith("weights: need points from 0 to ")
+
+
+TWICE = SQUARE | {
+    "vertices_coords": SQUARE["vertices_coords"] + [[x + 20, y] for x, y in SQUARE["vertices_coords"]],
+    "edges_vertices": SQUARE["edges_vertices"] + [[one + 6, other + 6] for one, other in SQUARE["edges_vertices"]],
+    "edges_assignment": 2 * SQUARE["edges_assignment"],
+    "faces_vertices": SQUARE["faces_vertices"] + [[corner + 6 for corner in face] for face in SQUARE["faces_vertices"]],
+}
+
+
+@pytest.mark.parametrize(
+    ("sheet", "pictured", "why"),
+    [
+        ({}, False, "it.fold: vertices_coords: need a list, but the key is missing"),
+        (SQUARE | {"edges_vertices": [], "faces_vertices": []}, False, "it.fold: edges_"),
+        (SQUARE | {"edges_assignment": ["B"] * 6 + ["C"]}, False, "it.fold: pattern: need a mountain or a valley"),
+        (SQUARE | {"edges_assignment": ["B"] * 6 + ["U"]}, True, "it: need a drive that folds it"),
+        # two sheets that nothing joins
+        (TWICE, True, 'the drive "fold" does not move the sheet; a part can move without any force'),
+    ],
+)
+def test_a_sheet_that_cannot_be_folded_ends_in_one_line(served, sheet, pictured, why):
+    *pictures, last = lines(served, "fold", files=sent("it.fold", json.dumps(sheet)))
+    assert [list(line) for line in pictures] == [["picture"]] * pictured
+    assert last["refused"].startswith(why)
+    assert "\n" not in last["refused"]
+
+
+def test_a_fold_path_that_is_superseded_stops_and_its_process_continues(served):
+    wide = json.dumps({"design": "miura-sheet", "settings": {"pattern.columns": "12", "pattern.rows": "12"}})
+    path = served.address.partition(str(served.port))[2] + "fold"
+    connection = http.client.HTTPConnection("127.0.0.1", served.port, timeout=SECONDS)
+    connection.request("POST", path, wide, JSON | {"Cookie": served.cookie})
+    assert b"picture" in connection.getresponse().readline()
+    before = children(served.process.pid)
+    connection.sock.shutdown(socket.SHUT_RDWR)
+    connection.close()
+    assert lines(served, "fold", files=sent("door.fold", json.dumps(SQUARE)))[-1] == {"done": True}
+    assert children(served.process.pid) == before
+
+
+def children(parent):
+    """Processes that a process has started."""
+    listed = subprocess.run(["ps", "-o", "pid=", "--ppid", str(parent)], capture_output=True, text=True, check=True)
+    return set(listed.stdout.split())
 
 
 def test_what_cannot_be_surveyed_says_why(served):

@@ -16,10 +16,10 @@ export async function ask(what, asked, signal) {
   }
 }
 
-/** Send a request that takes longer: `hear` receives each step; returns the last line, {done} or {refused}. */
+/** Send a request that is answered line by line: `hear` receives each line; returns the last one, {done} or {refused}. */
 export async function follow(what, asked, signal, hear) {
   let rest = "";
-  let last = { refused: GONE };
+  let last = {};
   try {
     const reply = await fetch(what, { method: "POST", headers: HEADERS, body: JSON.stringify(asked), signal });
     const lines = reply.body.pipeThrough(new TextDecoderStream()).getReader();
@@ -28,7 +28,7 @@ export async function follow(what, asked, signal, hear) {
       rest = texts.pop();
       for (const text of texts) {
         last = JSON.parse(text);
-        if (last.doing) hear(last.doing);
+        hear(last);
       }
     }
     if (rest) last = JSON.parse(rest);
@@ -36,7 +36,7 @@ export async function follow(what, asked, signal, hear) {
     if (error.name === "AbortError") throw error;
     return { refused: GONE };
   }
-  return last.doing ? { refused: GONE } : last;
+  return last.done || last.refused ? last : { refused: GONE };
 }
 
 const GONE = "the workbench does not answer; is forficula open still running?";

@@ -7,8 +7,9 @@ const KEPT = `forficula ${location.pathname}`; // key of the session storage, wh
 /**
  * A design that is opened, changed and built, one request after another.
  *
- * shows: {says, reply, model}: displays what is being done and what was refused, the design with its keys, and its
- * structure (awaited). The design has `asked`, the request; `base`, the reply for the design as opened; `reply`, the
+ * shows: {says, reply, picture, model, resume}: displays what is being done and what was refused, the design with its
+ * keys, the first picture of its structure (awaited: {shown}, or {refused} with the reason), and its structure (awaited);
+ * `resume` is called after a refusal. The design has `asked`, the request; `base`, the reply for the design as opened; `reply`, the
  * present reply; and `rejected`, texts of keys that were refused, with reasons.
  */
 export function makeDesign(shows) {
@@ -17,28 +18,46 @@ export function makeDesign(shows) {
   /** Open a design in place of another; returns the reason if it is refused, otherwise "". */
   design.open = async (where, settings) => {
     const name = where.files[0]?.name || where.design || "the design";
+    const wanted = { ...where, settings };
     shows.says.wait(`Opening ${name}`);
+    const picture = shows.picture(wanted, true);
     const base = await ask("design", { ...where, settings: {} });
-    const why = base.refused ?? (await build({ ...where, settings }, base));
-    if (why) shows.says.refuse(`${name} is not opened: ${why}`);
-    else design.rejected.clear();
+    const why = base.refused ?? (await build(wanted, base, picture));
+    if (why) {
+      shows.says.refuse(`${name} is not opened: ${why}`);
+      shows.resume();
+    } else design.rejected.clear();
     if (design.reply) display(design.reply);
     return why;
   };
 
-  /** Build a request and display it; returns the reason if that is impossible, otherwise "". */
-  async function build(wanted, base) {
+  /**
+   * Build a request and display it; returns the reason if that is impossible, otherwise "".
+   *
+   * base: the reply for the design as opened; picture: its first picture, if that was requested before.
+   */
+  async function build(wanted, base, picture = null) {
     const began = performance.now();
     const stopping = new AbortController();
-    shows.says.wait("Building", () => stopping.abort());
-    try {
-      const reply = await ask("design", wanted, stopping.signal);
-      if (reply.refused) return reply.refused;
-      const model = await ask("model", wanted, stopping.signal);
-      if (model.refused) return model.refused;
+    const accept = () => {
       Object.assign(design, { asked: wanted, base });
       display(reply);
-      await shows.model(model);
+    };
+    shows.says.wait("Building", () => stopping.abort());
+    let reply = base;
+    try {
+      if (Object.keys(wanted.settings).length) reply = await ask("design", wanted, stopping.signal);
+      if (reply.refused) return reply.refused;
+      const first = await stoppable(picture ?? shows.picture(wanted, false), stopping.signal);
+      if (first.refused) return first.refused;
+      if (first.shown) {
+        accept();
+        shows.says.wait("Building");
+      }
+      const model = await ask("model", wanted, first.shown ? undefined : stopping.signal);
+      if (model.refused && !first.shown) return model.refused;
+      if (!first.shown) accept();
+      await shows.model(model.refused ? { live: model, warnings: [] } : model);
       shows.says.done(`Built in ${((performance.now() - began) / 1000).toFixed(1)} s.`);
     } catch (error) {
       if (error.name !== "AbortError") throw error;
@@ -64,6 +83,7 @@ export function makeDesign(shows) {
     if (why) {
       rejected.set(key, { text, why });
       shows.says.refuse(`${why} \u2013 the last working model is kept`);
+      shows.resume();
     } else if (same(alone, asked.settings)) shows.says.done("");
     display(design.reply);
   };
@@ -94,6 +114,12 @@ export function makeDesign(shows) {
   }
 
   return design;
+}
+
+/** A promise that is rejected once a signal aborts. */
+function stoppable(promise, signal) {
+  const stopped = new Promise((_, reject) => signal.addEventListener("abort", () => reject(signal.reason)));
+  return Promise.race([promise, stopped]);
 }
 
 const same = (one, other) => JSON.stringify(Object.entries(one).sort()) === JSON.stringify(Object.entries(other).sort());

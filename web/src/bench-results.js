@@ -23,7 +23,9 @@ export function makeResults(what, { button: words, text, title }, asked) {
     said.textContent = "Starting \u2026";
     let found = false;
     try {
-      const reply = await follow(what, wanted, doing.signal, (step) => (said.textContent = `${step} \u2026`));
+      const reply = await follow(what, wanted, doing.signal, (line) => {
+        if (line.doing) said.textContent = `${line.doing} \u2026`;
+      });
       if (reply.refused) said.textContent = `No result: ${reply.refused}.`;
       else show(reply.done, wanted, (performance.now() - began) / 1000);
       found = !reply.refused;

@@ -1,50 +1,107 @@
-/** The structure of a workbench, simulated live; at its start, with the reason, if the page cannot simulate it. */
+/**
+ * The structure of a workbench: simulated live, if the page's engine can do that, or moved along its fold path, which the
+ * package computes.
+ */
 
-import { firstLook } from "./camera.js";
+import { makeFold } from "./bench-fold.js";
 import { readClip } from "./clip.js";
 import { make } from "./elements.js";
 import { startEngine } from "./engine.js";
-import { mountStill } from "./player.js";
-import { makePoseClock } from "./pose-clock.js";
-import { makePanel } from "./try-panel.js";
+import { makePanel, ROOM } from "./try-panel.js";
 
-/** set: receives the key and the text of a value that was changed during the simulation; run: requests a run. */
-export function makeWing(set, run) {
+const MODES = [
+  ["live", "simulated in time"],
+  ["fold", "slowly along its path"],
+];
+
+/**
+ * asked: returns the present request; set: receives the key and the text of a value that was changed during the
+ * simulation; run: requests a run.
+ */
+export function makeWing(asked, set, run) {
   const element = make("div");
-  const wing = { element, panel: null, refused: "", engine: null };
-  let still = null;
+  const fold = makeFold();
+  const wing = { element, fold, panel: null, whole: "structure", refused: "", engine: null };
+  let mode = "live"; // what the reader chose
+  let model = null; // of the present design
   let look;
   let pace;
 
-  function clear() {
-    wing.panel?.leave();
-    still?.dispose();
-    wing.panel = still = null;
+  /** Keep the reader's view and speed; a live structure, whose motion is unknown, is seen from further away. */
+  function remember() {
+    const live = wing.panel?.stage?.eye.look;
+    look = live ? { ...live, closer: live.closer / ROOM } : (fold.look ?? look);
+    pace = wing.panel?.pace ?? pace;
   }
 
-  /** Display a model in place of another; the view is kept. */
-  wing.show = async ({ bench, live, warnings }) => {
-    const clip = readClip(bench.clips[0]);
-    wing.refused = live.refused ?? "";
-    pace = wing.panel?.pace ?? pace;
-    if (!wing.refused) {
-      try {
-        const panel = await makePanel(clip, bench, JSON.stringify(live), take, { look, pace, set });
-        clear();
-        element.replaceChildren(panel.element, ...toKnow(warnings));
-        panel.begin();
-        wing.panel = panel;
-        look = panel.stage?.eye.look;
-        return;
-      } catch (error) {
-        wing.engine?.end();
-        wing.engine = null;
-        wing.refused = error.message;
-      }
+  function clear() {
+    remember();
+    wing.panel?.leave();
+    wing.panel = null;
+  }
+
+  /** Request a picture; returns {shown: true}, {refused}, or {} if the structure is simulated live. */
+  wing.begin = async (wanted, fresh) => {
+    if (!fresh && wing.panel) return {};
+    const first = await fold.show(wanted, { fresh, look });
+    if (first.shown) {
+      clear();
+      wing.whole = fold.whole;
+      if (!element.contains(fold.element)) element.replaceChildren(fold.element);
     }
-    clear();
-    showStill(clip, bench, warnings);
+    return first;
   };
+
+  wing.resume = () => fold.resume();
+
+  /** Display the model of a design that is accepted; the view is kept. */
+  wing.show = async (next) => {
+    model = next;
+    wing.whole = model.bench?.whole ?? fold.whole;
+    wing.refused = model.live.refused ?? "";
+    if (!wing.refused && mode === "live") await showLive();
+    else await showFold();
+  };
+
+  async function showLive() {
+    const { bench, live, warnings } = model;
+    remember();
+    try {
+      const panel = await makePanel(readClip(bench.clips[0]), bench, JSON.stringify(live), take, { look: further(look), pace, set });
+      clear();
+      fold.clear();
+      element.replaceChildren(modes(), panel.element, ...toKnow(warnings));
+      panel.begin();
+      wing.panel = panel;
+    } catch (error) {
+      wing.engine?.end();
+      wing.engine = null;
+      wing.refused = error.message;
+      await showFold();
+    }
+  }
+
+  async function showFold() {
+    clear();
+    element.replaceChildren(...(wing.refused ? [] : [modes()]), fold.element, ...(wing.refused ? [offer()] : []), ...toKnow(model.warnings));
+    if (!fold.shows(asked())) await fold.show(asked(), { look });
+  }
+
+  /** Choice between the simulation and the fold path. */
+  function modes() {
+    const buttons = MODES.map(([name, title]) => {
+      const button = make("button", { type: "button", title, "aria-pressed": String(name === mode) }, name);
+      button.addEventListener("click", async () => {
+        if (name === mode) return;
+        mode = name;
+        await (name === "live" ? showLive() : showFold());
+        [...element.querySelectorAll(".modes button")].find((each) => each.textContent === mode)?.focus();
+      });
+      return button;
+    });
+    const text = MODES.map(([name, title]) => `${name}: ${title}`).join(" \u00b7 ");
+    return make("div", { className: "colours modes", role: "group", "aria-label": `how the ${wing.whole} moves` }, make("span", {}, ...buttons), text);
+  }
 
   /** Start the engine once; it takes one structure after another. */
   async function take(text, hear) {
@@ -53,21 +110,17 @@ export function makeWing(set, run) {
     return wing.engine;
   }
 
-  function showStill(clip, bench, warnings) {
-    const why = make("p", { className: "note" }, `The picture shows the start. A page cannot simulate this ${bench.whole}: ${wing.refused}. The package can:`);
+  function offer() {
+    const why = make("p", { className: "note" }, `The motion in time is not simulated in this page: ${wing.refused}. The package simulates it.`);
     const button = make("button", { type: "button" }, "Run it");
     button.addEventListener("click", run);
-    const picture = make("div");
-    element.replaceChildren(make("div", { className: "offer" }, why, button), picture, ...toKnow(warnings));
-    const begun = look ?? { ...firstLook(), following: false };
-    const { stage } = mountStill(picture, [clip], makePoseClock(clip), { ...bench, text: `${bench.shape}, at its start.` }, begun);
-    picture.setAttribute("aria-label", `the ${bench.whole} at its start`);
-    still = stage;
-    look = stage?.eye.look ?? look;
+    return make("div", { className: "offer" }, button, why);
   }
 
   return wing;
 }
+
+const further = (look) => look && { ...look, following: false, closer: ROOM * look.closer };
 
 function toKnow(warnings) {
   if (!warnings.length) return [];

@@ -14,7 +14,7 @@ const STILL = 6; // pixels that a finger may move and still touch
  * A crease stays chosen when it is pressed. A pointer over another one shows that one as long as it is there.
  */
 export function showCreases(stage, clip, clock) {
-  const { lines, columns } = clip.creases;
+  const { lines } = clip.creases;
   const [canvas, cell] = [stage.canvas, stage.cells[0]];
   const label = make("p", { className: "crease-label", "aria-hidden": "true", hidden: true });
   const mark = make("span", { className: "crease-mark", "aria-hidden": "true", hidden: true });
@@ -22,7 +22,6 @@ export function showCreases(stage, clip, clock) {
   const list = make("select", {}, make("option", { value: "" }, "none"), ...lines.map(({ name }, index) => make("option", { value: String(index) }, name)));
   const said = make("output", { "aria-live": "off" });
   const hint = make("span", {}, "or point at one in the picture, or touch it");
-  const values = new Float32Array(columns.length);
   const point = new Vector3();
   let chosen = null;
   let pointed = null;
@@ -55,8 +54,10 @@ export function showCreases(stage, clip, clock) {
   }
 
   function text(index) {
-    clip.valuesAt(CREASES, clock.clipTime(0), values);
-    return lines[index].columns.map((column) => {
+    // a fold path that is refined may have other units
+    const { lines: now, columns } = clip.creases;
+    const values = clip.valuesAt(CREASES, clock.clipTime(0));
+    return now[index].columns.map((column) => {
       const { name, unit } = columns[column];
       const value = unit === "\u00b0" ? `${fixed(values[column], 1)}\u00b0` : `${short(Number(values[column].toPrecision(3)))} ${unit}`;
       return `${name} ${value}`;

@@ -47,7 +47,13 @@ export function showRun(data) {
   page.choose(views[0]);
   if (data.clips) {
     playOnceSeen(player, page.clock);
-    page.trial = mountTryIt(document.getElementById("try"), views[0].clips[0], data, () => page.clock.pause());
+    const path = views.find((view) => view !== views[0]);
+    const fold = path && (() => {
+      page.choose(path);
+      player.scrollIntoView({ block: "start" });
+      player.querySelector("input[type=range]").focus({ preventScroll: true });
+    });
+    page.trial = mountTryIt(document.getElementById("try"), views[0].clips[0], data, () => page.clock.pause(), fold);
   }
   return page;
 }

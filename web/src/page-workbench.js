@@ -22,7 +22,13 @@ export async function showWorkbench(data) {
   const says = makeSays();
   let queue = Promise.resolve();
   const next = (job) => (queue = queue.then(job).catch((error) => says.refuse(error.message)));
-  const design = makeDesign({ says, reply: show, model: build });
+  const design = makeDesign({
+    says,
+    reply: show,
+    picture: (wanted, fresh) => views.wing.begin(wanted, fresh),
+    model: build,
+    resume: () => views.wing.resume(),
+  });
   const slid = makeSlid((settings) => next(() => design.slide(settings)));
   const open = (where) => next(() => design.open(where, {}));
   const opening = makeOpening(data.designs, data.opened, open);
@@ -47,7 +53,7 @@ export async function showWorkbench(data) {
 
   async function build(model) {
     await views.wing.show(model);
-    views.tabs.name("wing", capital(model.bench.whole));
+    views.tabs.name("wing", capital(views.wing.whole));
   }
 
   const head = make("div", { className: "masthead" }, opening.element, taking.element, says.element);
@@ -68,7 +74,7 @@ async function begin(design, data) {
 function makeViews(design, slid, open) {
   const asked = () => design.asked;
   const results = Object.fromEntries(Object.entries(RESULTS).map(([what, words]) => [what, makeResults(what, words, asked)]));
-  const wing = makeWing(slid.put, () => {
+  const wing = makeWing(asked, slid.put, () => {
     tabs.choose("run");
     results.run.find();
   });

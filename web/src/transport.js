@@ -19,7 +19,19 @@ export function makeTransport(clips, clock) {
   const ticks = make("div", { className: "ticks", "aria-hidden": "true" });
   const readout = make("p", { className: "time" });
   const spoken = make("p", { className: "spoken", role: "status" });
-  const states = clips.length === 1 ? clips[0].marks.map((mark) => stateButton(mark, clock)) : [];
+  const row = make("div", { className: "states" });
+  // a fold path that is refined replaces its marks
+  let marks = null;
+  let states = [];
+
+  function nameStates() {
+    if (clips.length > 1 || clips[0].marks === marks) return;
+    marks = clips[0].marks;
+    states = marks.map((mark) => stateButton(mark, clock));
+    row.replaceChildren(...states);
+  }
+
+  nameStates();
   const element = make(
     "div",
     { className: "transport" },
@@ -28,7 +40,7 @@ export function makeTransport(clips, clock) {
       "div",
       { className: "choices" },
       readout,
-      ...(states.length ? [make("div", { className: "states" }, ...states)] : []),
+      row,
       ...(clock.span.unit ? [] : [speedChoice(clock)]),
       ...spanChoice(clock),
       spoken,
@@ -39,20 +51,21 @@ export function makeTransport(clips, clock) {
     clock.pause();
     clock.seek(clock.momentAt(slider.value / TICKS));
   });
-  let drawn = null;
+  let drawn = {};
   let wasPlaying = null;
   let quiet = 0;
   clock.onChange(() => {
-    const line = `${clock.spans.indexOf(clock.span)} ${clock.stretched}`;
-    if (line !== drawn) drawTrack(clips, clock, bands, ticks);
-    drawn = line;
+    nameStates();
+    const { span, stretched } = clock;
+    if (span !== drawn.span || stretched !== drawn.stretched) drawTrack(clips, clock, bands, ticks);
+    drawn = { span, stretched };
     slider.value = Math.round(TICKS * clock.shareAt(clock.time));
     slider.setAttribute("aria-valuetext", momentText(clips, clock));
     const stage = clips.length === 1 ? stageText(clips[0], clock.clipTime(0)) : "";
     const since = clips.length === 1 ? (stage && ` \u00b7 ${stage}`) : clock.span.label.replace("time", "");
     const slow = clock.playing && !clock.span.unit ? `, ${slowness(clock.slowness)}` : "";
     readout.textContent = `${timeText(clock.time, clock.span)}${since}${slow}${alongText(clips[0], clock.clipTime(0), " \u00b7 ")}`;
-    for (const [index, mark] of (clips.length === 1 ? clips[0].marks : []).entries()) {
+    for (const [index, mark] of (marks ?? []).entries()) {
       states[index].setAttribute("aria-pressed", String(Math.abs(mark.time - clock.clipTime(0)) < 1e-9));
     }
     if (clock.playing !== wasPlaying) {
@@ -72,17 +85,30 @@ export function makeTransport(clips, clock) {
 
 /** The first number beside the time as a curve above the slider, with a ball; none for a clip without such numbers. */
 function profiles(clip, clock) {
-  const [first] = clip.along;
-  if (!first) return [];
-  const values = clip.line(first.key, 0);
-  const [low, high] = [Math.min(0, ...values), Math.max(...values)];
-  const [across, up] = [(moment) => 100 * clock.shareAt(moment), (value) => 100 - (100 * (value - low)) / (high - low || 1)];
-  const points = Array.from(values, (value, frame) => `${across(clip.time[frame]).toFixed(2)} ${up(value).toFixed(2)}`);
-  const curve = drawn(`M${points.join("L")}`, 100);
+  if (!clip.along.length) return [];
+  const curve = drawn("", 100);
   const ball = make("span", { className: "profile-ball" });
-  // above the lower end of the curve
-  const name = make("small", { className: values[0] < values.at(-1) ? "at-start" : "" }, first.name);
+  const name = make("small");
+  const across = (moment) => 100 * clock.shareAt(moment);
+  let up = null;
+  let shown = null;
+
+  /** Draw the curve; a fold path that grows replaces its numbers. */
+  function draw(first) {
+    const values = clip.line(first.key, 0);
+    const [low, high] = [Math.min(0, ...values), Math.max(...values)];
+    up = (value) => 100 - (100 * (value - low)) / (high - low || 1);
+    const points = Array.from(values, (value, frame) => `${across(clip.time[frame]).toFixed(2)} ${up(value).toFixed(2)}`);
+    curve.querySelector("path").setAttribute("d", `M${points.join("L")}`);
+    name.textContent = first.name;
+    // above the lower end of the curve
+    name.classList.toggle("at-start", values[0] < values.at(-1));
+    shown = first;
+  }
+
   clock.onChange(() => {
+    const [first] = clip.along;
+    if (first !== shown) draw(first);
     const moment = clock.clipTime(0);
     ball.style.left = `${across(moment).toFixed(2)}%`;
     ball.style.top = `${up(clip.valuesAt(first.key, moment)[0]).toFixed(2)}%`;

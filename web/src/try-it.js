@@ -4,8 +4,11 @@ import { make } from "./elements.js";
 import { hasEngine, startEngine } from "./engine.js";
 import { makePanel } from "./try-panel.js";
 
-/** Add the offer to an element, if the page has one; `before` is called when it is accepted. */
-export function mountTryIt(element, clip, data, before) {
+/**
+ * Add the offer to an element, if the page has one; `before` is called when it is accepted. `fold` shows the fold path of
+ * the page, if it has one; it is offered for a structure that the page cannot simulate.
+ */
+export function mountTryIt(element, clip, data, before, fold = null) {
   if (!element) return null;
   const trial = { panel: null, failed: "", start: null };
   const text = document.getElementById("live").textContent;
@@ -17,7 +20,13 @@ export function mountTryIt(element, clip, data, before) {
   function refuse(why) {
     trial.failed = why;
     button.disabled = true;
-    said.textContent = `This ${data.whole} cannot be simulated in a page: ${why}. Use the command line: forficula run.`;
+    const drag = `To drag its vertices, open the design in the workbench, with the command forficula open.`;
+    const reason = `A page cannot simulate the motion in time of this ${data.whole}: ${why}.`;
+    said.textContent = `${fold ? `A slider folds this ${data.whole} along its quasi-static path. ` : ""}${drag} ${reason}`;
+    if (!fold) return;
+    const slow = make("button", { type: "button", className: "try" }, "Fold it slowly");
+    slow.addEventListener("click", fold);
+    button.replaceWith(slow);
   }
 
   const live = JSON.parse(text.startsWith('{"refused"') ? text : "null");
@@ -37,6 +46,9 @@ export function mountTryIt(element, clip, data, before) {
       refuse(error.message);
     }
   };
-  button.addEventListener("click", trial.start);
+  button.addEventListener("click", async () => {
+    await trial.start();
+    if (!trial.failed) element.scrollIntoView({ block: "start" });
+  });
   return trial;
 }

@@ -20,7 +20,7 @@ const PACES = [
   ["1/100", 0.01],
 ];
 const PACE = 0.2; // initial speed: at its own speed a wing snaps too fast to see
-const ROOM = 1.4; // distance of the eye without a run to frame, relative to the one that fits the start
+export const ROOM = 1.4; // distance of the eye without a run to frame, relative to the one that fits the start
 const MEDDLED = "Values were changed, or it was pushed, during the motion, which no run of a design file repeats. \u201cWhole protocol\u201d runs these settings from the start.";
 const LEAST = 1e-15; // J, below which an energy is a rounding error
 
@@ -83,8 +83,10 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
   panel.element = make(
     "div",
     { className: "trial" },
-    make("div", { className: "seen" }, make("div", { className: "choices" }, ...buttons), make("div", { className: "live-facts" }, moment, account), said, advice, picture, readout),
+    make("div", { className: "head" }, make("div", { className: "choices" }, ...buttons), make("div", { className: "live-facts" }, moment, account), said, advice),
+    picture,
     make("div", { className: "hands" }, sliders.element, ...(set ? [] : [design.element])),
+    readout,
   );
 
   /** Set up parts that need their place in the page. */
@@ -105,7 +107,8 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
     show(engine.first);
     engine.send({ act: "pace", value: panel.pace });
     engine.send({ act: "restart", through: false });
-    if (data.kind !== "bench") buttons[0].focus();
+    // without scrolling, because the page brings the whole panel into view
+    if (data.kind !== "bench") buttons[0].focus({ preventScroll: true });
   };
   panel.leave = () => panel.stage?.dispose();
   return Object.assign(panel, { engine, live, sliders, design, own });

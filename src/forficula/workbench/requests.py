@@ -26,6 +26,7 @@ _ENDINGS = (".toml", ".fold", ".svg", ".dxf")
 _MOST_FILES = 20
 _NAME = re.compile(r"[^/\\:\x00-\x1f]{1,100}")
 _LONGEST = 255  # bytes of a file name, on every usual file system
+_MOST_POINTS = 8  # of a place on a panel
 _LONGEST_KEY = 300  # letters; the longest key of a named design has 39
 _OUTSIDE = (
     "the workbench reads only files that are dropped on its page, files in the folder of its design, and files that"
@@ -80,6 +81,31 @@ class DesignRequest(BaseModel):
             if len(key) > _LONGEST_KEY:
                 raise ValueError(f"need keys of at most {_LONGEST_KEY} letters, got {as_written(key)}")
         return settings
+
+
+class FoldRequest(DesignRequest):
+    """A design whose fold path a page requests.
+
+    Attributes:
+        share: position of the slider; the path is computed first around the shape that the path of the design before a
+            change has there. None for another design.
+    """
+
+    share: Annotated[float | None, Field(ge=0, le=1)] = None
+
+
+class DragRequest(FoldRequest):
+    """A design, and a point of its structure that a page drags.
+
+    Attributes:
+        weights: numbers of the drawn points whose weighted mean is dragged, and their weights.
+        target: position to which the point is dragged, m.
+        begins: whether the drag begins at the shape of the slider; otherwise it continues from its last shape.
+    """
+
+    weights: Annotated[dict[Annotated[int, Field(ge=0)], float], Field(min_length=1, max_length=_MOST_POINTS)]
+    target: tuple[float, float, float]
+    begins: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -12,7 +12,7 @@ from typing import Any
 
 from forficula.design import Design, design_frames, design_pattern, design_text
 from forficula.design.files.design_keys import DesignKey, design_keys
-from forficula.dynamics import timestep_warnings, with_timestep
+from forficula.dynamics import compile_model, timestep_warnings, why_not_portable, with_timestep
 from forficula.pattern import pattern_facts, write_fold
 from forficula.show.page.data.live_data import live_data
 from forficula.show.page.live_page import live_page_data, start_clip
@@ -60,7 +60,7 @@ def command_of(request: DesignRequest, opened: Opened) -> str:
 
 
 def model_response(request: DesignRequest, opened: Opened) -> dict[str, Any]:
-    """Return the structure of a design at its start, and the data for the engine in the page or its reason to refuse.
+    """Return the data for the engine in the page with the structure at its start, or the engine's reason to refuse.
 
     Raises:
         InputError: the design cannot be built.
@@ -69,18 +69,19 @@ def model_response(request: DesignRequest, opened: Opened) -> dict[str, Any]:
         warnings.simplefilter("always", UserWarning)
         requested, of_law = law_timestep(requested_design(request, opened))
     design = with_timestep(requested)
+    model = compile_model(design)
+    notes = [
+        *(str(warning.message).rpartition("/")[2] for warning in reading),
+        *structure_warnings(design, model.structure),
+        *[of_law] * bool(of_law),
+        *timestep_warnings(requested),
+    ]
+    if why := why_not_portable(model):
+        return {"live": {"refused": why}, "warnings": notes}
     clip = start_clip(design)
     measures = [reading.measure for reading in clip.readings]
-    return {
-        "bench": live_page_data(clip),
-        "live": live_data(design, measures, clip.mesh.anchors.tolist()),
-        "warnings": [
-            *(str(warning.message).rpartition("/")[2] for warning in reading),
-            *structure_warnings(design, clip.structure),
-            *[of_law] * bool(of_law),
-            *timestep_warnings(requested),
-        ],
-    }
+    live = live_data(design, measures, clip.mesh.anchors.tolist())
+    return {"bench": live_page_data(clip), "live": live, "warnings": notes}
 
 
 def pattern_response(request: DesignRequest, opened: Opened) -> dict[str, Any]:

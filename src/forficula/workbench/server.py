@@ -22,7 +22,7 @@ from forficula.design import load_design, named_designs
 from forficula.errors import InputError
 from forficula.show.page.page import page_html
 from forficula.workbench.access import Access, redirect_page, refusal, refused_page, write_redirect
-from forficula.workbench.requests import DesignRequest, Opened, design_source
+from forficula.workbench.requests import DesignRequest, DragRequest, FoldRequest, Opened, design_source
 from forficula.workbench.session import WorkerSession
 from forficula.workbench.traffic import LARGEST_REFUSED, BoundedApplication
 from forficula.workbench.worker import StoppedError, Task, Worker
@@ -44,6 +44,7 @@ class Bench:
         opened: design with which the workbench was opened.
         port: port of the server.
         quick: queue of tasks for which the page waits.
+        statics: queue of fold paths, which grow while the page shows them, and of drags along them.
         slow: queue of tasks that run while the page remains usable.
         access: tokens and cookie.
         folder: folder of the results.
@@ -54,6 +55,7 @@ class Bench:
     port: int
     access: Access
     quick: WorkerSession
+    statics: WorkerSession
     slow: WorkerSession
     folder: Path
     results: int = 0
@@ -89,15 +91,24 @@ async def _serve(
     listening.setblocking(False)
     access = Access(f"http://{LOOPBACK}:{own_port}", own_port)
     with TemporaryDirectory(prefix="forficula-", ignore_cleanup_errors=True) as folder:
-        workers = Worker(opened, Path(folder)), Worker(opened, Path(folder))
-        quick, slow = (WorkerSession(worker) for worker in workers)
-        bench = Bench(opened=opened, port=own_port, access=access, quick=quick, slow=slow, folder=Path(folder))
+        workers = [Worker(opened, Path(folder)) for _ in range(3)]
+        quick, statics, slow = (WorkerSession(worker) for worker in workers)
+        bench = Bench(
+            opened=opened,
+            port=own_port,
+            access=access,
+            quick=quick,
+            statics=statics,
+            slow=slow,
+            folder=Path(folder),
+        )
         # the bound of a body depends on its sender
         server = HTTPServer(application(bench), max_body_size=LARGEST_REFUSED, max_buffer_size=_BUFFER)
         ended = _end_signals()
         try:
             server.add_socket(listening)
-            workers[0].start()
+            for worker in workers[:2]:
+                worker.start()
             _announce(access, announce)
             if browse is not None:
                 entrance = Path(folder, _ENTRANCE)
@@ -107,7 +118,7 @@ async def _serve(
         finally:
             server.stop()
             for worker in workers:
-                worker.stop()
+                worker.end()
 
 
 def _announce(access: Access, announce: Callable[[str], None]) -> None:
@@ -136,6 +147,8 @@ def application(bench: Bench) -> BoundedApplication:
             (r"/open/([A-Za-z0-9_-]+)", _Entrance, shared),
             (secret, _Page, shared),
             (rf"{secret}(design|model|pattern)", _Answer, shared),
+            (rf"{secret}(drag)", _Drag, shared),
+            (rf"{secret}(fold)", _Fold, shared),
             (rf"{secret}(landscape|run)", _Results, shared),
             (rf"{secret}results/([0-9]{{1,9}})/{_REPORT}", _Report, shared),
         ],
@@ -213,13 +226,13 @@ class _Guarded(RequestHandler):
         refused = f"need GET or POST, got {self.request.method}" if status_code == 405 else "the workbench failed"
         self.finish({"refused": f"{refused} ({status_code})"})
 
-    def read_request(self) -> DesignRequest | None:
+    def read_request(self, kind: type[DesignRequest] = DesignRequest) -> DesignRequest | None:
         """Return the request of the page; None after a refusal if it cannot be read."""
         if self.request.headers.get("Content-Type", "").partition(";")[0] != "application/json":
             self.refuse(415, "need application/json")
             return None
         try:
-            return DesignRequest.model_validate_json(self.request.body)
+            return kind.model_validate_json(self.request.body)
         except ValidationError as error:
             first = error.errors(include_url=False)[0]
             self.refuse(400, f"{'.'.join(map(str, first['loc']))}: {first['msg'].removeprefix('Value error, ')}")
@@ -263,11 +276,17 @@ class _Page(_Guarded):
 
 
 class _Answer(_Guarded):
+    request_type: type[DesignRequest] = DesignRequest
+
+    @property
+    def session(self) -> WorkerSession:
+        return self.bench.quick
+
     async def post(self, task: Task) -> None:
-        if (request := self.read_request()) is None:
+        if (request := self.read_request(self.request_type)) is None:
             return
         try:
-            await self.finish(await self.bench.quick.do(self, task, request))
+            await self.finish(await self.session.do(self, task, request))
         except _REPORTED as error:
             # a value that is not allowed is a regular answer
             if not self.gone:
@@ -275,11 +294,60 @@ class _Answer(_Guarded):
 
     def on_connection_close(self) -> None:
         self.gone = True
-        self.bench.quick.leave(self)
+        self.session.leave(self)
 
 
-class _Results(_Guarded):
-    """Answers line by line: progress, and at the end the path of the results."""
+class _Drag(_Answer):
+    """Answers with the equilibrium of a structure that is dragged."""
+
+    request_type = DragRequest
+
+    @property
+    def session(self) -> WorkerSession:
+        return self.bench.statics
+
+
+class _Lines(_Guarded):
+    """Answers line by line while work continues."""
+
+    @property
+    def session(self) -> WorkerSession:
+        raise NotImplementedError
+
+    def line(self, content: dict[str, Any]) -> None:
+        if not self.gone:
+            self.write(f"{json.dumps(content)}\n")
+            self.flush()
+
+    def on_connection_close(self) -> None:
+        self.gone = True
+        self.session.leave(self)
+
+
+class _Fold(_Lines):
+    """Answers with the picture of a structure, then with its fold path, which grows and is refined."""
+
+    @property
+    def session(self) -> WorkerSession:
+        return self.bench.statics
+
+    async def post(self, task: Task) -> None:
+        if (request := self.read_request(FoldRequest)) is None:
+            return
+        self.set_header("Content-Type", "application/x-ndjson")
+        try:
+            await self.session.do(self, task, request, report=self.line)
+            self.line({"done": True})
+        except _REPORTED as error:
+            self.line({"refused": _reason(error)})
+
+
+class _Results(_Lines):
+    """Answers with progress, and at the end with the path of the results."""
+
+    @property
+    def session(self) -> WorkerSession:
+        return self.bench.slow
 
     async def post(self, task: Task) -> None:
         if (request := self.read_request()) is None:
@@ -288,21 +356,12 @@ class _Results(_Guarded):
         self.bench.results += 1
         number = self.bench.results
         try:
-            await self.bench.slow.do(
+            await self.session.do(
                 self, task, request, self.bench.folder / str(number), lambda text: self.line({"doing": text})
             )
             self.line({"done": f"results/{number}/{_REPORT}"})
         except _REPORTED as error:
             self.line({"refused": _reason(error)})
-
-    def line(self, content: dict[str, str]) -> None:
-        if not self.gone:
-            self.write(f"{json.dumps(content)}\n")
-            self.flush()
-
-    def on_connection_close(self) -> None:
-        self.gone = True
-        self.bench.slow.leave(self)
 
 
 class _Report(_Guarded):

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from forficula.workbench.requests import DesignRequest
-from forficula.workbench.worker import StoppedError, Task, Worker
+from forficula.workbench.worker import Report, StoppedError, Task, Worker
+
+# s, until the process of a task is ended that was stopped but does not report
+_PATIENCE = 0.3
 
 
 class WorkerSession:
@@ -26,7 +28,7 @@ class WorkerSession:
         task: Task,
         request: DesignRequest,
         folder: Path | None = None,
-        report: Callable[[str], None] = lambda _: None,
+        report: Report = lambda _: None,
     ) -> Any:
         """Run a task for a request when the worker is free.
 
@@ -35,11 +37,11 @@ class WorkerSession:
             task: the task.
             request: the design.
             folder: folder for results that are files.
-            report: receives descriptions of the progress, in the event loop.
+            report: receives descriptions of the progress, or parts of the result, in the event loop.
 
         Raises:
             InputError: the task raises it.
-            StoppedError: the page was closed, or the worker ended.
+            StoppedError: the page was closed or sent a later request, or the worker ended.
         """
         loop = asyncio.get_running_loop()
         try:
@@ -48,21 +50,27 @@ class WorkerSession:
                     raise StoppedError
                 self._holder = holder
                 return await asyncio.to_thread(
-                    self.worker.do, task, request, folder, lambda text: _pass_on(loop, report, text)
+                    self.worker.do, task, request, folder, lambda content: _pass_on(loop, report, content)
                 )
         finally:
             self._holder = None if self._holder is holder else self._holder
             self._gone.discard(holder)
 
     def leave(self, holder: object) -> None:
-        """End the task of a request whose page was closed."""
+        """Stop the task of a request whose page was closed or sent a later request."""
         if self._holder is holder:
             self.worker.stop()
+            asyncio.get_running_loop().call_later(_PATIENCE, self._end, holder)
         else:
             self._gone.add(holder)
 
+    def _end(self, holder: object) -> None:
+        """End the process if it still works for a request."""
+        if self._holder is holder:
+            self.worker.end()
 
-def _pass_on(loop: asyncio.AbstractEventLoop, report: Callable[[str], None], text: str) -> None:
+
+def _pass_on(loop: asyncio.AbstractEventLoop, report: Report, content: Any) -> None:
     # when the server ends, the loop closes before the thread does
     if not loop.is_closed():
-        loop.call_soon_threadsafe(report, text)
+        loop.call_soon_threadsafe(report, content)

@@ -27,6 +27,7 @@ def one_page(watch_all, recorded):
     """The page with its panel open, at its fastest."""
     opened = watch_all(recorded[-1], viewport=WINDOW)
     opened.live = LiveWing(opened.page.evaluate)
+    opened.top_when_pressed = opened.evaluate("document.querySelector('.trial').getBoundingClientRect().top")
     return opened
 
 
@@ -170,6 +171,22 @@ def test_axe_finds_nothing_in_the_open_panel_and_it_fits_its_window(trial, size,
     wrong, _ = violations(trial.page, ALL)
     assert wrong == []
     assert trial.page.evaluate("document.documentElement.scrollWidth") <= size[0]
+    trial.show(**WINDOW)
+
+
+def test_the_panel_is_in_view_when_it_is_opened(trial):
+    assert 0 <= trial.top_when_pressed < 100
+
+
+def test_on_a_phone_the_picture_stays_in_view_beside_its_sliders(trial):
+    trial.show(390, 844)
+    trial.page.locator(".trial").evaluate("(panel) => panel.scrollIntoView({ block: 'start' })")
+    assert trial.page.locator(".trial .slider").first.bounding_box()["y"] < 700
+    last = trial.page.locator(".trial .slider").last
+    last.evaluate("(slider) => slider.scrollIntoView({ block: 'end' })")
+    picture, slider = trial.page.locator(".trial .stage").bounding_box(), last.bounding_box()
+    assert picture["y"] >= 0
+    assert picture["y"] + picture["height"] < slider["y"] < 844
     trial.show(**WINDOW)
 
 

@@ -8,6 +8,8 @@ import pytest
 
 from forficula.analysis import measure
 from forficula.design import design_from_text
+from forficula.show.page.data.shown_path import shown_path
+from forficula.statics import quasi_static_path
 from forficula.study.running.runs import run
 from forficula.workbench.access import write_redirect
 from tests.show.page.conftest import DEFAULTS, until
@@ -106,10 +108,13 @@ class Bench:
         self.page.wait_for_timeout(100)
         self.settled()
 
-    def design(self):
-        """Return the design that is downloaded."""
+    def design_text(self):
+        """Return the file that is downloaded."""
         link = self.page.get_by_role("link", name="Download the design")
-        return design_from_text(base64.b64decode(link.get_attribute("href").partition("base64,")[2]).decode())
+        return base64.b64decode(link.get_attribute("href").partition("base64,")[2]).decode()
+
+    def design(self):
+        return design_from_text(self.design_text())
 
     def alert(self):
         return self.page.get_by_role("alert").inner_text()
@@ -192,7 +197,7 @@ def test_a_pattern_of_more_veins_is_built_and_the_page_goes_on(bench):
     assert page.locator(".trial .choices select").first.input_value() == "0.05"
     assert page.evaluate("forficula.wing.panel.stage.eye.look.towards.z") > 0.99
     assert "pattern.units=2" in page.locator(".taking code").inner_text()
-    assert page.locator("#view-wing canvas").count() == len(page.workers) == 1
+    assert page.locator("#view-wing .stage canvas").count() == len(page.workers) == 1
     # it is kept over a reload, and undo restores the design's value
     page.reload()
     until(page, "window.forficula !== undefined", SECONDS)
@@ -243,20 +248,92 @@ def test_a_slider_changes_the_design_without_building_it_again(bench):
     assert page.evaluate("forficula.wing.panel.stage.canvas.dataset.same") == "yes"
 
 
-def test_a_dropped_fold_file_is_shown_though_the_engine_refuses_it(bench):
+PULL = """(at) => {
+  const { stage, moving } = forficula.wing.fold;
+  const points = moving.pointsAt(at);
+  const last = points.length / 3 - 1;
+  const seen = stage.eye.controls.target.clone().fromArray(points, 3 * last).project(stage.eye.camera);
+  const box = stage.canvas.getBoundingClientRect();
+  return [box.x + (seen.x + 1) / 2 * box.width, box.y + (1 - seen.y) / 2 * box.height];
+}"""
+SHAPE = "Array.from(forficula.wing.fold.moving.pointsAt(forficula.wing.fold.clock.clipTime(0)))"
+
+
+def shape(page):
+    return np.array(page.evaluate(SHAPE)).reshape(-1, 3)
+
+
+def folded(page):
+    until(page, "forficula.wing.fold.complete", SECONDS)
+    page.wait_for_timeout(100)
+
+
+def test_a_dropped_fold_file_is_shown_folded_and_dragged_though_the_engine_refuses_it(bench):
     bench.drop(("door.fold", json.dumps(SQUARE)))
     page = bench.page
     assert page.locator("h1").inner_text() == "door"
     assert "creases are not joints" in page.locator("#view-wing .offer").inner_text()
-    assert page.locator("#view-wing canvas").count() == 1
-    page.get_by_role("tab", name="Pattern").click()
-    until(page, "document.querySelector('#view-sheet img')?.complete === true", SECONDS)
-    assert "valley" in page.locator("#view-sheet img").get_attribute("alt")
+    assert page.locator("#view-wing .stage canvas").count() == 1
+    folded(page)
+    assert page.locator(".folding .note").first.inner_text().startswith("The fold path was computed in ")
+    # the slider moves along the path of the package
+    slider = page.get_by_role("slider", name="fold")
+    assert np.ptp(shape(page)[:, 2]) == pytest.approx(0, abs=1e-6)
+    slider.fill("5000")
+    page.wait_for_timeout(200)
+    path = shown_path(quasi_static_path(design_from_text(bench.design_text())))
+    assert shape(page) == pytest.approx(path.point(0.5).positions, abs=2e-4 * path.structure.span)
+    # a change of a value continues from the position of the slider
     bench.put("facet.thickness", "0.1 mm")
     assert bench.design().facet.thickness == pytest.approx(1e-4)
+    folded(page)
+    assert page.get_by_role("slider", name="fold").input_value() == "5000"
+    assert np.ptp(shape(page)[:, 2]) > 0.01
+    # a vertex is dragged along its equilibria, which takes a force
+    page.locator("#view-wing .stage canvas").scroll_into_view_if_needed()
+    at, rest = page.evaluate(PULL, 50), shape(page)
+    page.mouse.move(*at)
+    page.mouse.down()
+    page.mouse.move(at[0], at[1] - 30, steps=3)
+    until(page, "/force of .* m?N holds/.test(document.querySelector('.pushed').textContent)", SECONDS)
+    assert np.abs(shape(page) - rest).max() > 1e-3
+    page.mouse.up()
+    assert shape(page) == pytest.approx(rest)
+    assert "N holds" in page.locator(".drag [role=status]").inner_text()
+    refused, _ = violations(page, ALL, "#view-wing")
+    assert refused == []
     bench.drop(("bad.fold", "{"))
     assert bench.alert().startswith("bad.fold is not opened: bad.fold: ")
     assert page.locator("h1").inner_text() == "door"
+    page.get_by_role("tab", name="Pattern").click()
+    until(page, "document.querySelector('#view-sheet img')?.complete === true", SECONDS)
+    assert "valley" in page.locator("#view-sheet img").get_attribute("alt")
+
+
+def test_a_vertex_is_dragged_by_keys_until_it_is_released(bench):
+    bench.drop(("door.fold", json.dumps(SQUARE)))
+    page = bench.page
+    folded(page)
+    rest = shape(page)
+    page.get_by_text("Drag without a pointer").click()
+    page.locator(".drag select").select_option("vertex 3")
+    page.get_by_role("button", name="drag up").focus()
+    page.keyboard.press("ArrowUp")
+    until(page, "document.querySelector('.drag [role=status]').textContent.includes('N holds')", SECONDS)
+    assert np.abs(shape(page) - rest).max() > 3e-4
+    page.get_by_role("button", name="Release", exact=True).click()
+    assert shape(page) == pytest.approx(rest)
+
+
+def test_a_wing_is_also_moved_along_its_fold_path(bench):
+    page = bench.page
+    page.get_by_role("button", name="fold", exact=True).click()
+    folded(page)
+    assert page.get_by_role("slider", name="fold").count() == 1
+    assert page.locator("#view-wing .stage canvas").count() == 1
+    page.get_by_role("button", name="live", exact=True).click()
+    until(page, "forficula.wing.panel !== null", SECONDS)
+    assert page.locator("#view-wing .stage canvas").count() == 1
 
 
 def test_a_landscape_can_be_awaited_or_stopped(bench):

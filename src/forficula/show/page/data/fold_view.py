@@ -44,15 +44,18 @@ _MESH = (
 )
 
 
-def fold_view(path: QuasiStaticPath, *, beside_run: bool, budget: int = BUDGET) -> dict[str, Any]:
+def fold_view(
+    path: QuasiStaticPath, *, beside_run: bool, budget: int = BUDGET, mesh: ShapeMesh | None = None
+) -> dict[str, Any]:
     """Return a path as data for JSON: a view that a page shows alone, or as an alternative to a run.
 
     Args:
         path: path of the structure.
         beside_run: whether the page has a run of the same structure, from which it takes the mesh.
         budget: largest number of bytes for positions, angles and moments.
+        mesh: mesh of the structure, if it is known.
     """
-    mesh = shape_mesh(path.structure)
+    mesh = shape_mesh(path.structure) if mesh is None else mesh
     rows = shown_rows(path, mesh, budget)
     clip = path_clip(path, mesh, rows)
     along = [("energy", path.stored[rows], "J")] * bool(path.energy)

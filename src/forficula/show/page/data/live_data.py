@@ -107,7 +107,7 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
     bodies, places, names = [], [], []
     for number in anchors:
         if number < count:
-            names.append(_read_aloud(structure.points[number].name))
+            names.append(read_aloud(structure.points[number].name))
             bodies.append(int(model.carriers[number]))
             places += np.asarray(built.points[number].place).tolist()
         else:
@@ -158,7 +158,7 @@ def _spring(model: Model, tendon: int) -> dict[str, Any] | None:
     return {"at": int(muscle.id) * engine.actuator_biasprm.shape[1] + 2, "width": force / law.stiffness[0]}
 
 
-def _read_aloud(name: str) -> str:
+def read_aloud(name: str) -> str:
     """Return the name of a point as it is read aloud: "facet1_vertex2" becomes "facet 1 vertex 2"."""
     return re.sub(r"(?<=[a-z])(?=[0-9])", " ", name.replace("_", " "))
 

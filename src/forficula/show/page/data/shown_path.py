@@ -37,18 +37,26 @@ class Fold:
 def fold_of(structure: Structure) -> Fold:
     """Compute the quasi-static path of a structure for its page."""
     try:
-        path = quasi_static_path(structure, error=_TOLERANCE / 10)
+        return Fold(path=shown_path(quasi_static_path(structure, error=_TOLERANCE / 10)))
     except InputError as error:
         return Fold(path=None, missing=f"This page has no fold path: {error}.")
     except (ArithmeticError, ValueError) as error:  # a page of a run must not be lost because its statics failed
         return Fold(path=None, missing=f"This page has no fold path, because its computation failed: {error}.")
+
+
+def shown_path(path: QuasiStaticPath) -> QuasiStaticPath:
+    """Return a path as a slider shows it: without panels that pass through each other, and with rising positions.
+
+    Raises:
+        InputError: nothing moves on the path.
+    """
     if len(path.share) < 2 or path.length == 0:
-        whole, drive = structure.appearance.whole, path.drive.name
-        return Fold(path=None, missing=f'This page has no fold path: the drive "{drive}" does not move the {whole}.')
+        moves = f'the drive "{path.drive.name}" does not move the {path.structure.appearance.whole}'
+        raise InputError("; ".join([moves, *path.remarks]))
     path = without_crossing(path)
     # a drive that grows without a motion takes a little of the slider, so that no two points have one position
     share = path.share + np.linspace(0.0, _STILL, len(path.share))
-    return Fold(path=replace(path, share=share / share[-1]))
+    return replace(path, share=share / share[-1])
 
 
 def without_crossing(path: QuasiStaticPath) -> QuasiStaticPath:
