@@ -68,7 +68,7 @@ _USUAL = {
 }
 
 
-# exponents of length, mass and time in the SI units of which `Unit.si` consists
+# exponents of length, mass and time in the SI units that `Unit.si` consists of
 _DIMENSIONS = {
     "1": (0, 0, 0),
     "dimensionless": (0, 0, 0),
