@@ -206,8 +206,9 @@ _OF_MEMORY = ("allocate memory", "failed to map segment", "start new thread")
 _LONG = 1.0  # s; the time of a longer command is reported
 # letters of a word in an error message; paths of files are shorter
 _LONGEST_WORD = 300
-# [chosen] memory that numpy and scipy map on import: 175 MiB measured with one thread, 82 MiB more for each thread
-_LIBRARIES, _THREAD = 192 << 20, 88 << 20
+# [chosen] memory that numpy, scipy and the engine map on import: 234 MiB measured with one thread, 82 MiB more for each
+# thread
+_LIBRARIES, _THREAD = 256 << 20, 88 << 20
 _THREADS = "OPENBLAS_NUM_THREADS"
 
 
