@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.arrays import Array
+from forficula.errors import InputError
 from forficula.quantities import show_value
 from forficula.results import pandas_module
 from forficula.structure import Drive, Structure, crease_law, drive_unit
@@ -187,7 +188,12 @@ class QuasiStaticPath:
 
         Args:
             share: from 0 to 1.
+
+        Raises:
+            InputError: the position is not on the path.
         """
+        if not (isinstance(share, int | float | np.number) and 0 <= share <= 1):
+            raise InputError(f"share: need a number from 0 to 1, got {share!r}")
         before = self.index(share)
         after = min(before + 1, len(self.share) - 1)
         gap = self.share[after] - self.share[before]
@@ -390,6 +396,8 @@ def path_of(
             text=_sentence(structure, drive, event, show_value(event.strength, unit)),
         )
         for event in events
+        # a path that was stopped might have been followed further
+        if complete or event.kind != "lost"
     ]
     return QuasiStaticPath(
         structure=structure,
