@@ -19,7 +19,7 @@ from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_course import released
 from forficula.statics.net.net_of import net_of, start_shape, valley_angles
-from forficula.statics.net.net_path import net_point
+from forficula.statics.net.net_path import net_point, place_points
 from forficula.statics.net.net_state import STRAINED, strength
 from forficula.statics.net.supports import supported
 from forficula.statics.quasi_static_path import QuasiStaticPoint
@@ -78,14 +78,10 @@ def _pulled_net(driven: DrivenNet, places: Mapping[int, float], start: QuasiStat
         InputError: supports hold the dragged point.
     """
     structure, (net, _) = driven.structure, supported(driven.net, driven.load)
-    at = {point.body: number for number, point in enumerate(structure.points)}
-    rows = [
-        *range(len(structure.points)),
-        *(at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()),
-    ]
+    points = place_points(structure)
     weights = np.zeros(len(net.nodes))
     for place, weight in places.items():
-        weights += weight * net.points[[rows[place]]].toarray()[0]
+        weights += weight * net.points[[points[place]]].toarray()[0]
     if not net.free[weights != 0].any():
         raise InputError("places: need a point that can move, got one that supports hold")
     shape = _shape(driven, net, start)

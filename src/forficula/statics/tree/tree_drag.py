@@ -14,7 +14,7 @@ from forficula.statics.quasi_static_path import QuasiStaticPoint
 from forficula.statics.tree.elements import Expansion, LinePiece, elements, stretched
 from forficula.statics.tree.pose import carried_points, moves_of, places_of, pose
 from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, start_angles, torque_scale
-from forficula.statics.tree.tree_path import tree_points
+from forficula.statics.tree.tree_path import place_carriers, tree_points
 from forficula.structure import GROUND, Drive, Structure
 
 _LEAST = 1.0  # of the structure's torque per square of its span: least stiffness against a pull
@@ -53,10 +53,9 @@ def tree_drag(
     weights = checked_places(structure, places)
     structures = ensemble([structure])
     tree = structures.sheet.laid.tree
-    carriers = [(point.body, point.place) for point in structure.points]
-    for membrane in structure.membranes:
-        carriers += list(zip(membrane.bodies.tolist(), membrane.places, strict=True))
-    bodies = tuple(carriers[place][0] for place in weights)
+    numbers = list(weights)
+    carriers, positions = place_carriers(structure)
+    bodies = tuple(carriers[numbers].tolist())
     if not any(tree.chain(body) for body in bodies if body != GROUND):
         raise InputError("places: need a point that can move, got one that no hinge moves")
     if near is None:
@@ -65,7 +64,7 @@ def tree_drag(
         structures=structures,
         drive=drive,
         bodies=bodies,
-        places=np.array([carriers[place][1] for place in weights]),
+        places=positions[numbers],
         weights=np.array(list(weights.values())),
         spring=0.0,
     )
