@@ -1,7 +1,7 @@
 /**
  * The largest principal Green strain of a sheet's faces: (l - 1) / 2 with l the larger eigenvalue of the metric of a
  * triangle's sides relative to the built metric; and the largest principal stress, second Piola-Kirchhoff, of a Saint
- * Venant-Kirchhoff sheet in plane stress, as forficula.analysis.membrane_stress computes it. As in figures and films, a
+ * Venant-Kirchhoff sheet in plane stress, as forficula.structure.membrane_stress computes it. As in figures and films, a
  * face has the value of its more stretched triangle.
  */
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from forficula.design import AnyDesign, as_design
 from forficula.errors import InputError
 from forficula.names import one_of
-from forficula.statics.drag import Drag
+from forficula.statics.drag import DraggedPoint
 from forficula.statics.landscape import EnergyLandscape
 from forficula.statics.net.net_drag import net_drag
 from forficula.statics.net.net_landscape import Progress, net_landscape, slow_courses
@@ -98,7 +98,7 @@ def start_drag(
     places: int | Mapping[int, float],
     near: QuasiStaticPoint | None = None,
     transition: str | None = None,
-) -> Drag:
+) -> DraggedPoint:
     """Prepare to drag a point of a structure quasi-statically: the structure is at rest at every position of the point.
 
     Args:

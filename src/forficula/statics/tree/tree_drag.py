@@ -9,7 +9,16 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.drag import STIFF, Drag, DraggedShape, Held, approach, checked_places, drag_text, least_force
+from forficula.statics.drag import (
+    STIFF,
+    DraggedPoint,
+    DraggedShape,
+    Held,
+    approach,
+    checked_places,
+    dragged_shape,
+    least_force,
+)
 from forficula.statics.quasi_static_path import QuasiStaticPoint
 from forficula.statics.tree.elements import Expansion, LinePiece, elements, stretched
 from forficula.statics.tree.pose import carried_points, moves_of, places_of, pose
@@ -44,7 +53,7 @@ class _PulledTree:
 
 def tree_drag(
     structure: Structure, drive: Drive, places: int | Mapping[int, float], near: QuasiStaticPoint | None
-) -> Drag:
+) -> DraggedPoint:
     """Prepare the drag of a point of a tree; see `forficula.statics.survey.start_drag`.
 
     Raises:
@@ -69,7 +78,7 @@ def tree_drag(
         spring=0.0,
     )
     pulled = replace(pulled, spring=_spring(pulled, near))
-    return Drag(
+    return DraggedPoint(
         structure=structure, places=weights, start=near, pull=lambda near, target: _pulled(pulled, near, target)
     )
 
@@ -153,12 +162,5 @@ def _pulled(pulled: _PulledTree, near: QuasiStaticPoint, target: Array) -> Dragg
     )
     if not reached:
         held = held._replace(force=least_force(held.force, _compliance(pulled, held.shape[None], torques)))
-    return DraggedShape(
-        point=_point(pulled.structures, near.strength, held.shape, resting=False),
-        target=target,
-        position=held.position,
-        force=held.force,
-        reached=reached,
-        stable=held.stable,
-        text=drag_text(structure, held.force, target - held.position, reached=reached),
-    )
+    point = _point(pulled.structures, near.strength, held.shape, resting=False)
+    return dragged_shape(structure, point, target, held, reached=reached)
