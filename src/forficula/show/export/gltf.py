@@ -18,8 +18,8 @@ from forficula.arrays import Array, Indices
 from forficula.show.export.scene import (
     BASE,
     JOINT,
-    SceneRod,
     Scene,
+    SceneRod,
     ball,
     cylinder,
     rigid_bodies,
