@@ -10,10 +10,10 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
+from forficula.statics.net.driven.slow_path import SlowPath, slow_path
 from forficula.statics.net.load import Load
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import motor_load, own_angles, point_positions
-from forficula.statics.net.slow_path import SlowPath, slow_path
 from forficula.structure import (
     Drive,
     StageGoal,

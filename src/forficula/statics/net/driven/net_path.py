@@ -21,15 +21,15 @@ from forficula.statics.growing_path import (
     nearest_point,
     path_of,
 )
-from forficula.statics.net.driven_net import DrivenNet, driven_net, follow_drive, prescribes_displacement
+from forficula.statics.net.driven.driven_net import DrivenNet, driven_net, follow_drive, prescribes_displacement
+from forficula.statics.net.driven.net_course import drive_course, reaction, released
+from forficula.statics.net.driven.slow_path import SlowPath, Snap
 from forficula.statics.net.energy import shape_at
 from forficula.statics.net.load_path import PathPoint, intermediate_point, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_course import drive_course, reaction, released
 from forficula.statics.net.net_of import net_of, own_angles, point_positions, start_shape, valley_angles
 from forficula.statics.net.net_state import stored_parts
-from forficula.statics.net.slow_path import SlowPath, Snap
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint, rest_changes
 from forficula.structure import Drive, Structure, Transition, drive_of
 
