@@ -22,13 +22,13 @@ from forficula.statics.drag import (
 )
 from forficula.statics.net.driven.driven_net import DrivenNet, driven_net
 from forficula.statics.net.driven.net_course import released
-from forficula.statics.net.driven.net_path import net_point, place_points
+from forficula.statics.net.driven.net_path import net_point
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import factored
 from forficula.statics.net.load import Load
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_of import net_of, start_shape, valley_angles
+from forficula.statics.net.net_of import net_of, place_points, start_shape, valley_angles
 from forficula.statics.net.net_state import STRAINED, strength
 from forficula.statics.net.supports import supported
 from forficula.statics.quasi_static_path import QuasiStaticPoint

@@ -28,7 +28,7 @@ from forficula.statics.net.energy import shape_at
 from forficula.statics.net.load_path import PathPoint, intermediate_point, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_of import net_of, own_angles, point_positions, start_shape, valley_angles
+from forficula.statics.net.net_of import net_of, own_angles, place_points, point_positions, start_shape, valley_angles
 from forficula.statics.net.net_state import stored_parts
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint, rest_changes
 from forficula.structure import Drive, Structure, Transition, drive_of
@@ -376,10 +376,3 @@ def net_point(driven: DrivenNet, shape: NetShape, factor: float, *, resting: boo
 def place_positions(structure: Structure, net: Net, shape: NetShape) -> Array:
     """Return the positions of a structure's points, then of the nodes of its membranes, m, (place, 3)."""
     return point_positions(net, shape)[place_points(structure)]
-
-
-def place_points(structure: Structure) -> list[int]:
-    """Return the numbers of the points at places: all points, then those of the nodes of membranes."""
-    at = {point.body: number for number, point in enumerate(structure.points)}
-    nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
-    return [*range(len(structure.points)), *nodes]
