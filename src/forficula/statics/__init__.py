@@ -20,8 +20,8 @@ from forficula.statics.tree.hinge_landscape import (
     PeakTorque,
     crossed_hinges,
     hinge_landscape,
-    hinge_remarks,
 )
+from forficula.statics.tree.hinge_remarks import hinge_remarks
 from forficula.statics.tree.partial_folds import PartialFold, folding_hinges
 from forficula.statics.tree.snap import final_speed, fold_time, time_scale
 
