@@ -206,8 +206,9 @@ _OF_MEMORY = ("allocate memory", "failed to map segment", "start new thread")
 _LONG = 1.0  # s; the time of a longer command is reported
 # letters of a word in an error message; paths of files are shorter
 _LONGEST_WORD = 300
-# [chosen] memory that numpy and scipy map on import: 175 MiB measured with one thread, 82 MiB more for each thread
-_LIBRARIES, _THREAD = 192 << 20, 88 << 20
+# [chosen] memory that numpy, scipy and the engine map on import: 234 MiB measured with one thread, 82 MiB more for each
+# thread
+_LIBRARIES, _THREAD = 256 << 20, 88 << 20
 _THREADS = "OPENBLAS_NUM_THREADS"
 
 
@@ -256,6 +257,9 @@ def _launch(
     with_json = [command.name for command in _COMMANDS if command.has_json]
     if as_json and command.__name__ not in with_json:
         raise InputError(f"--json: need {listed(with_json, 'or')}, got {as_written(' '.join(tokens[:1]))}")
+    # the matrices of statics are small: the fold path of 100 facets takes 0.4 s of processor time with one thread, 0.9 to
+    # 1.8 s with two. Processes that a command starts inherit it
+    os.environ.setdefault(_THREADS, "1")
     check_room_for_libraries()
     start = monotonic()
     with command_output(quiet=quiet, as_json=as_json):

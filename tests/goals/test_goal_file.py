@@ -162,7 +162,7 @@ LETTER = {
             {"tolerances": {"tendon.left.law": {"intervals_of": "tpu95a"}}},
             "tolerances.tendon.left.law.intervals_of: ",
         ),
-        ({"tolerances": {"tendon.left.area": "5 %"}}, "tolerances.tendon.left.area: is not given in letter-fold"),
+        ({"tolerances": {"tendon.left.area": "5 %"}}, "tolerances.tendon.left.area: has no value in letter-fold"),
     ],
 )
 def test_entries_without_full_effect_are_rejected(change, says):

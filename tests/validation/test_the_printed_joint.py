@@ -133,9 +133,10 @@ def test_simulated_as_its_parts_are_made_it_has_two_stable_states_with_the_numbe
     assert outcome.status == "folded and opened"
     flat = {f"tendon.{end}_offset": "0 mm" for end in ("proximal", "distal")}
     output = [
-        f"{1e3 * hinge.barrier:.2f} mJ and a holding torque of {1e2 * hinge.holding_torque:.2f} N cm"
+        (f"{1e3 * hinge.barrier:.2f} mJ", f"{1e2 * hinge.holding_torque:.2f} N cm")
         for design in (made, JOINT.with_values(flat))
         for hinge in ff.landscape(design).tendons
     ]
     text = " ".join((Path(__file__).parents[2] / "README.md").read_text("utf-8").split())
-    assert f"a barrier of {output[0]}, instead of {output[1].replace('a holding torque of ', '')}" in text
+    assert "a barrier of {} and a holding torque of {}".format(*output[0]) in text
+    assert "they are {} and {}".format(*output[1]) in text

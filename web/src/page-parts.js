@@ -68,6 +68,7 @@ function clipOf(model, state, { time, anglesAt, marks, stages }) {
     marks,
     stages,
     readings: [],
+    along: [],
     reach: 0,
     mesh: { tubes: [], joints: [], jointRadius: 0 },
     pointsAt: (moment) => model.outline(seen(), model.turn(anglesAt(moment)), state),

@@ -113,9 +113,6 @@ class Worker:
     def _begin(self) -> Connection:
         if self._process is not None and self._pipe is not None and self._process.is_alive():
             return self._pipe
-        # inherited by the process: its matrices are small, and the fold path of 100 facets took 0.9 to 1.8 s of
-        # processor time with two threads, 0.4 s with one
-        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
         context = multiprocessing.get_context("spawn")
         self._pipe, far_end = context.Pipe()
         self._process = context.Process(target=_work, args=(far_end, self._opened, self._folder), daemon=True)

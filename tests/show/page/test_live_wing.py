@@ -129,7 +129,6 @@ def test_a_structure_that_the_engine_cannot_simulate_is_reported_with_the_reason
     keys = {"protocol.stages": [SETTLE], "protocol.timestep": "0.2 ms"}
     write_wing(tmp_path / "report.html", keys, "binder2025-built")
     page = show(tmp_path / "report.html", **SMALL)
-    assert page.evaluate("document.querySelector('button.try').disabled")
     assert "it moves in air or water" in page.evaluate("document.querySelector('#try').textContent")
 
 

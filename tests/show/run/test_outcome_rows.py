@@ -54,8 +54,8 @@ def test_without_second_runs_numbers_have_no_uncertainty(uncertain):
 
 
 def test_the_page_has_the_uncertainty_of_the_energy_of_the_membrane_too(uncertain):
-    membrane = re.search(r">membrane<.*?</tr>", outcome_tables(uncertain)[0])[0]
-    assert len(re.findall(r"[\d.]+ ± [\d.]+ µJ", membrane)) == 3
+    rows = re.findall(r">membrane<.*?</tr>", outcome_tables(uncertain)[0])
+    assert [len(re.findall(r"[\d.]+ ± [\d.]+ µJ", row)) for row in rows] == [1, 1, 1]
 
 
 def test_large_energies_of_slack_branches_are_explained(reference_outcome):
