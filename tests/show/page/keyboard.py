@@ -101,7 +101,8 @@ def try_controls(page, elsewhere=":not(*)"):
         if "download a film" in left[0].lower():
             # filmed in other tests: a film takes seconds, and a second press stops it
             page.keyboard.press(key)
-            page.wait_for_function("(name) => watched.choose(name) === null || /%/.test(document.activeElement.textContent)", arg=left[0])
+            filming = "(name) => watched.choose(name) === null || /%/.test(document.activeElement.textContent)"
+            page.wait_for_function(filming, arg=left[0])
             page.keyboard.press(key)
             continue
         if "download" in left[0].lower():
