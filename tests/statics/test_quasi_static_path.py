@@ -230,3 +230,15 @@ def test_a_snap_past_the_goal_ends_there_and_the_drive_is_released():
 def test_a_drive_without_strength_is_refused():
     with pytest.raises(ff.InputError, match='need a drive "fold" with a strength other than 0'):
         quasi_static_path(structure("miura-sheet", ("drive.fold.angle", "0 deg")))
+
+
+@pytest.mark.parametrize("error", [-1e-3, 0.0, math.nan, math.inf])
+def test_an_error_that_no_path_can_have_is_refused(error):
+    with pytest.raises(ff.InputError, match="error: need a number above 0 and up to 1, got "):
+        quasi_static_path(structure("letter-fold"), error=error)
+
+
+@pytest.mark.parametrize("share", [-0.1, 1.1, math.nan, "0.5", None])
+def test_a_position_beyond_the_path_is_refused(share):
+    with pytest.raises(ff.InputError, match="share: need a number from 0 to 1, got "):
+        path_of("letter-fold").point(share)

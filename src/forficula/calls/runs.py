@@ -112,8 +112,8 @@ def quasi_static_path(
             computed from the nearest equilibrium, first onwards to its end and then back to its start. A shape of a
             structure with other parts is ignored.
         error: largest distance between a point of the structure and its linear interpolation between points of the
-            path, as a share of the structure's span.
-        follow: called with the growing path; returns whether to go on.
+            path, as a share of the structure's span; above 0.
+        follow: called with the growing path; returns whether to go on. A path that it ends has `complete` False.
 
     Returns:
         Shapes, drive, energies, moments and strains along the path, with its snaps and branches.

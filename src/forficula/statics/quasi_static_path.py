@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from forficula.arrays import Array, Flags
+from forficula.errors import InputError
 from forficula.results import pandas_module
 from forficula.structure import Drive, Structure, crease_law, drive_unit, springs_name
 from forficula.structure.membrane_stress import principal_strains
@@ -182,7 +183,12 @@ class QuasiStaticPath:
 
         Args:
             share: from 0 to 1.
+
+        Raises:
+            InputError: the position is not on the path.
         """
+        if not (isinstance(share, int | float | np.number) and 0 <= share <= 1):
+            raise InputError(f"share: need a number from 0 to 1, got {share!r}")
         before = self.index(share)
         after = min(before + 1, len(self.share) - 1)
         gap = self.share[after] - self.share[before]

@@ -84,8 +84,10 @@ def quasi_static_path(
             far as it is computed.
 
     Raises:
-        InputError: the design cannot be built, it has no such transition, or it has no drive.
+        InputError: the design cannot be built, it has no such transition, it has no drive, or the error is not above 0.
     """
+    if not 0 < error <= 1:
+        raise InputError(f"error: need a number above 0 and up to 1, got {error}")
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
     drive, made = _driven_transition(structure, transition)
     if is_net(structure):
