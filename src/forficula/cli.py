@@ -257,8 +257,8 @@ def _launch(
     with_json = [command.name for command in _COMMANDS if command.has_json]
     if as_json and command.__name__ not in with_json:
         raise InputError(f"--json: need {listed(with_json, 'or')}, got {as_written(' '.join(tokens[:1]))}")
-    # the matrices of statics are small: the fold path of 100 facets takes 0.4 s of processor time with one thread, 0.9 to
-    # 1.8 s with two. Processes that a command starts inherit it
+    # the matrices of statics are small: the fold path of 100 facets takes 0.4 s of processor time with one thread, and
+    # 0.9 to 1.8 s with two; processes that a command starts inherit it
     os.environ.setdefault(_THREADS, "1")
     check_room_for_libraries()
     start = monotonic()

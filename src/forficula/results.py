@@ -48,7 +48,7 @@ _CLASSES = {
     "Rest": "forficula.statics",
     "Pass": "forficula.statics.landscape",
     "LeastTorque": "forficula.statics.landscape",
-    "Course": "forficula.statics.net.net_course",
+    "Course": "forficula.statics.net.driven.net_course",
     "CrossedHinge": "forficula.statics",
     "HingeLandscape": "forficula.statics",
     "QuasiStaticPath": "forficula.statics",

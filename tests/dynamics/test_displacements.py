@@ -6,8 +6,8 @@ import pytest
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate, stable_timestep
 from forficula.errors import InputError
+from forficula.statics.net.driven.net_course import drive_course, drive_displacement, reaction
 from forficula.statics.net.minimum import minimum
-from forficula.statics.net.net_course import drive_course, drive_displacement, reaction
 from forficula.statics.net.net_of import net_of, start_shape
 from forficula.structure import structure_of
 

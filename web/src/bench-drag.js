@@ -1,18 +1,13 @@
 /** Dragging a structure along its equilibria: the package computes the shape and the force that holds the grabbed place. */
 
-import { Raycaster, Vector2, Vector3 } from "three";
+import { Raycaster, Triangle, Vector2, Vector3 } from "three";
+import { STEPS, makeArrowPad, pointChoice } from "./arrow-pad.js";
 import { ask } from "./bench-ask.js";
 import { unpack } from "./clip.js";
 import { make } from "./elements.js";
 import { listenToGrabs } from "./grab.js";
 
 const STEP = 0.02; // of the structure's size, by which a key drags
-const WAYS = [
-  ["\u2190", "left", "ArrowLeft", [-1, 0]],
-  ["\u2191", "up", "ArrowUp", [0, 1]],
-  ["\u2193", "down", "ArrowDown", [0, -1]],
-  ["\u2192", "right", "ArrowRight", [1, 0]],
-];
 
 /**
  * Let a reader drag the structure of a stage; returns the element with its controls, and a function that ends a drag.
@@ -84,7 +79,7 @@ export function listenToDrags(stage, { moving, shape, names, asked, held }) {
       for (const [corner, number] of numbers.entries()) corners[corner].fromArray(vertices, 3 * number);
       if (!ray.ray.intersectTriangle(...corners, false, hit)) continue;
       const away = hit.distanceTo(ray.ray.origin);
-      if (!best || away < best.away) best = { away, numbers, shares: shares(hit, ...corners) };
+      if (!best || away < best.away) best = { away, numbers, shares: Triangle.getBarycoord(hit, ...corners, new Vector3()).toArray() };
     }
     if (!best) return null;
     const weights = new Map();
@@ -110,25 +105,16 @@ export function listenToDrags(stage, { moving, shape, names, asked, held }) {
   return { element, end: controls.end };
 }
 
-/** Barycentric coordinates of a point in a triangle. */
-function shares(point, ...corners) {
-  const [one, other, away] = [corners[1], corners[2], point].map((to) => to.clone().sub(corners[0]));
-  const [a, b, c, d, e] = [one.dot(one), one.dot(other), other.dot(other), away.dot(one), away.dot(other)];
-  const [second, third] = [c * d - b * e, a * e - b * d].map((value) => value / (a * c - b * b));
-  return [1 - second - third, second, third];
-}
-
 /** Controls that drag a point, chosen by its name, by arrow keys or buttons. */
 function makeDragKeys(stage, shape, names, drag, release) {
-  const movable = names.map((name, point) => [name, point]).filter(([name]) => name !== null);
-  const points = make("select", {}, ...movable.map(([name, value]) => make("option", { value }, name)));
-  const buttons = WAYS.map(([text, way, key]) => make("button", { type: "button", title: `drag ${way}`, "aria-label": `drag ${way}`, "data-way": key }, text));
-  const pad = make("span", { className: "pad", role: "group", "aria-label": "drag in the plane of the picture" }, ...buttons);
+  const points = pointChoice(names.map((name, point) => [name, point]).filter(([name]) => name !== null));
+  const pad = makeArrowPad("drag", { clicked: move, pressed: move });
   const back = make("button", { type: "button" }, "Release");
   const note = make("p", { className: "note" }, "On these buttons, every arrow key drags the vertex by 2 % of the structure's size. It stays there until it is released.");
   let target = null;
 
-  function move([across, upwards]) {
+  function move(key) {
+    const [across, upwards] = STEPS[key];
     const point = Number(points.value);
     target ??= new Vector3().fromArray(shape(), 3 * point);
     const { camera, size } = stage.eye;
@@ -142,14 +128,6 @@ function makeDragKeys(stage, shape, names, drag, release) {
     release();
   }
 
-  pad.addEventListener("keydown", (event) => {
-    const way = WAYS.find(([, , key]) => key === event.key);
-    if (!way || event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    move(way[3]);
-  });
-  for (const [index, button] of buttons.entries()) button.addEventListener("click", () => move(WAYS[index][3]));
   points.addEventListener("change", end);
   back.addEventListener("click", end);
   const element = make(

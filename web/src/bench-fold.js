@@ -173,10 +173,10 @@ function makeMoving(clip) {
   let now = clip;
   let lent = null;
   let shape = null;
-  const own = {
+  const moving = {
     now: () => now,
     replace: (next) => (now = next),
-    /** Take the points of another clip of the same structure; null for its own ones. */
+    /** Take the points of another clip of the same structure; null for those of its clip. */
     lend: (other) => (lent = other),
     /** Hold the points of a shape; null to move along the clip again. */
     hold: (points) => (shape = points),
@@ -188,7 +188,7 @@ function makeMoving(clip) {
     },
     verticesAt: (moment, into) => (shape ? now.verticesOf(shape, into) : now.verticesAt(moment, into)),
   };
-  return new Proxy(own, { get: (_, name) => own[name] ?? now[name] });
+  return new Proxy(moving, { get: (_, name) => moving[name] ?? now[name] });
 }
 
 function summary(path, seconds) {

@@ -7,11 +7,12 @@ import { makeFold } from "./bench-fold.js";
 import { readClip } from "./clip.js";
 import { make } from "./elements.js";
 import { startEngine } from "./engine.js";
+import { makeModes } from "./modes.js";
 import { makePanel, ROOM } from "./try-panel.js";
 
 const MODES = [
-  ["live", "simulated in time"],
-  ["fold", "slowly along its path"],
+  { name: "live", title: "simulated in time" },
+  { name: "fold", title: "slowly along its path" },
 ];
 
 /**
@@ -89,18 +90,14 @@ export function makeWing(asked, set, run) {
 
   /** Choice between the simulation and the fold path. */
   function modes() {
-    const buttons = MODES.map(([name, title]) => {
-      const button = make("button", { type: "button", title, "aria-pressed": String(name === mode) }, name);
-      button.addEventListener("click", async () => {
-        if (name === mode) return;
-        mode = name;
-        await (name === "live" ? showLive() : showFold());
-        [...element.querySelectorAll(".modes button")].find((each) => each.textContent === mode)?.focus();
-      });
-      return button;
+    const choice = makeModes(wing.whole, MODES, async (name) => {
+      if (name === mode) return;
+      mode = name;
+      await (name === "live" ? showLive() : showFold());
+      [...element.querySelectorAll(".modes button")].find((button) => button.textContent === mode)?.focus();
     });
-    const text = MODES.map(([name, title]) => `${name}: ${title}`).join(" \u00b7 ");
-    return make("div", { className: "colours modes", role: "group", "aria-label": `how the ${wing.whole} moves` }, make("span", {}, ...buttons), text);
+    choice.mark(mode);
+    return choice.element;
   }
 
   /** Start the engine once; it takes one structure after another. */

@@ -138,3 +138,9 @@ function extent(clips) {
   const target = low.clone().add(high).multiplyScalar(0.5);
   return { target, size: high.distanceTo(target) || 1 };
 }
+
+/** Position of a point in a picture of an element's size, pixels from its upper left corner; the point is changed. */
+export function pixelOf(point, camera, { clientWidth, clientHeight }) {
+  const { x, y } = point.project(camera);
+  return [((x + 1) / 2) * clientWidth, ((1 - y) / 2) * clientHeight];
+}

@@ -19,7 +19,7 @@ export function unpack(text, Kind) {
 }
 
 /** Decode numbers of columns that the page contains as 2-byte steps above the least number of each column. */
-export function unpackSteps({ low, step, steps }) {
+function unpackSteps({ low, step, steps }) {
   return Float32Array.from(unpack(steps, Uint16Array), (value, at) => low[at % low.length] + step[at % low.length] * value);
 }
 

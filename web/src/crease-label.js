@@ -1,6 +1,7 @@
 /** Angles of single creases: of the one that the reader points at or touches in the picture, or chooses in a list. */
 
 import { Vector3 } from "three";
+import { pixelOf } from "./camera.js";
 import { CREASES } from "./clip.js";
 import { make } from "./elements.js";
 import { fixed, short } from "./format.js";
@@ -29,8 +30,7 @@ export function showCreases(stage, clip, clock) {
 
   /** Position of a vertex in the picture, pixels. */
   function seen(vertex) {
-    point.fromArray(stage.views[0].shape.vertices, 3 * vertex).project(stage.eye.camera);
-    return [((point.x + 1) / 2) * cell.clientWidth, ((1 - point.y) / 2) * cell.clientHeight];
+    return pixelOf(point.fromArray(stage.views[0].shape.vertices, 3 * vertex), stage.eye.camera, cell);
   }
 
   /** Index of the crease at a pointer; null if none is near. Of equally near ones, the nearest to the eye. */

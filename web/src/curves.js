@@ -4,7 +4,7 @@
  */
 
 import uPlot from "uplot";
-import { placeIn, unpack } from "./clip.js";
+import { unpack, valueAt } from "./clip.js";
 import { lineSample, make } from "./elements.js";
 import { short } from "./format.js";
 import { ALONG, HEIGHT, axisLook, figureOf, lineSeries, onDrag, paintOver, saveButtons, valueAxis } from "./plots.js";
@@ -50,9 +50,8 @@ function makeCurve(data, clip, clock) {
   }
 
   function follow() {
-    const [frame, share] = placeIn(clip.time, clock.clipTime(0));
-    for (const [index, { places, values }] of balls.entries())
-      now[index] = [between(places, frame, share), between(values, frame, share)];
+    const moment = clock.clipTime(0);
+    for (const [index, { places, values }] of balls.entries()) now[index] = [places, values].map((line) => valueAt(clip.time, line, moment));
     placeBalls();
   }
 
@@ -119,11 +118,6 @@ function readCourse({ name, places, values }) {
   course.most = course.values.reduce((most, value) => Math.max(most, value), 0);
   course.sorted = { places: order.map((at) => course.places[at]), values: order.map((at) => course.values[at]) };
   return course;
-}
-
-function between(values, frame, share) {
-  const next = values[Math.min(frame + 1, values.length - 1)];
-  return values[frame] + share * (next - values[frame]);
 }
 
 /** Range of the angles of all lines, with a margin. */

@@ -11,6 +11,13 @@ export function make(tag, properties = {}, ...children) {
   return element;
 }
 
+/** A button whose tooltip, for screen readers as well, says what it does. */
+export function makeButton(text, label, act) {
+  const button = make("button", { type: "button", title: label, "aria-label": label }, text);
+  button.addEventListener("click", act);
+  return button;
+}
+
 /** A small drawing of a path in a box of 24 by 24. */
 export const icon = (path) => drawn(path, 24);
 

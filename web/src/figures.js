@@ -1,18 +1,15 @@
 /** Figures that were drawn for paper: buttons that save them, as PNG at the width of a page and as SVG at that of a column. */
 
 import { make } from "./elements.js";
-import { fileName, save } from "./saving.js";
+import { fileName, save, saveButton } from "./saving.js";
 
 export function mountFigures() {
   for (const figure of document.querySelectorAll("figure.drawn")) {
     const [image, source] = [figure.querySelector("img"), figure.querySelector("source")];
     const name = figure.closest("section")?.id ?? "figure";
-    const buttons = [["PNG", image.src], ["SVG", source.srcset]].map(([kind, address]) => {
-      const label = `download ${kind} of the figure ${name}`;
-      const button = make("button", { type: "button", "aria-label": label, title: `download as ${kind}` }, kind);
-      button.addEventListener("click", () => save(blobOf(address), `${fileName(name)}.${kind.toLowerCase()}`));
-      return button;
-    });
+    const buttons = [["PNG", image.src], ["SVG", source.srcset]].map(([kind, address]) =>
+      saveButton(kind, `the figure ${name}`, () => save(blobOf(address), `${fileName(name)}.${kind.toLowerCase()}`)),
+    );
     figure.append(make("div", { className: "saves save-foot" }, ...buttons));
   }
 }

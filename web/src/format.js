@@ -30,7 +30,7 @@ export function takeUnits(units) {
 }
 
 /** The legible unit for values in an SI unit, by the largest one, and its factor; same rules as forficula.quantities. */
-export function readingUnit(si, largest) {
+function readingUnit(si, largest) {
   const units = readingUnits[si];
   const [unit, factor] = units.find(([, , least]) => largest >= least || largest === 0) ?? units.at(-1);
   return { unit, factor };

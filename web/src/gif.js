@@ -19,9 +19,9 @@ export function makeGif(width, height, seconds) {
 
 /** Colours of 15 bits. */
 function coarse(pixels) {
-  const found = new Uint16Array(pixels.length / 4);
-  for (let at = 0; at < found.length; at++) found[at] = ((pixels[4 * at] >> 3) << 10) | ((pixels[4 * at + 1] >> 3) << 5) | (pixels[4 * at + 2] >> 3);
-  return found;
+  const indices = new Uint16Array(pixels.length / 4);
+  for (let at = 0; at < indices.length; at++) indices[at] = ((pixels[4 * at] >> 3) << 10) | ((pixels[4 * at + 1] >> 3) << 5) | (pixels[4 * at + 2] >> 3);
+  return indices;
 }
 
 function encode(frames, width, height, hundredths) {

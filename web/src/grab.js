@@ -1,6 +1,7 @@
 /** Grabbing a point of a stage's only structure with the pointer: a line leads from the point to the pointer. */
 
 import { Vector3 } from "three";
+import { pixelOf } from "./camera.js";
 import { make } from "./elements.js";
 
 const NEAR = 22; // pixels within which a point is grabbed
@@ -35,8 +36,7 @@ export function listenToGrabs(stage, { points, movable, between = () => null, mo
 
   /** Position of a place on the canvas, in pixels. */
   function seen(place) {
-    const shown = positionOf(place).project(eye.camera);
-    return [((shown.x + 1) / 2) * canvas.clientWidth, ((1 - shown.y) / 2) * canvas.clientHeight];
+    return pixelOf(positionOf(place), eye.camera, canvas);
   }
 
   function pointer(event) {

@@ -8,6 +8,7 @@ import { readClip } from "./clip.js";
 import { makeClock } from "./clock.js";
 import { mountCurves } from "./curves.js";
 import { make } from "./elements.js";
+import { makeModes } from "./modes.js";
 import { mountPlayer } from "./player.js";
 import { mountPlots } from "./plots.js";
 import { mountReadout } from "./readout.js";
@@ -31,19 +32,11 @@ export function showRun(data) {
     shown = view;
     look = view.show(look) ?? look;
     Object.assign(page, view);
-    for (const button of buttons) button.setAttribute("aria-pressed", String(button.textContent === view.name));
+    modes.mark(view.name);
   };
 
-  const buttons = views.map((view) => {
-    const button = make("button", { type: "button", title: `${view.name}: ${view.title}` }, view.name);
-    button.addEventListener("click", () => page.choose(view));
-    return button;
-  });
-  if (views.length > 1) {
-    const meaning = views.map(({ name, title }) => `${name}: ${title}`).join(" \u00b7 ");
-    const label = `how the ${data.whole} moves`;
-    player.before(make("div", { className: "colours modes", role: "group", "aria-label": label }, make("span", {}, ...buttons), make("small", {}, meaning)));
-  }
+  const modes = makeModes(data.whole, views, (name) => page.choose(views.find((view) => view.name === name)));
+  if (views.length > 1) player.before(modes.element);
   page.choose(views[0]);
   if (data.clips) {
     playOnceSeen(player, page.clock);

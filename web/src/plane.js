@@ -41,7 +41,7 @@ export function makeAxis(values, column, from, to, others = []) {
   return { label, from, to, ticks, at, place: (point) => (values[point] === null ? from + 0.75 * margin : at(values[point])) };
 }
 
-export function roundNumbers(low, high) {
+function roundNumbers(low, high) {
   if (!(high > low)) return [low];
   const rough = (high - low) / 5;
   const power = 10 ** Math.floor(Math.log10(rough));

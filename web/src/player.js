@@ -3,7 +3,7 @@
 import { VIEWS } from "./camera.js";
 import { showCreases } from "./crease-label.js";
 import { effortTexts } from "./efforts.js";
-import { make } from "./elements.js";
+import { make, makeButton } from "./elements.js";
 import { short, timeText } from "./format.js";
 import { keysHelp, listenToKeys, listenToLooks } from "./keys.js";
 import { makeLegend, roomyText } from "./legend.js";
@@ -112,20 +112,15 @@ function tellEfforts(legend, clip, clock) {
  * follows: whether the picture can be kept filled, which requires known future positions.
  */
 export function viewButtons(eye, whole, follows = true) {
-  const button = (text, label, action) => {
-    const made = make("button", { type: "button", title: label, "aria-label": label }, text);
-    made.addEventListener("click", action);
-    return made;
-  };
-  const views = VIEWS.map((view) => button(view.name, `${view.name}: view ${view.text}`, () => eye.show(view)));
+  const views = VIEWS.map((view) => makeButton(view.name, `${view.name}: view ${view.text}`, () => eye.show(view)));
   const turns = [
     ["\u2190", "turn left", [-1, 0]],
     ["\u2192", "turn right", [1, 0]],
     ["\u2191", "turn up", [0, 1]],
     ["\u2193", "turn down", [0, -1]],
-  ].map(([text, label, steps]) => button(text, label, () => eye.turn(...steps)));
+  ].map(([text, label, steps]) => makeButton(text, label, () => eye.turn(...steps)));
   const switched = (text, label, choice) => {
-    const made = button(text, label, () => {
+    const made = makeButton(text, label, () => {
       eye.choose({ [choice]: !eye.look[choice] });
       made.setAttribute("aria-pressed", String(eye.look[choice]));
     });
@@ -136,7 +131,7 @@ export function viewButtons(eye, whole, follows = true) {
     ...(follows ? [switched("follow", "follow: keep the picture filled as the structure moves", "following")] : []),
     ...(whole ? [switched("one scale", `one scale: draw all ${whole}s at the same scale`, "oneScale")] : []),
   ];
-  const zooms = [button("+", "nearer", () => eye.zoom(1)), button("\u2212", "further", () => eye.zoom(-1))];
+  const zooms = [makeButton("+", "nearer", () => eye.zoom(1)), makeButton("\u2212", "further", () => eye.zoom(-1))];
   return make(
     "div",
     { className: "views", role: "group", "aria-label": "view" },

@@ -114,11 +114,11 @@ function makePlot(plot, values, sharing, clips, clock) {
     };
     stops = [clock.onChange(follow), onSchemeChange(repaint)];
     drawKey();
-    const own = clipOf(plot);
+    const only = clipOf(plot);
     head.append(
       saveButtons(plot, () => chart, {
-        under: () => stageShapes(chart, clips, own, clock.span),
-        over: () => markShapes(chart, clips, own, clock.span),
+        under: () => stageShapes(chart, clips, only, clock.span),
+        over: () => markShapes(chart, clips, only, clock.span),
       }),
     );
   }
@@ -288,23 +288,23 @@ export function paintOver(chart, shapes) {
 }
 
 /** Grey bands where torques act on the plot's only clip. */
-function stageShapes(chart, clips, own, span) {
-  if (own === null) return [];
+function stageShapes(chart, clips, only, span) {
+  if (only === null) return [];
   const [width, height] = [chart.bbox.width / devicePixelRatio, chart.bbox.height / devicePixelRatio];
-  return clips[own].stages
+  return clips[only].stages
     .filter((each) => each.driven)
     .map((stage) => {
-      const [left, right] = [stage.start, stage.end].map((moment) => Math.min(width, Math.max(0, chart.valToPos(moment - span.origins[own], "x"))));
+      const [left, right] = [stage.start, stage.end].map((moment) => Math.min(width, Math.max(0, chart.valToPos(moment - span.origins[only], "x"))));
       return { kind: "rect", x: left, y: 0, width: right - left, height, fill: styleColour("--band") };
     });
 }
 
 /** Dotted lines with letters a, b and c at the states of the plot's only clip. */
-function markShapes(chart, clips, own, span) {
-  if (own === null) return [];
+function markShapes(chart, clips, only, span) {
+  if (only === null) return [];
   const [width, height] = [chart.bbox.width / devicePixelRatio, chart.bbox.height / devicePixelRatio];
-  return clips[own].marks.flatMap((mark) => {
-    const x = chart.valToPos(mark.time - span.origins[own], "x");
+  return clips[only].marks.flatMap((mark) => {
+    const x = chart.valToPos(mark.time - span.origins[only], "x");
     if (x < -1 || x > width + 1) return [];
     const side = x > width - 16 ? -1 : 1;
     return [

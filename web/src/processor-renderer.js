@@ -109,13 +109,13 @@ function drawMesh(object, eye, lights, target) {
   const whole = { start: 0, count: geometry.index?.count ?? geometry.attributes.position.count, materialIndex: 0 };
   const groups = Array.isArray(object.material) ? geometry.groups : [whole];
   const copies = object.isInstancedMesh ? object.count : 1;
-  const [model, own, tint] = [new Matrix4(), new Matrix4(), new Color()];
+  const [model, placement, tint] = [new Matrix4(), new Matrix4(), new Color()];
   for (let copy = 0; copy < copies; copy++) {
     model.copy(object.matrixWorld);
     tint.set(1, 1, 1);
     if (object.isInstancedMesh) {
-      object.getMatrixAt(copy, own);
-      model.multiply(own);
+      object.getMatrixAt(copy, placement);
+      model.multiply(placement);
       if (object.instanceColor) object.getColorAt(copy, tint);
     }
     for (const group of groups) drawGroup(geometry, group, model, materials[group.materialIndex], tint, eye, lights, target);
@@ -138,15 +138,15 @@ function drawGroup(geometry, { start, count }, model, material, tint, eye, light
     world.fromBufferAttribute(position, index).applyMatrix4(model);
     const place = world.clone();
     screen.set(world.x, world.y, world.z, 1).applyMatrix4(eye.projection);
-    const found = { place, x: ((screen.x / screen.w + 1) / 2) * target.width, y: ((1 - screen.y / screen.w) / 2) * target.height, depth: screen.z / screen.w, behind: screen.w <= 0, normal: smooth ? new Vector3().fromBufferAttribute(normal, index).applyMatrix3(turned).normalize() : null };
+    const corner = { place, x: ((screen.x / screen.w + 1) / 2) * target.width, y: ((1 - screen.y / screen.w) / 2) * target.height, depth: screen.z / screen.w, behind: screen.w <= 0, normal: smooth ? new Vector3().fromBufferAttribute(normal, index).applyMatrix3(turned).normalize() : null };
     if (nearer) {
       world.applyMatrix4(eye.view);
       world.addScaledVector(world.clone().normalize(), -nearer);
       screen.set(world.x, world.y, world.z, 1).applyMatrix4(eye.perspective);
-      found.depth = screen.z / screen.w;
+      corner.depth = screen.z / screen.w;
     }
-    corners.set(index, found);
-    return found;
+    corners.set(index, corner);
+    return corner;
   }
 
   const [side, other, across, towards] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];

@@ -1,7 +1,7 @@
 /** The picture of structures as files: an image, and films of their motion, with the state and the scales of colours. */
 
 import { paintShapes } from "./drawing.js";
-import { make } from "./elements.js";
+import { make, makeButton } from "./elements.js";
 import { elementShapes } from "./element-drawing.js";
 import { makeGif } from "./gif.js";
 import { fileName, save } from "./saving.js";
@@ -23,7 +23,7 @@ const VIDEOS = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", 
  * caption: returns {text, longest}, the present moment and the number of letters of the longest one; scales: returns elements with the scales of colours.
  */
 export function pictureSaves(stage, clock, caption, scales) {
-  const image = button("PNG", "download PNG of the picture", async () => {
+  const image = makeButton("PNG", "download PNG of the picture", async () => {
     const frame = make("canvas");
     await inLightColours(stage, () => stage.drawSharp(SHARP, () => compose(frame, stage, caption(), scales(), stage.canvas.width)));
     const blob = await new Promise((done) => frame.toBlob(done, "image/png"));
@@ -32,23 +32,17 @@ export function pictureSaves(stage, clock, caption, scales) {
   const buttons = [image];
   if (clock.seek && clock.timeAt) {
     buttons.push(filmButton("GIF", "gif", (film) => filmGif(stage, clock, caption, scales, film)));
-    const type = VIDEOS.find((each) => globalThis.MediaRecorder?.isTypeSupported(each));
+    const type = VIDEOS.find((video) => globalThis.MediaRecorder?.isTypeSupported(video));
     const kind = type?.startsWith("video/mp4") ? "MP4" : "WebM";
     if (type && HTMLCanvasElement.prototype.captureStream) buttons.push(filmButton(kind, kind.toLowerCase(), (film) => filmVideo(stage, clock, caption, scales, film, type)));
   }
   return make("span", { className: "films", role: "group", "aria-label": "save" }, ...buttons);
 }
 
-function button(text, label, act) {
-  const made = make("button", { type: "button", "aria-label": label, title: label }, text);
-  made.addEventListener("click", act);
-  return made;
-}
-
 /** A button that makes a film and displays its progress; pressed again, it stops. */
-function filmButton(text, ending, make) {
+function filmButton(text, ending, filmed) {
   let film = null;
-  const made = button(text, `download a film as ${text}`, async () => {
+  const made = makeButton(text, `download a film as ${text}`, async () => {
     if (film) {
       film.stopped = true;
       return;
@@ -58,7 +52,7 @@ function filmButton(text, ending, make) {
       progress: (share) => { made.textContent = `${Math.round(100 * share)} %`; },
     };
     try {
-      const blob = await make(film);
+      const blob = await filmed(film);
       if (!film.stopped) save(blob, `${fileName("motion")}.${ending}`);
     } finally {
       film = null;

@@ -18,19 +18,21 @@ export function fileName(words) {
   return text || "plot";
 }
 
+/** A button that saves something as a kind of file. */
+export function saveButton(kind, what, act) {
+  const button = make("button", { type: "button", "aria-label": `download ${kind} of ${what}`, title: `download as ${kind}` }, kind);
+  button.addEventListener("click", act);
+  return button;
+}
+
 /**
  * Buttons that save a drawing as PNG and as SVG; `drawing` returns {svg, width, height} when one is pressed, and `name`
  * the name of the file without its ending.
  */
 export function makeSaveButtons(what, name, drawing) {
-  const button = (kind, act) => {
-    const made = make("button", { type: "button", "aria-label": `download ${kind} of ${what}`, title: `download as ${kind}` }, kind);
-    made.addEventListener("click", act);
-    return made;
-  };
   const svg = () => save(new Blob([drawing().svg], { type: "image/svg+xml" }), `${name()}.svg`);
   const png = async () => save(await pngOf(drawing()), `${name()}.png`);
-  return make("span", { className: "saves" }, button("PNG", png), button("SVG", svg));
+  return make("span", { className: "saves" }, saveButton("PNG", what, png), saveButton("SVG", what, svg));
 }
 
 /** The PNG of an SVG, by the browser. */

@@ -73,7 +73,7 @@ export function onSchemeChange(listener) {
   return () => dark.removeEventListener("change", listener);
 }
 
-export const DASHES = [[], [8, 4], [8, 3, 2, 3], [2, 3]];
+const DASHES = [[], [8, 4], [8, 3, 2, 3], [2, 3]];
 const LINES = 7;
 
 /** Colour and dash of a plot's line by its number. */

@@ -78,10 +78,10 @@ export function makeShape(clip, largestEnergy) {
   }
 
   function colourStrains() {
-    const found = strains.at(vertices, scale.quantity);
+    const strained = strains.at(vertices, scale.quantity);
     const into = [0, 0, 0];
     for (const faces of [sheet, plates])
-      faces.colour((triangle) => shade.setRGB(...STRAIN_COLOURS.at(found[triangle] / scale.largest, into), "srgb"));
+      faces.colour((triangle) => shade.setRGB(...STRAIN_COLOURS.at(strained[triangle] / scale.largest, into), "srgb"));
   }
 
   /** Colour faces by a quantity up to a largest value, or, with null, by their regions. */
@@ -180,8 +180,8 @@ function makeFaces(mesh, solid) {
   /** Colour the faces by a function of the triangle's index in the mesh. */
   function colour(shadeOf) {
     for (const [at, triangle] of chosen.entries()) {
-      const found = shadeOf(triangle);
-      for (let corner = 0; corner < 3; corner++) found.toArray(colours.array, 9 * at + 3 * corner);
+      const tone = shadeOf(triangle);
+      for (let corner = 0; corner < 3; corner++) tone.toArray(colours.array, 9 * at + 3 * corner);
     }
     colours.needsUpdate = true;
   }

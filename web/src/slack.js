@@ -16,7 +16,7 @@ export function sag(span, length) {
 }
 
 /** Length of a parabola over a span with a given depth. */
-export function arcLength(span, depth) {
+function arcLength(span, depth) {
   if (depth === 0) return span;
   const root = Math.hypot(span, 4 * depth);
   return root / 2 + (span * span * Math.asinh((4 * depth) / (span || 1e-12))) / (8 * depth);

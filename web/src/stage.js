@@ -94,8 +94,8 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     if (!width || !height) return;
     renderer.setPixelRatio(Math.min(devicePixelRatio, 2, LONGEST / Math.max(width, height)));
     renderer.setSize(width, height, false);
-    const own = cells[0].offsetHeight - names();
-    eye.resize(cells[0].offsetWidth / own, height / own);
+    const pictured = cells[0].offsetHeight - names();
+    eye.resize(cells[0].offsetWidth / pictured, height / pictured);
     draw();
   }
 

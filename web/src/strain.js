@@ -1,7 +1,7 @@
 /**
  * The largest principal Green strain of a sheet's faces: (l - 1) / 2 with l the larger eigenvalue of the metric of a
  * triangle's sides relative to the built metric; and the largest principal stress, second Piola-Kirchhoff, of a Saint
- * Venant-Kirchhoff sheet in plane stress, as forficula.analysis.membrane_stress computes it. As in figures and films, a
+ * Venant-Kirchhoff sheet in plane stress, as forficula.structure.membrane_stress computes it. As in figures and films, a
  * face has the value of its more stretched triangle.
  */
 
@@ -13,7 +13,7 @@ export function makeStrains(clip) {
   const built = clip.builtVertices();
   const metrics = Array.from({ length: faces.length }, (_, triangle) => metric(built, triangles, triangle));
   const ofFace = new Float32Array(faces.reduce((most, face) => Math.max(most, face), 0) + 1);
-  const found = new Float32Array(faces.length);
+  const ofTriangle = new Float32Array(faces.length);
 
   /** Largest principal stress for the principal strains, Pa. */
   function stressOf(larger, smaller) {
@@ -36,8 +36,8 @@ export function makeStrains(clip) {
       const value = quantity === "stress" ? stressOf(larger, smaller) : larger;
       ofFace[faces[triangle]] = Math.max(ofFace[faces[triangle]], value);
     }
-    for (let triangle = 0; triangle < faces.length; triangle++) found[triangle] = Math.max(0, ofFace[faces[triangle]]);
-    return found;
+    for (let triangle = 0; triangle < faces.length; triangle++) ofTriangle[triangle] = Math.max(0, ofFace[faces[triangle]]);
+    return ofTriangle;
   }
 
   /** The largest strain, or stress in Pa, of all frames. */

@@ -3,7 +3,7 @@
 import { make } from "./elements.js";
 
 /** The file's text with values, SI, by key. */
-export function designText(live, changes) {
+function designText(live, changes) {
   const lines = live.design.text.split("\n");
   for (const { key, unit, factor, line } of live.knobs)
     if (key in changes) lines[line.number] = `${line.before}${quantity(changes[key], unit, factor)}${line.after}`;

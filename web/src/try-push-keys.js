@@ -1,6 +1,8 @@
 /** Pushing a structure without a pointer: a point selected by name, and keys or buttons that push it. */
 
 import { Vector3 } from "three";
+import { STEPS, makeArrowPad, pointChoice } from "./arrow-pad.js";
+import { pixelOf } from "./camera.js";
 import { make } from "./elements.js";
 import { short } from "./format.js";
 
@@ -10,21 +12,13 @@ const SHARES = [
   ["half", 0.5],
   ["as strong as its drives", 1],
 ];
-const WAYS = [
-  ["\u2190", "left", "ArrowLeft", [-1, 0]],
-  ["\u2191", "up", "ArrowUp", [0, 1]],
-  ["\u2193", "down", "ArrowDown", [0, -1]],
-  ["\u2192", "right", "ArrowRight", [1, 0]],
-];
 
 /** Choice of a point of a stage's only structure, and controls that push it; `push` receives the point and force, N. */
 export function makePushKeys(stage, live, names, strongest, push) {
-  const movable = names.map((name, point) => [name, point]).filter(([, point]) => live.movable[point]);
-  const points = make("select", {}, ...movable.map(([name, value]) => make("option", { value }, name)));
+  const points = pointChoice(names.map((name, point) => [name, point]).filter(([, point]) => live.movable[point]));
   const shares = make("select", {}, ...SHARES.map(([name, value]) => make("option", { value, selected: value === SHARES[0][1] }, name)));
   const said = make("span", { className: "note", role: "status" });
-  const buttons = WAYS.map(([text, way, key]) => make("button", { type: "button", title: `push ${way}`, "aria-label": `push ${way}`, "data-way": key }, text));
-  const pad = make("span", { className: "pad", role: "group", "aria-label": "push in the plane of the picture" }, ...buttons);
+  const pad = makeArrowPad("push", { clicked: pushBriefly, pressed: hold });
   const note = make("p", { className: "note" }, "On these buttons, arrow keys push while they are held. Pressing a button pushes for half a second.");
   const element = make(
     "details",
@@ -40,7 +34,7 @@ export function makePushKeys(stage, live, names, strongest, push) {
   /** Push according to the held keys, or stop pushing. */
   function act() {
     clearTimeout(ending);
-    const [across, upwards] = [0, 1].map((axis) => WAYS.reduce((sum, [, , key, way]) => sum + (held.has(key) ? way[axis] : 0), 0));
+    const [across, upwards] = [0, 1].map((axis) => [...held].reduce((sum, key) => sum + STEPS[key][axis], 0));
     if (!across && !upwards) {
       said.textContent = "";
       push(0, null);
@@ -59,25 +53,23 @@ export function makePushKeys(stage, live, names, strongest, push) {
     act();
   }
 
-  pad.addEventListener("keydown", (event) => {
-    if (!event.key.startsWith("Arrow") || event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    if (held.has(event.key)) return;
-    held.add(event.key);
+  function hold(key) {
+    if (held.has(key)) return;
+    held.add(key);
     act();
-  });
+  }
+
+  function pushBriefly(key) {
+    held.clear();
+    held.add(key);
+    act();
+    ending = setTimeout(leave, HELD);
+  }
+
   pad.addEventListener("keyup", ({ key }) => {
     if (held.delete(key)) act();
   });
   pad.addEventListener("focusout", leave);
-  for (const button of buttons)
-    button.addEventListener("click", () => {
-      held.clear();
-      held.add(button.dataset.way);
-      act();
-      ending = setTimeout(leave, HELD);
-    });
   points.addEventListener("change", () => {
     leave();
     mark();
@@ -101,9 +93,9 @@ function makeMark(stage, live, chosen, choice) {
   function mark() {
     drawing.style.display = choice.open ? "" : "none";
     if (!choice.open) return;
-    const { x, y } = place.fromArray(live.frame.points, 3 * chosen()).project(stage.eye.camera);
-    ring.setAttribute("cx", ((x + 1) / 2) * stage.canvas.clientWidth);
-    ring.setAttribute("cy", ((1 - y) / 2) * stage.canvas.clientHeight);
+    const [x, y] = pixelOf(place.fromArray(live.frame.points, 3 * chosen()), stage.eye.camera, stage.canvas);
+    ring.setAttribute("cx", x);
+    ring.setAttribute("cy", y);
   }
 
   live.clock.onChange(mark);

@@ -7,11 +7,11 @@ from typing import Annotated
 
 import numpy as np
 
-from forficula.analysis.membrane_stress import principal_strains, principal_stresses
 from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.serial import Key, Pascals, Radians, Seconds, Written
 from forficula.structure import hinge_groups, springs_name
+from forficula.structure.membrane_stress import principal_strains, principal_stresses
 
 
 @dataclass(frozen=True, kw_only=True)

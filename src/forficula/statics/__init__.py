@@ -1,4 +1,4 @@
-from forficula.statics.drag import Drag, DraggedShape
+from forficula.statics.drag import DraggedPoint, DraggedShape
 from forficula.statics.landscape import EnergyLandscape, Rest, barrier, stable_states
 from forficula.statics.landscape_summary import landscape_summary
 from forficula.statics.quasi_static_path import PathMark, QuasiStaticPath, QuasiStaticPoint
@@ -20,14 +20,14 @@ from forficula.statics.tree.hinge_landscape import (
     PeakTorque,
     crossed_hinges,
     hinge_landscape,
-    hinge_remarks,
 )
+from forficula.statics.tree.hinge_remarks import hinge_remarks
 from forficula.statics.tree.partial_folds import PartialFold, folding_hinges
 from forficula.statics.tree.snap import final_speed, fold_time, time_scale
 
 __all__ = [
     "CrossedHinge",
-    "Drag",
+    "DraggedPoint",
     "DraggedShape",
     "EnergyLandscape",
     "FoldPath",

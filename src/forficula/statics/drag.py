@@ -51,7 +51,7 @@ class DraggedShape:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Drag:
+class DraggedPoint:
     """A structure with a point that can be dragged.
 
     Attributes:
@@ -146,14 +146,26 @@ def checked_places(structure: Structure, places: int | Mapping[int, float]) -> d
     return weights
 
 
-def drag_text(structure: Structure, force: Array, gap: Array, *, reached: bool) -> str:
-    """Return a sentence on the force that holds a dragged point, or on the distance from a target out of reach."""
-    size, away = show_value(float(np.linalg.norm(force)), "N", 3), show_value(float(np.linalg.norm(gap)), "m", 3)
-    if reached:
-        return f"A force of {size} holds the point here."
-    return (
-        f"The {structure.appearance.whole} cannot reach this position; the nearest equilibrium is {away} away, and a"
-        f" force of {size} holds it there."
+def dragged_shape(
+    structure: Structure, point: QuasiStaticPoint, target: Array, held: Held[Shape], *, reached: bool
+) -> DraggedShape:
+    """Return an equilibrium with a sentence on its force, or on the distance from a target out of reach."""
+    force = show_value(float(np.linalg.norm(held.force)), "N", 3)
+    text = f"A force of {force} holds the point here."
+    if not reached:
+        away = show_value(float(np.linalg.norm(target - held.position)), "m", 3)
+        text = (
+            f"The {structure.appearance.whole} cannot reach this position; the nearest equilibrium is {away} away, and"
+            f" a force of {force} holds it there."
+        )
+    return DraggedShape(
+        point=point,
+        target=target,
+        position=held.position,
+        force=held.force,
+        reached=reached,
+        stable=held.stable,
+        text=text,
     )
 
 

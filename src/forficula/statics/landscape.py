@@ -19,8 +19,8 @@ from forficula.errors import InputError
 from forficula.quantities import Unit, show_value
 from forficula.results import Result, pandas_module
 from forficula.serial import Joules, Written
+from forficula.statics.net.driven.net_course import Course
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_course import Course
 from forficula.statics.net.net_state import Mobility, NetState
 from forficula.statics.net.stable_states import StableStates
 from forficula.statics.tree.fold_path import FoldPath, StableState, rigid_fold

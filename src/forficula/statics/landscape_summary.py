@@ -22,10 +22,10 @@ from forficula.statics.landscape import (
     net_courses,
     net_states,
 )
-from forficula.statics.net.driven_net import prescribes_displacement
+from forficula.statics.net.driven.driven_net import prescribes_displacement
+from forficula.statics.net.driven.net_course import Course, drive_displacement, reaction
 from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_course import Course, drive_displacement, reaction
 from forficula.statics.net.net_of import point_positions
 from forficula.statics.net.net_state import Mobility, NetState
 from forficula.statics.tree.fold_path import FoldPath, rigid_fold

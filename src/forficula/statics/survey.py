@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from forficula.design import AnyDesign, as_design
 from forficula.errors import InputError
 from forficula.names import one_of
-from forficula.statics.drag import Drag
+from forficula.statics.drag import DraggedPoint
 from forficula.statics.landscape import EnergyLandscape
-from forficula.statics.net.net_drag import net_drag
+from forficula.statics.net.driven.net_drag import net_drag
+from forficula.statics.net.driven.net_path import net_path
 from forficula.statics.net.net_landscape import Progress, net_landscape, slow_courses
 from forficula.statics.net.net_of import is_net
-from forficula.statics.net.net_path import net_path
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
 from forficula.statics.tree.potential import ensemble
 from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
@@ -100,7 +100,7 @@ def start_drag(
     places: int | Mapping[int, float],
     near: QuasiStaticPoint | None = None,
     transition: str | None = None,
-) -> Drag:
+) -> DraggedPoint:
     """Prepare to drag a point of a structure quasi-statically: the structure is at rest at every position of the point.
 
     Args:

@@ -148,6 +148,18 @@ def distances_of(structure: Structure) -> tuple[Measure, ...]:
     return tuple(measure for measure in structure.measures if measure.points is not None)
 
 
+def point_distances(structure: Structure, positions: Array) -> Array:
+    """Compute the readings of all measures that are distances, m, (..., distance).
+
+    Args:
+        structure: structure with its measures.
+        positions: of its points, m, (..., point, 3); further ones are ignored.
+    """
+    ends = [measure.points for measure in distances_of(structure) if measure.points is not None]
+    one, other = np.array(ends, dtype=np.int64).reshape(-1, 2).T
+    return np.asarray(np.linalg.norm(positions[..., other, :] - positions[..., one, :], axis=-1))
+
+
 def sums_of(structure: Structure) -> tuple[Measure, ...]:
     """Return the measures whose readings are sums of angles, in the order of their coordinates in goals."""
     return tuple(measure for measure in structure.measures if measure.together > 1)

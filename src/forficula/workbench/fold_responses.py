@@ -17,7 +17,7 @@ from forficula.show.page.data.shape_mesh import ShapeMesh, shape_mesh
 from forficula.show.page.data.shown_path import shown_path
 from forficula.show.page.live_page import live_page_data
 from forficula.show.page.playback import Clip
-from forficula.statics import Drag, DraggedShape, QuasiStaticPath, quasi_static_path, start_drag
+from forficula.statics import DraggedPoint, DraggedShape, QuasiStaticPath, quasi_static_path, start_drag
 from forficula.structure import GROUND, Structure, structure_of
 from forficula.workbench.requests import DesignRequest, DragRequest, FoldRequest, Opened, requested_design
 from forficula.workbench.worker import Report
@@ -33,7 +33,7 @@ class FoldResponses:
         self._design: DesignRequest | None = None
         self._path: QuasiStaticPath | None = None
         self._mesh: ShapeMesh | None = None
-        self._drag: Drag | None = None
+        self._drag: DraggedPoint | None = None
         self._dragged: DraggedShape | None = None
 
     def follow(self, request: FoldRequest, opened: Opened, report: Report) -> None:

@@ -9,7 +9,7 @@ import pytest
 from forficula.analysis import measure
 from forficula.design import load_design
 from forficula.show.page import write_run_page
-from forficula.show.page.data.live_data import shown_measures
+from forficula.show.structure.labels import driven_angles, shown_angles, shown_distances
 from forficula.study.running.runs import run
 
 SMALL = {"width": 200, "height": 200}  # pixels of a window that is drawn quickly
@@ -34,6 +34,12 @@ _SLIDE = """(([key, share]) => {
   const input = document.querySelector(`.slider[title^="${key}:"] input`);
   input.value = Math.round(share * input.max);
   input.dispatchEvent(new Event('input')); })"""
+
+
+def shown_measures(structure):
+    """Return the measures that a page shows: those of the structure, then driven angles that are not measured."""
+    measured = shown_angles(structure)
+    return (*measured, *shown_distances(structure), *driven_angles(structure, measured))
 
 
 def write_wing(path, keys, name="binder2025"):

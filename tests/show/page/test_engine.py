@@ -20,7 +20,7 @@ from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, simulate, with_timestep
 from forficula.dynamics.engine.closures import APART_TEXT
 from forficula.quantities import READING_UNITS
-from forficula.show.page.data.live_data import live_data, shown_measures
+from forficula.show.page.data.live_data import live_data
 from forficula.show.page.data.shape_mesh import shape_mesh
 from forficula.show.page.page import built
 from forficula.show.page.parts.outcome_words import _PATTERNS
@@ -30,7 +30,7 @@ from forficula.structure import structure_of
 from forficula.study.running.runs import run
 from forficula.study.search import SEARCH_TEXTS
 from tests.plate_sheets import miura, plates, vertex
-from tests.show.page.live_wing import check_as_recorded
+from tests.show.page.live_wing import check_as_recorded, shown_measures
 
 BUILT = resources.files("forficula.show.page") / "built"
 WEB = Path(__file__).parents[3] / "web" / "src"

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from forficula.analysis import summary
-from forficula.analysis.membrane_stress import principal_strains, principal_stresses
 from forficula.design import load_design
 from forficula.dynamics import versions
 from forficula.show.page import write_run_page
@@ -17,6 +16,7 @@ from forficula.show.page.parts.run_sentences import angle_range
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import face_strains, surface_at
 from forficula.structure import drawn_points
+from forficula.structure.membrane_stress import principal_strains, principal_stresses
 from forficula.study.running.runs import run
 from tests.show.page.appearance import check_shown
 from tests.show.page.conftest import until

@@ -378,8 +378,9 @@ def test_a_landscape_can_be_awaited_or_stopped(bench):
 def test_building_can_be_stopped_and_the_last_working_model_is_kept(bench):
     bench.page.locator("#which-design").select_option("miura-sheet")
     bench.settled()
+    bench.put("pattern.columns", "12")
     before = bench.design()
-    entry = bench.field("pattern.columns").locator("[data-key]")
+    entry = bench.field("pattern.rows").locator("[data-key]")
     # some thousand facets
     entry.fill("300")
     entry.press("Enter")

@@ -69,4 +69,4 @@ def test_a_structure_that_nothing_holds_is_seen_from_where_a_part_of_every_face_
     roof = surface(above, below)
     free, held = readable_view([roof], free=True), readable_view([roof])
     assert free.towards[2] < 0 < held.towards[2]
-    assert _visible_faces(roof.faces, free, every=True) > _visible_faces(roof.faces, held, every=True)
+    assert _visible_faces(roof.faces, free, by_face=True) > _visible_faces(roof.faces, held, by_face=True)

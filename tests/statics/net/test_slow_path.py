@@ -5,10 +5,10 @@ import pytest
 from scipy.optimize import brentq
 
 from forficula.statics.net.collapse import collapse, state_after_collapse
+from forficula.statics.net.driven.slow_path import slow_path
 from forficula.statics.net.energy import built_shape
 from forficula.statics.net.load import held_displacements, point_forces
 from forficula.statics.net.minimum import minimum
-from forficula.statics.net.slow_path import slow_path
 from tests.statics.net.nets import truss
 
 HALF, RISE, STIFFNESS = 1.0, 0.4, 100.0

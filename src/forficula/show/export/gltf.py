@@ -18,8 +18,8 @@ from forficula.arrays import Array, Indices
 from forficula.show.export.scene import (
     BASE,
     JOINT,
-    Rod,
     Scene,
+    SceneRod,
     ball,
     cylinder,
     rigid_bodies,
@@ -118,7 +118,7 @@ class _Writer:
             document.json["animations"] = [motion]
         return document.packed()
 
-    def _body_of(self, rod: Rod, bodies: Sequence[int]) -> int | None:
+    def _body_of(self, rod: SceneRod, bodies: Sequence[int]) -> int | None:
         """Return the rigid body on whose faces a line lies; None for bars, tendons and lines on sheets."""
         one, other = self.scene.bodies[list(rod.ends)].tolist()
         return one if one == other and one in bodies and rod.kind not in ("bar", "tendon") else None
@@ -222,7 +222,7 @@ class _Writer:
         paths = {"weights": (weights, "SCALAR")} if len(targets) else {}
         self._node({"name": "sheet", "mesh": self.document.add("meshes", mesh)}, paths)
 
-    def _add_rods(self, rods: Sequence[Rod]) -> None:
+    def _add_rods(self, rods: Sequence[SceneRod]) -> None:
         """Add rods as nodes that move, turn and stretch one cylinder of length 1 for each colour."""
         if not rods:
             return

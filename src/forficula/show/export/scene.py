@@ -27,7 +27,7 @@ STILL = 1e-9  # displacement below which a structure counts as at rest, as a sha
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rod:
+class SceneRod:
     """Straight round rod between two vertices.
 
     Attributes:
@@ -84,7 +84,7 @@ class Scene:
     vertices: Array
     bodies: Indices
     regions: tuple[Region, ...]
-    rods: tuple[Rod, ...]
+    rods: tuple[SceneRod, ...]
     balls: Indices
     ball_radius: float
     base: Array
@@ -164,14 +164,16 @@ def _faces(shape: Shape) -> list[tuple[tuple[int, ...], int]]:
     return list(zip(shape.faces, shape.face_region.tolist(), strict=True))
 
 
-def _rods(shape: Shape, mesh: ShapeMesh) -> list[Rod]:
+def _rods(shape: Shape, mesh: ShapeMesh) -> list[SceneRod]:
     """Return bars, lines on faces, and tendons; creases are unbroken and distinguished by colour only."""
     radii = {tube.kind: tube.radius for tube in mesh.tubes}
-    rods = [Rod(kind="bar", colour=_CREASES[bar.crease], ends=bar.ends, radius=bar.radius) for bar in shape.bars]
+    rods = [SceneRod(kind="bar", colour=_CREASES[bar.crease], ends=bar.ends, radius=bar.radius) for bar in shape.bars]
     for line in shape.lines:
         colour = _CREASES[line.crease]
-        rods += [Rod(kind=line.kind, colour=colour, ends=ends, radius=radii[line.kind]) for ends in pairwise(line.path)]
-    rods += [Rod(kind="tendon", colour=TENDON, ends=ends, radius=radii["tendon"]) for ends in shape.tendons]
+        rods += [
+            SceneRod(kind=line.kind, colour=colour, ends=ends, radius=radii[line.kind]) for ends in pairwise(line.path)
+        ]
+    rods += [SceneRod(kind="tendon", colour=TENDON, ends=ends, radius=radii["tendon"]) for ends in shape.tendons]
     return rods
 
 

@@ -10,13 +10,13 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from forficula.analysis.membrane_stress import principal_strains, principal_stresses
 from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
 from forficula.optional_module import optional_module
 from forficula.show.export.scene import sampled, sampled_points
 from forficula.show.structure.shape import drawn_pieces
 from forficula.structure import Bar, Spring, Structure, Tendon, built_points, facet_triangles
+from forficula.structure.membrane_stress import principal_strains, principal_stresses
 
 _SERIES = ("tendon_energy", "tendon_pull", "spring_force", "spring_energy")
 

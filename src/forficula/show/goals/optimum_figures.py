@@ -158,10 +158,10 @@ def _focus(axes: Axes, optimum: Optimum, one: Array, other: Array, chosen: Flags
         if not len(ends):
             continue
         room = _ROOM * (np.ptp(ends) or abs(ends[0]) or 1.0)
-        every = values[np.isfinite(values)]
+        finite = values[np.isfinite(values)]
         # no farther than the designs are
-        low = max(ends.min() - room, min(every.min(initial=ends.min()), ends.min()) - 0.1 * room)
-        high = min(ends.max() + room, max(every.max(initial=ends.max()), ends.max()) + 0.1 * room)
+        low = max(ends.min() - room, min(finite.min(initial=ends.min()), ends.min()) - 0.1 * room)
+        high = min(ends.max() + room, max(finite.max(initial=ends.max()), ends.max()) + 0.1 * room)
         (axes.set_ylim if number else axes.set_xlim)(low, high)
         inside &= (values >= low) & (values <= high)
     return inside

@@ -17,7 +17,7 @@ from forficula.quantities import reading_unit
 from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape, Rest
 from forficula.statics.landscape import AT_START
-from forficula.statics.net.net_course import Course
+from forficula.statics.net.driven.net_course import Course
 from forficula.statics.net.net_state import Withstood
 from forficula.structure import Measure, Structure, Transition, drive_of, drive_unit, measure_of, read_angles
 

@@ -28,7 +28,7 @@ from forficula.statics import EnergyLandscape
 from forficula.statics.landscape import net_states
 from forficula.statics.net.energy import built_shape
 from forficula.statics.net.net import NetShape
-from forficula.statics.net.net_of import point_positions
+from forficula.statics.net.net_of import place_points, point_positions
 
 _DOTTED: dict[str, Any] = {"color": "0.35", "lw": 0.6, "ls": ":"}
 
@@ -104,14 +104,11 @@ def outline_handle(words: str) -> Line2D:
 def _surface(landscape: EnergyLandscape, shape: Shape, net_shape: NetShape) -> DrawnSurface:
     assert landscape.net is not None
     structure = landscape.structure
-    at = {point.body: number for number, point in enumerate(structure.points)}
-    nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
     net = landscape.net.net
     points = point_positions(net, net_shape)[: len(structure.points)]
     if _is_free(landscape):
         points = _aligned(points, point_positions(net, built_shape(net))[: len(points)])
-    places = np.concatenate((points, points[nodes]))
-    return surface_of(shape, places, net_shape.angles, two_sided=bool(structure.facets))
+    return surface_of(shape, points[place_points(structure)], net_shape.angles, two_sided=bool(structure.facets))
 
 
 def _is_free(landscape: EnergyLandscape) -> bool:

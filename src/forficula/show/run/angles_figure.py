@@ -106,8 +106,8 @@ def draw_angles(
                         axes.plot(time_in(record, span), values, **_look(line), label=name)
                 shade_stages(axes, record, span)
                 mark_waits(axes, record, span)
-            seen = slice(None) if stalled is None else record.time >= stalled.start
-            fit_values(axes_row, np.array(list(lines.values()))[:, seen], _least_range(record, measures))
+            rows_drawn = slice(None) if stalled is None else record.time >= stalled.start
+            fit_values(axes_row, np.array(list(lines.values()))[:, rows_drawn], _least_range(record, measures))
             if measures[0].kind == "angle":
                 axes_row[0].yaxis.set_major_locator(MaxNLocator(nbins=6, steps=_DEGREE_STEPS))
             if groups or list(lines) != [title_of(measures[0])]:
@@ -138,8 +138,8 @@ def _row_label(record: Record, measures: tuple[Measure, ...]) -> str:
 
 
 def _length_unit(record: Record, measures: tuple[Measure, ...]) -> tuple[str, float]:
-    every = [np.abs(record.measured(measure.name)).max(initial=0.0) for measure in measures]
-    return reading_unit("m", float(np.nanmax([*every, 0.0])) or record.structure.span)
+    largest = [np.abs(record.measured(measure.name)).max(initial=0.0) for measure in measures]
+    return reading_unit("m", float(np.nanmax([*largest, 0.0])) or record.structure.span)
 
 
 def _lines(record: Record, measures: tuple[Measure, ...]) -> dict[str, Array]:

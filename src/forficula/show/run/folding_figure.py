@@ -124,17 +124,17 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *,
         handle for handle in shape_handles(shape, structure, ORANGE, 2.0) if not (strain and isinstance(handle, Patch))
     ]
     with figure_style():
-        figure, every = _draw_panels(panels, handles, width)
+        figure, grid = _draw_panels(panels, handles, width)
         if strain:
             scaled = ScalarMappable(Normalize(0, 100 * float(norm.vmax or 0)), STRAIN_COLOURS)
-            bar = figure.colorbar(scaled, ax=every, fraction=0.04, pad=0.02, aspect=30)
+            bar = figure.colorbar(scaled, ax=grid, fraction=0.04, pad=0.02, aspect=30)
             bar.set_label("Green strain (%)")
             bar.outline.set_visible(False)
-        seen = f" Largest strain of the membrane: {100 * float(norm.vmax or 0):.3g} %." if strain else ""
+        strain_text = f" Largest strain of the membrane: {100 * float(norm.vmax or 0):.3g} %." if strain else ""
         titles = "; ".join(texts[moment].replace("\n", ", ") for moment in moments)
         count = f"{len(moments)}" if len(moments) == len(all_moments) else f"{len(moments)} of {len(all_moments)}"
         what = f"The {structure.appearance.whole} {record.design.name} in 3-D at {count} moments of a run"
-        return describe(figure, f"{what}, each with the time since its stage began. {titles}.{seen}")
+        return describe(figure, f"{what}, each with the time since its stage began. {titles}.{strain_text}")
 
 
 def _draw_panels(panels: Sequence[_Panel], handles: Sequence[Artist], width: float) -> tuple[Figure, list[Axes]]:
@@ -256,10 +256,10 @@ def _moments(record: Record, outcome: Outcome) -> list[_Moment]:
     moments.append(("end of the run", last, False))
     # of several names for one moment that of a state is kept
     moments.sort(key=lambda moment: (moment[1], not moment[2], not moment[0]))
-    seen = list[tuple[str, float, bool]]()
+    kept = list[tuple[str, float, bool]]()
     for moment in moments:
-        if not _is_torn(record, moment[1]) and (moment[2] or not seen or _moved(record, seen[-1][1], moment[1])):
-            seen.append(moment)
+        if not _is_torn(record, moment[1]) and (moment[2] or not kept or _moved(record, kept[-1][1], moment[1])):
+            kept.append(moment)
     return [
         _Moment(
             name=name,
@@ -267,7 +267,7 @@ def _moments(record: Record, outcome: Outcome) -> list[_Moment]:
             stage=next((end for end in reversed(record.stages) if end.start < time - half), record.stages[0]),
             state=state,
         )
-        for name, time, state in seen or [("start", 0.0, True)]
+        for name, time, state in kept or [("start", 0.0, True)]
     ]
 
 

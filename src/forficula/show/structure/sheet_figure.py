@@ -122,11 +122,11 @@ def _text(facts: PatternFacts, faults: list[VertexFacts]) -> str:
     """Describe the sheet."""
     edges = ", ".join(f"{count} {ASSIGNMENTS[letter]}" for letter, count in facts.edges.items())
     size = " by ".join(show_value(length, "m") for length in facts.size[: 2 if facts.flat else 3])
-    seen = "" if facts.flat else " The sheet is folded, and drawn unfolded."
+    drawn_as = "" if facts.flat else " The sheet is folded, and drawn unfolded."
     verdict = "Every interior vertex folds flat." if facts.flat else ""
     if faults:
         worst = max((fault.missing for fault in faults if math.isfinite(fault.missing)), default=0.0)
         lacks = f", by up to {math.degrees(worst):.2g} deg" if worst > 1e-6 else ""
         verdict = f"{len(faults)} of {len(facts.inside)} interior vertices do not fold flat{lacks}."
     title = facts.title[:1].upper() + facts.title[1:]
-    return f"{title}, {size}.{seen} Edges: {edges}. {verdict}".rstrip()
+    return f"{title}, {size}.{drawn_as} Edges: {edges}. {verdict}".rstrip()

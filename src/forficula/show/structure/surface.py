@@ -9,6 +9,7 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
 from forficula.show.structure.shape import Shape, vertex_places
+from forficula.structure.membrane_stress import principal_strains
 
 _FLAT = 1e-9  # squared area below which a triangle has no strain, as a share of its squared size
 
@@ -90,8 +91,7 @@ def surface_of(shape: Shape, places: Array, folds: Array, *, two_sided: bool) ->
 def face_strains(shape: Shape, surface: DrawnSurface) -> Array:
     """Return the largest principal Green strain of each face, 0 in the built shape, (face,).
 
-    For a face of four corners, that of the more stretched of its two triangles: (l - 1) / 2, where l is the larger
-    eigenvalue of the metric of its sides relative to the built metric.
+    For a face of four corners, that of the more stretched of its two triangles.
     """
     corners = np.array([(*face, face[-1])[:4] for face in shape.faces], dtype=np.int64).reshape(-1, 4)
     both = [_largest_strains(shape.built[corners[:, half]], surface.faces[:, half]) for half in ([0, 1, 2], [0, 2, 3])]
@@ -100,14 +100,12 @@ def face_strains(shape: Shape, surface: DrawnSurface) -> Array:
 
 def _largest_strains(built: Array, now: Array) -> Array:
     """Return the largest principal strains of triangles, (triangle, corner, axis); nan for triangles without area."""
-    before, after = (item[:, 1:] - item[:, :1] for item in (built, now))
-    metric, stretched = (item @ item.swapaxes(1, 2) for item in (before, after))
+    sides = built[:, 1:] - built[:, :1]
+    metric = sides @ sides.swapaxes(1, 2)
     flat = np.linalg.det(metric) <= _FLAT * np.trace(metric, axis1=1, axis2=2) ** 2
-    metric[flat] = np.eye(2)
-    relative = np.linalg.solve(metric, stretched)
-    half, product = np.trace(relative, axis1=1, axis2=2) / 2, np.linalg.det(relative)
-    largest = half + np.sqrt(np.maximum(half**2 - product, 0.0))
-    return np.where(flat, np.nan, (largest - 1) / 2)
+    largest = np.full(len(built), np.nan)
+    largest[~flat] = principal_strains(built[~flat], now[~flat])[:, 1]
+    return largest
 
 
 def at_time(record: Record, name: str, time: float) -> Array:

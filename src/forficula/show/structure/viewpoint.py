@@ -72,16 +72,16 @@ def readable_view(surfaces: Sequence[DrawnSurface], *, free: bool = False) -> Vi
     turns = np.linspace(0, 2 * np.pi, _AROUND, endpoint=False)
     views = [page_view(turn, elevation) for elevation in (_ELEVATIONS if free else (None,)) for turn in turns]
     views.insert(0, page_view())
-    shares = [min((_visible_share(surface, view, every=free) for surface in compared), default=0.0) for view in views]
+    shares = [min((_visible_share(surface, view, by_face=free) for surface in compared), default=0.0) for view in views]
     best = int(np.argmax(shares))
     return views[best] if free or shares[best] > shares[0] + _GAIN else views[0]
 
 
-def _visible_share(surface: DrawnSurface, view: Viewpoint, *, every: bool = False) -> float:
+def _visible_share(surface: DrawnSurface, view: Viewpoint, *, by_face: bool = False) -> float:
     """Return the mean of the visible shares of faces and bars; foreshortened parts count less."""
     shares = []
     if len(surface.faces):
-        shares.append(_visible_faces(surface.faces, view, every=every))
+        shares.append(_visible_faces(surface.faces, view, by_face=by_face))
     if len(surface.bars):
         along = surface.bars[:, 1] - surface.bars[:, 0]
         lengths = np.maximum(np.linalg.norm(along, axis=1), 1e-300)
@@ -89,10 +89,10 @@ def _visible_share(surface: DrawnSurface, view: Viewpoint, *, every: bool = Fals
     return float(np.mean(shares)) if shares else 0.0
 
 
-def _visible_faces(faces: Array, view: Viewpoint, *, every: bool) -> float:
+def _visible_faces(faces: Array, view: Viewpoint, *, by_face: bool) -> float:
     """Return the share of the area of faces, m, (face, 4, axis), that is visible in a picture.
 
-    If `every`, return the mean over faces of the root of the share of each, which is larger if it is similar for all.
+    If `by_face`, return the mean over faces of the root of the share of each, which is larger if it is similar for all.
     """
     areas = np.linalg.norm(np.cross(faces[:, 2] - faces[:, 0], faces[:, 3] - faces[:, 1]), axis=1) / 2
     placed = np.concatenate([view.project(faces), (faces @ view.towards)[..., np.newaxis]], axis=-1)
@@ -103,8 +103,8 @@ def _visible_faces(faces: Array, view: Viewpoint, *, every: bool) -> float:
     numbers = np.repeat(np.arange(len(faces)), 2)
     colours = np.column_stack([numbers % 256, numbers // 256 % 256, numbers // 65536]) / 255
     drawn = rasterise(triangles, colours, (_GRID, _GRID), samples=1).astype(np.int64)
-    seen = (drawn[..., 0] + 256 * drawn[..., 1] + 65536 * drawn[..., 2])[drawn[..., 3] > 0]
-    visible = np.bincount(seen, minlength=len(faces))[: len(faces)] * pixel**2
-    if every:
+    in_front = (drawn[..., 0] + 256 * drawn[..., 1] + 65536 * drawn[..., 2])[drawn[..., 3] > 0]
+    visible = np.bincount(in_front, minlength=len(faces))[: len(faces)] * pixel**2
+    if by_face:
         return float(np.mean(np.sqrt(visible / np.maximum(areas, pixel**2))))
     return float(visible.sum() / max(float(areas.sum()), 1e-300))

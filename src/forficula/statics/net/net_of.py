@@ -74,6 +74,13 @@ def point_positions(net: Net, shape: NetShape) -> Array:
     return np.asarray(net.points @ shape.positions)
 
 
+def place_points(structure: Structure) -> list[int]:
+    """Return the numbers of the points at places: all points, then those of the nodes of membranes."""
+    at = {point.body: number for number, point in enumerate(structure.points)}
+    nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
+    return [*range(len(structure.points)), *nodes]
+
+
 def panels(structure: Structure) -> Indices:
     """Return the triangles of facets and of plates, as points at their corners, (triangle, 3)."""
     fans = [(plate.points[0], one, other) for plate in structure.plates for one, other in pairwise(plate.points[1:])]

@@ -9,12 +9,21 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.drag import STIFF, Drag, DraggedShape, Held, approach, checked_places, drag_text, least_force
+from forficula.statics.drag import (
+    STIFF,
+    DraggedPoint,
+    DraggedShape,
+    Held,
+    approach,
+    checked_places,
+    dragged_shape,
+    least_force,
+)
 from forficula.statics.quasi_static_path import QuasiStaticPoint
 from forficula.statics.tree.elements import Expansion, LinePiece, elements, stretched
 from forficula.statics.tree.pose import carried_points, moves_of, places_of, pose
 from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, start_angles, torque_scale
-from forficula.statics.tree.tree_path import tree_points
+from forficula.statics.tree.tree_path import place_carriers, tree_points
 from forficula.structure import GROUND, Drive, Structure
 
 _LEAST = 1.0  # of the structure's torque per square of its span: least stiffness against a pull
@@ -44,7 +53,7 @@ class _PulledTree:
 
 def tree_drag(
     structure: Structure, drive: Drive, places: int | Mapping[int, float], near: QuasiStaticPoint | None
-) -> Drag:
+) -> DraggedPoint:
     """Prepare the drag of a point of a tree; see `forficula.statics.survey.start_drag`.
 
     Raises:
@@ -53,10 +62,9 @@ def tree_drag(
     weights = checked_places(structure, places)
     structures = ensemble([structure])
     tree = structures.sheet.laid.tree
-    carriers = [(point.body, point.place) for point in structure.points]
-    for membrane in structure.membranes:
-        carriers += list(zip(membrane.bodies.tolist(), membrane.places, strict=True))
-    bodies = tuple(carriers[place][0] for place in weights)
+    numbers = list(weights)
+    carriers, positions = place_carriers(structure)
+    bodies = tuple(carriers[numbers].tolist())
     if not any(tree.chain(body) for body in bodies if body != GROUND):
         raise InputError("places: need a point that can move, got one that no hinge moves")
     if near is None:
@@ -65,12 +73,12 @@ def tree_drag(
         structures=structures,
         drive=drive,
         bodies=bodies,
-        places=np.array([carriers[place][1] for place in weights]),
+        places=positions[numbers],
         weights=np.array(list(weights.values())),
         spring=0.0,
     )
     pulled = replace(pulled, spring=_spring(pulled, near))
-    return Drag(
+    return DraggedPoint(
         structure=structure, places=weights, start=near, pull=lambda near, target: _pulled(pulled, near, target)
     )
 
@@ -154,12 +162,5 @@ def _pulled(pulled: _PulledTree, near: QuasiStaticPoint, target: Array) -> Dragg
     )
     if not reached:
         held = held._replace(force=least_force(held.force, _compliance(pulled, held.shape[None], torques)))
-    return DraggedShape(
-        point=_point(pulled.structures, near.strength, held.shape, resting=False),
-        target=target,
-        position=held.position,
-        force=held.force,
-        reached=reached,
-        stable=held.stable,
-        text=drag_text(structure, held.force, target - held.position, reached=reached),
-    )
+    point = _point(pulled.structures, near.strength, held.shape, resting=False)
+    return dragged_shape(structure, point, target, held, reached=reached)

@@ -7,18 +7,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from forficula.arrays import Array, Flags
+from forficula.arrays import Array, Flags, Indices
 from forficula.kept_frames import kept_frames
-from forficula.statics.quasi_static_path import (
+from forficula.statics.growing_path import (
     GrowingPath,
     NumberedEvent,
-    QuasiStaticPath,
-    QuasiStaticPoint,
     interval_errors,
     last_event,
     lengths_along,
+    nearest_point,
     path_of,
 )
+from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
 from forficula.statics.tree.hinge_landscape import crossed_hinges
 from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
 from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, stored_energy
@@ -98,7 +98,7 @@ def tree_path(
         reached=reached,
         complete=not growing.stopped,
         error=missed / structure.span,
-        at=None if near_rest is None else _nearest(structure, points, near_rest),
+        at=None if near_rest is None else nearest_point(points, place_positions(structure, near_rest[None])[0]),
         remarks=() if reached or growing.stopped else (remark,),
     )
 
@@ -154,12 +154,6 @@ def _near_rest(driven: _DrivenTree, near: QuasiStaticPoint) -> Array | None:
         if at_goal(structures, rested.position, goal)[0]:
             return None
     return np.asarray(rested.position[0])
-
-
-def _nearest(structure: Structure, points: list[QuasiStaticPoint], angles: Array) -> int:
-    """Return the number of the point that is nearest to a shape."""
-    positions = place_positions(structure, angles[None])[0]
-    return int(np.argmin([np.abs(point.positions - positions).max() for point in points]))
 
 
 def _snapping(path: TorquePath) -> Flags:
@@ -265,10 +259,15 @@ def place_positions(structure: Structure, angles: Array) -> Array:
         angles: of all hinges, in their own senses, rad, (case, hinge).
     """
     tree = tree_of(structure)
+    carried = carried_points(tree, *place_carriers(structure))
+    return np.moveaxis(places_of(carried, pose(tree, angles)), 0, -1)
+
+
+def place_carriers(structure: Structure) -> tuple[Indices, Array]:
+    """Return the bodies that carry the places, (place,), and the places in the axes of these bodies, m, (place, 3)."""
     bodies = [np.array([point.body for point in structure.points], dtype=np.int64)]
     places = [np.array([point.place for point in structure.points]).reshape(-1, 3)]
     for membrane in structure.membranes:
         bodies.append(membrane.bodies)
         places.append(membrane.places)
-    carried = carried_points(tree, np.concatenate(bodies), np.concatenate(places))
-    return np.moveaxis(places_of(carried, pose(tree, angles)), 0, -1)
+    return np.concatenate(bodies), np.concatenate(places)

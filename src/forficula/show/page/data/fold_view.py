@@ -231,9 +231,12 @@ def _along_data(name: str, values: Array, si: str) -> dict[str, Any]:
 
 def _plots(path: QuasiStaticPath, clip: Clip, rows: Indices) -> list[dict[str, Any]]:
     """Return the plots of a path over the fold: energies, drive, readings and strains; the first two have a ball."""
-    balls = [*energies_plot(clip), _drive_plot(path, rows)]
     others = [reading_plot(readings) for readings in clip.readings]
-    others += _strain_plot(path, rows)
+    return balled_plots([*energies_plot(clip), _drive_plot(path, rows)], [*others, *_strain_plot(path, rows)])
+
+
+def balled_plots(balls: Sequence[Plot], others: Sequence[Plot]) -> list[dict[str, Any]]:
+    """Return plots over the fold as data for JSON, the first ones with a ball on their first line."""
     data = plot_data([*balls, *others])
     return [plot | {"ball": 0} for plot in data[: len(balls)]] + data[len(balls) :]
 

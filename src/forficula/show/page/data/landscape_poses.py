@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.show.page.data.fold_view import energies_plot, pose_view, posed_clip, reading_plot
+from forficula.show.page.data.fold_view import balled_plots, energies_plot, pose_view, posed_clip, reading_plot
 from forficula.show.page.data.landscape_curves import Travel, posed_travel
 from forficula.show.page.data.shape_mesh import shape_mesh
-from forficula.show.page.parts.plots import plot_data
 from forficula.statics import CrossedHinge, EnergyLandscape
 from forficula.statics.quasi_static_path import spring_moments
 from forficula.statics.tree.potential import ensemble, stored_energy
@@ -74,8 +73,6 @@ def poses_view(poses: LandscapePoses, *, beside_run: bool) -> dict[str, Any]:
     structure, positions = poses.structure, place_positions(poses.structure, poses.angles)
     share = np.linspace(0.0, 1.0, len(positions))
     clip = posed_clip(structure, shape_mesh(structure), share, positions, poses.angles, poses.energy)
-    energies = energies_plot(clip)
-    plots = plot_data([*energies, *(reading_plot(readings) for readings in clip.readings)])
     return pose_view(
         clip,
         poses.angles,
@@ -84,7 +81,7 @@ def poses_view(poses: LandscapePoses, *, beside_run: bool) -> dict[str, Any]:
         name=poses.name,
         title=poses.title,
         notes=[poses.why],
-        plots=[plot | {"ball": 0} for plot in plots[: len(energies)]] + plots[len(energies) :],
+        plots=balled_plots(energies_plot(clip), [reading_plot(readings) for readings in clip.readings]),
         beside_run=beside_run,
     )
 

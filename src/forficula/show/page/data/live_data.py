@@ -28,7 +28,7 @@ from forficula.quantities import READING_UNITS, Unit, show_quantity
 from forficula.show.page.data.packed_arrays import PackedArrays
 from forficula.show.page.parts.design_rows import key_meanings
 from forficula.show.page.parts.run_sentences import LIVE_OUTCOME_TEXTS
-from forficula.show.structure.labels import driven_angles, role_groups, shown_angles, shown_distances
+from forficula.show.structure.labels import role_groups
 from forficula.structure import Measure, StageGoal, Structure, Transition, goal_of, measure_of, sums_of
 
 _MOST_STRENGTH = 3.0  # largest strength of a drive on its slider, as a multiple of the design's
@@ -81,12 +81,6 @@ def live_data(
         "design": {"name": design.name, "text": design_text(design)},
     }
     return data | {"arrays": arrays.text()}
-
-
-def shown_measures(structure: Structure) -> tuple[Measure, ...]:
-    """Return the measures that a page shows: those of the structure, then driven angles that are not measured."""
-    measured = shown_angles(structure)
-    return (*measured, *shown_distances(structure), *driven_angles(structure, measured))
 
 
 def _model_data(model: Model, arrays: PackedArrays) -> dict[str, Any]:

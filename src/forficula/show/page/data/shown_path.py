@@ -12,7 +12,7 @@ from forficula.errors import InputError
 from forficula.kept_frames import kept_frames
 from forficula.show.page.data.shape_mesh import ShapeMesh
 from forficula.statics import PathMark, QuasiStaticPath, quasi_static_path
-from forficula.structure import Structure, distances_of, goal_coordinates, goal_of
+from forficula.structure import Structure, goal_coordinates, goal_of, point_distances
 
 # bytes of the positions, angles and moments of a path; as text in the page they grow by a third
 BUDGET = 120_000
@@ -114,11 +114,7 @@ def is_within(path: QuasiStaticPath, row: int, name: str) -> bool:
     """Return whether a shape of a path is within the bounds of a goal, by name or as text."""
     structure = path.structure
     goal = goal_of(structure, name)
-    pairs = [list(measure.points) for measure in distances_of(structure) if measure.points is not None]
-    distances = np.array(
-        [np.linalg.norm(path.positions[row, one] - path.positions[row, other]) for one, other in pairs]
-    )
-    read = goal_coordinates(structure, path.angles[row], distances)
+    read = goal_coordinates(structure, path.angles[row], point_distances(structure, path.positions[row]))
     return bool(np.all((read >= goal.least) & (read <= goal.most)))
 
 

@@ -10,16 +10,25 @@ from scipy.sparse import block_array, csr_array
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.drag import STIFF, Drag, DraggedShape, Held, approach, checked_places, drag_text, least_force
-from forficula.statics.net.driven_net import DrivenNet, driven_net
+from forficula.statics.drag import (
+    STIFF,
+    DraggedPoint,
+    DraggedShape,
+    Held,
+    approach,
+    checked_places,
+    dragged_shape,
+    least_force,
+)
+from forficula.statics.net.driven.driven_net import DrivenNet, driven_net
+from forficula.statics.net.driven.net_course import released
+from forficula.statics.net.driven.net_path import net_point
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import factored
 from forficula.statics.net.load import Load
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_course import released
-from forficula.statics.net.net_of import net_of, start_shape, valley_angles
-from forficula.statics.net.net_path import net_point
+from forficula.statics.net.net_of import net_of, place_points, start_shape, valley_angles
 from forficula.statics.net.net_state import STRAINED, strength
 from forficula.statics.net.supports import supported
 from forficula.statics.quasi_static_path import QuasiStaticPoint
@@ -57,13 +66,13 @@ def net_drag(
     transition: Transition | None,
     places: int | Mapping[int, float],
     near: QuasiStaticPoint | None,
-) -> Drag:
+) -> DraggedPoint:
     """Prepare the drag of a point of a net; see `forficula.statics.survey.start_drag`."""
     weights = checked_places(structure, places)
     driven = driven_net(structure, net_of(structure), drive, transition)
     start = near or net_point(driven, released(driven.free, start_shape(structure, driven.free))[0].shape, 0.0)
     pulled = _pulled_net(driven, weights, start)
-    return Drag(
+    return DraggedPoint(
         structure=structure,
         places=weights,
         start=start,
@@ -78,14 +87,10 @@ def _pulled_net(driven: DrivenNet, places: Mapping[int, float], start: QuasiStat
         InputError: supports hold the dragged point.
     """
     structure, (net, _) = driven.structure, supported(driven.net, driven.load)
-    at = {point.body: number for number, point in enumerate(structure.points)}
-    rows = [
-        *range(len(structure.points)),
-        *(at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()),
-    ]
+    points = place_points(structure)
     weights = np.zeros(len(net.nodes))
     for place, weight in places.items():
-        weights += weight * net.points[[rows[place]]].toarray()[0]
+        weights += weight * net.points[[points[place]]].toarray()[0]
     if not net.free[weights != 0].any():
         raise InputError("places: need a point that can move, got one that supports hold")
     shape = _shape(driven, net, start)
@@ -179,12 +184,5 @@ def _pulled(pulled: _PulledNet, near: QuasiStaticPoint, target: Array) -> Dragge
             held = _held(pulled, held.shape, held.position, factor)
         compliance = _compliance(driven, pulled.supported, pulled.weights, held.shape, factor)[0]
         held = held._replace(force=least_force(held.force, compliance))
-    return DraggedShape(
-        point=net_point(driven, held.shape, factor, resting=False),
-        target=target,
-        position=held.position,
-        force=held.force,
-        reached=reached,
-        stable=held.stable,
-        text=drag_text(driven.structure, held.force, target - held.position, reached=reached),
-    )
+    point = net_point(driven, held.shape, factor, resting=False)
+    return dragged_shape(driven.structure, point, target, held, reached=reached)

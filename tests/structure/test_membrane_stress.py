@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from forficula.analysis.membrane_stress import principal_strains, principal_stresses
 from forficula.structure import MembraneLaw
+from forficula.structure.membrane_stress import principal_strains, principal_stresses
 
 LAW = MembraneLaw(youngs_modulus=2e6, poisson_ratio=0.3, thickness=1e-4, damping=0.0)
 CORNERS = np.array([[[0.0, 0, 1], [1, 0.2, 1], [0.1, 1, 1.5]]])

@@ -12,26 +12,25 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.kept_frames import kept_frames
-from forficula.statics.net.driven_net import DrivenNet, driven_net, follow_drive, prescribes_displacement
+from forficula.statics.growing_path import (
+    GrowingPath,
+    NumberedEvent,
+    interval_errors,
+    last_event,
+    lengths_along,
+    nearest_point,
+    path_of,
+)
+from forficula.statics.net.driven.driven_net import DrivenNet, driven_net, follow_drive, prescribes_displacement
+from forficula.statics.net.driven.net_course import drive_course, reaction, released
+from forficula.statics.net.driven.slow_path import SlowPath, Snap
 from forficula.statics.net.energy import shape_at
 from forficula.statics.net.load_path import PathPoint, intermediate_point, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_course import drive_course, reaction, released
-from forficula.statics.net.net_of import net_of, own_angles, point_positions, start_shape, valley_angles
+from forficula.statics.net.net_of import net_of, own_angles, place_points, point_positions, start_shape, valley_angles
 from forficula.statics.net.net_state import stored_parts
-from forficula.statics.net.slow_path import SlowPath, Snap
-from forficula.statics.quasi_static_path import (
-    GrowingPath,
-    NumberedEvent,
-    QuasiStaticPath,
-    QuasiStaticPoint,
-    interval_errors,
-    last_event,
-    lengths_along,
-    path_of,
-    rest_changes,
-)
+from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint, rest_changes
 from forficula.structure import Drive, Structure, Transition, drive_of
 
 _INCREMENTS = 500  # of each path
@@ -72,7 +71,7 @@ def net_path(
         if growing.stopped or not stretches.refine(bound, growing):
             break
         points = stretches.points(bound)[0]
-        growing.show(points, at=None if near_rest is None else _nearest(driven, points, near_rest))
+        growing.show(points, at=_nearest(driven, points, near_rest))
     points, events = stretches.points(bound)
     reached = slow.ended == ("target" if driven.goal is None else "stop") and not growing.stopped
     events.append(last_event(points, reached=reached))
@@ -87,7 +86,7 @@ def net_path(
         reached=reached,
         complete=not growing.stopped,
         error=stretches.error() / structure.span,
-        at=None if near_rest is None else _nearest(driven, points, near_rest),
+        at=_nearest(driven, points, near_rest),
         remarks=(*remarks, *_path_remarks(driven, slow, events, reached=reached)),
     )
 
@@ -214,10 +213,9 @@ def kept_shapes(shapes: Sequence[NetShape], bound: float) -> list[NetShape]:
     return [shapes[row] for row in rows[kept[1:-1]].tolist()]
 
 
-def _nearest(driven: DrivenNet, points: Sequence[QuasiStaticPoint], rest: NetRest) -> int:
-    """Return the number of the point that is nearest to a shape."""
-    positions = place_positions(driven.structure, driven.net, rest.shape)
-    return int(np.argmin([np.abs(point.positions - positions).max() for point in points]))
+def _nearest(driven: DrivenNet, points: Sequence[QuasiStaticPoint], rest: NetRest | None) -> int | None:
+    """Return the number of the point that is nearest to an equilibrium; None without one."""
+    return None if rest is None else nearest_point(points, place_positions(driven.structure, driven.net, rest.shape))
 
 
 class _Stretches:
@@ -377,7 +375,4 @@ def net_point(driven: DrivenNet, shape: NetShape, factor: float, *, resting: boo
 
 def place_positions(structure: Structure, net: Net, shape: NetShape) -> Array:
     """Return the positions of a structure's points, then of the nodes of its membranes, m, (place, 3)."""
-    points = point_positions(net, shape)[: len(structure.points)]
-    at = {point.body: number for number, point in enumerate(structure.points)}
-    nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
-    return np.concatenate([points, points[nodes]])
+    return point_positions(net, shape)[place_points(structure)]

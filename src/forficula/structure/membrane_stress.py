@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.structure import MembraneLaw
+from forficula.structure.parts import MembraneLaw
 
 
 def principal_strains(built: Array, now: Array) -> Array:

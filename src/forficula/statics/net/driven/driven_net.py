@@ -10,19 +10,19 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
+from forficula.statics.net.driven.slow_path import SlowPath, slow_path
 from forficula.statics.net.load import Load
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import motor_load, own_angles, point_positions
-from forficula.statics.net.slow_path import SlowPath, slow_path
 from forficula.structure import (
     Drive,
     StageGoal,
     Structure,
     Transition,
-    distances_of,
     driven_motor,
     goal_coordinates,
     goal_of,
+    point_distances,
 )
 
 _MOST = 4.0  # largest multiple of a drive's strength if its strength is not sufficient
@@ -154,9 +154,8 @@ def displaced_net(structure: Structure, net: Net, drive: Drive) -> Net:
 
 def goal_values(structure: Structure, net: Net, shape: NetShape) -> Array:
     """Return the coordinates that goals bound: angles and distances, rad and m, (coordinate,)."""
-    pairs = [list(distance.points) for distance in distances_of(structure) if distance.points is not None]
-    distances = [np.linalg.norm(np.diff(point_positions(net, shape)[pair], axis=0)) for pair in pairs]
-    return goal_coordinates(structure, own_angles(structure, shape), np.array(distances))
+    distances = point_distances(structure, point_positions(net, shape))
+    return goal_coordinates(structure, own_angles(structure, shape), distances)
 
 
 def short_of(structure: Structure, net: Net, goal: StageGoal, shape: NetShape) -> float:

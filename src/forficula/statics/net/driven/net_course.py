@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from forficula.statics.net.driven_net import (
+from forficula.statics.net.driven.driven_net import (
     FINE,
     INCREMENTS,
     driven_net,
@@ -15,6 +15,7 @@ from forficula.statics.net.driven_net import (
     prescribes_displacement,
     short_of,
 )
+from forficula.statics.net.driven.slow_path import SlowPath
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import softest
 from forficula.statics.net.load import Load
@@ -22,7 +23,6 @@ from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import own_angles
-from forficula.statics.net.slow_path import SlowPath
 from forficula.statics.net.supports import supported
 from forficula.structure import (
     Drive,
