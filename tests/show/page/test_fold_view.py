@@ -225,8 +225,16 @@ def test_the_fold_slider_and_the_energy_curve_fit_a_phone(opened, scheme):
     opened.show(390, 844, scheme)
     assert opened.page.evaluate("document.documentElement.scrollWidth") == 390
     # the strength of the drive is the last number beside the position
-    cut = "({ scrollWidth, clientWidth }) => scrollWidth > clientWidth"
-    assert not opened.page.eval_on_selector(".transport .time", cut)
+    cut = """async () => { const { clock } = forficula; const before = clock.time; let cut = false;
+      for (let share = 0; share <= 1; share += 0.02) {
+        clock.seek(clock.timeAt(share));
+        await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+        const { scrollWidth, clientWidth } = document.querySelector(".transport .time");
+        cut ||= scrollWidth > clientWidth;
+      }
+      clock.seek(before);
+      return cut; }"""
+    assert not opened.page.evaluate(cut)
     ends = """['.player', '.picture', '.profile', '.track'].map((each) => {
         const { top, bottom } = document.querySelector(each).getBoundingClientRect();
         return each === ".player" ? top : bottom; })"""
