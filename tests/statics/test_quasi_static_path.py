@@ -160,6 +160,7 @@ def test_the_path_is_shown_while_it_grows_and_ends_when_the_caller_stops(name):
     assert not any(part.complete for part in shown)
     assert not path.complete
     assert not path.reached
+    assert "lost" not in {mark.kind for mark in path.marks}
     assert len(path.share) < len(path_of(name).share)
     whole = []
     assert quasi_static_path(structure(name), follow=lambda part: whole.append(part) or True).complete

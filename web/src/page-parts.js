@@ -151,7 +151,7 @@ function mount(element, data, model, state, shown) {
   const shapeOf = () => (shape = makePartsShape(model, state, shown.anglesAt, data.stopColour));
   const stage = makeStage([clip], clock, shapeOf, data.text);
   const views = viewButtons(stage.eye, null);
-  views.prepend(pictureSaves(stage, clock, () => "", () => []));
+  views.prepend(pictureSaves(stage, clock, () => ({ text: "", longest: 0 }), () => []));
   const picture = make("div", { className: "picture" }, stage.element, ...(stage.note ? [stage.note] : []), views);
   const info = make("p", { className: "chosen", role: "status" }, FIRST);
   const control = make("div", {}, sources[0].control);

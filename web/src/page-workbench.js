@@ -30,7 +30,12 @@ export async function showWorkbench(data) {
     resume: () => views.wing.resume(),
   });
   const slid = makeSlid((settings) => next(() => design.slide(settings)));
-  const open = (where) => next(() => design.open(where, {}));
+  let last = null;
+  /** Open a design after what is being done; a design that is still waiting then is not opened. */
+  const open = (where) => {
+    last = where;
+    return next(() => last === where && design.open(where, {}));
+  };
   const opening = makeOpening(data.designs, data.opened, open);
   const keys = makeKeys((key, text) => {
     slid.hand();

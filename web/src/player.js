@@ -58,7 +58,7 @@ export function mountStill(element, clips, clock, { energy, legend: entries, tex
   element.classList.add("player");
   element.setAttribute("role", "region");
   element.setAttribute("aria-label", `the ${whole} as set by the sliders`);
-  addSaves(element, stage, clock, () => "");
+  addSaves(element, stage, clock, () => ({ text: "", longest: 0 }));
   listenToLooks(element, stage.eye, VIEWS[0]);
   return { stage };
 }
@@ -69,10 +69,19 @@ function addSaves(element, stage, clock, caption) {
   element.querySelector(".views").prepend(pictureSaves(stage, clock, caption, scales));
 }
 
-/** The time of a picture and, of a single structure, its state. */
+/**
+ * The time of a picture and, of a single structure, its state, as {text, longest}: the number of letters of the longest
+ * such text, so that all frames of a film have one layout.
+ */
 function momentName(clips, clock) {
-  const state = clips.length === 1 ? `${stageText(clips[0], clock.clipTime(0))}, ` : "";
-  return `${state}${timeText(clock.time, clock.span)}`;
+  const { span } = clock;
+  const [clip] = clips;
+  const before = clips.length === 1 ? `${stageText(clip, clock.clipTime(0))}, ` : "";
+  const states = clips.length === 1 ? [...clip.stages.map(({ name }) => name), ...clip.marks.map(({ letter, name }) => `${letter} ${name}`)] : [];
+  const letters = (texts) => Math.max(0, ...texts.map((text) => text.length));
+  const text = `${before}${timeText(clock.time, span)}`;
+  const times = [span.start, span.end].map((moment) => timeText(moment, span));
+  return { text, longest: Math.max(text.length, letters(states) + ", ".length + letters(times)) };
 }
 
 /** Write into the picture of a single structure its state, or the drive that acts on it. */

@@ -20,7 +20,7 @@ const VIDEOS = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", 
 /**
  * Buttons that save the picture of a stage and, if the clock can be moved, its motion.
  *
- * caption: returns a text with the present moment; scales: returns elements with the scales of colours.
+ * caption: returns {text, longest}, the present moment and the number of letters of the longest one; scales: returns elements with the scales of colours.
  */
 export function pictureSaves(stage, clock, caption, scales) {
   const image = makeButton("PNG", "download PNG of the picture", async () => {
@@ -146,8 +146,8 @@ function compose(frame, stage, caption, scales, width) {
 
 /** The caption, and to its right or below it the scales, in as many rows as they need. */
 function footShapes(caption, scales, width) {
-  const shapes = [{ kind: "text", x: MARGIN, y: 20, text: caption, bold: true, size: 14, fill: "#16191d" }];
-  let [x, y] = [caption ? Math.max(CAPTION, MARGIN + LETTER * caption.length + GAP) : MARGIN, 0];
+  const shapes = [{ kind: "text", x: MARGIN, y: 20, text: caption.text, bold: true, size: 14, fill: "#16191d" }];
+  let [x, y] = [caption.longest ? Math.max(CAPTION, MARGIN + LETTER * caption.longest + GAP) : MARGIN, 0];
   for (const { shapes: inner, width: wide, height } of scales.map(elementShapes)) {
     if (x > MARGIN && x + wide > width - MARGIN) [x, y] = [MARGIN, y + FOOT];
     shapes.push({ kind: "moved", x, y: y + (FOOT - height) / 2, shapes: inner });

@@ -17,7 +17,7 @@ export function makeTransport(clips, clock) {
   const slider = make("input", { type: "range", min: 0, max: TICKS, step: 1, "aria-label": clock.span.unit ? clock.span.name : "time" });
   const bands = make("div", { className: "bands", "aria-hidden": "true" });
   const ticks = make("div", { className: "ticks", "aria-hidden": "true" });
-  const readout = make("p", { className: "time" });
+  const readout = make("p", { className: clips[0].along.length ? "time long" : "time" });
   const spoken = make("p", { className: "spoken", role: "status" });
   const row = make("div", { className: "states" });
   // a fold path that is refined replaces its marks

@@ -145,6 +145,8 @@ def path_of(
             text=_sentence(structure, drive, event, show_value(event.strength, unit)),
         )
         for event in events
+        # a path that was stopped might have been followed further
+        if complete or event.kind != "lost"
     ]
     return QuasiStaticPath(
         structure=structure,

@@ -224,6 +224,9 @@ def test_switching_between_motion_and_fold_keeps_the_view_of_the_eye_and_both_po
 def test_the_fold_slider_and_the_energy_curve_fit_a_phone(opened, scheme):
     opened.show(390, 844, scheme)
     assert opened.page.evaluate("document.documentElement.scrollWidth") == 390
+    # the strength of the drive is the last number beside the position
+    cut = "({ scrollWidth, clientWidth }) => scrollWidth > clientWidth"
+    assert not opened.page.eval_on_selector(".transport .time", cut)
     ends = """['.player', '.picture', '.profile', '.track'].map((each) => {
         const { top, bottom } = document.querySelector(each).getBoundingClientRect();
         return each === ".player" ? top : bottom; })"""
