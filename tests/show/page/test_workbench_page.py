@@ -312,7 +312,10 @@ def test_a_dropped_fold_file_is_shown_folded_and_dragged_though_the_engine_refus
 
 
 def test_a_file_that_was_dropped_later_is_not_kept_waiting_by_those_before(bench):
-    asked, hear = [], lambda request: request.url.endswith("/design") and asked.append(request.post_data_json["files"])
+    requests, hear = (
+        [],
+        lambda request: request.url.endswith("/design") and requests.append(request.post_data_json["files"]),
+    )
     bench.page.on("request", hear)
     sheet = json.dumps(SQUARE)
     bench.page.evaluate(
@@ -322,7 +325,7 @@ def test_a_file_that_was_dropped_later_is_not_kept_waiting_by_those_before(bench
     bench.settled()
     bench.page.remove_listener("request", hear)
     assert bench.page.locator("h1").inner_text() == "door4"
-    assert [files[0]["name"] for files in asked] == ["door0.fold", "door4.fold"]
+    assert [files[0]["name"] for files in requests] == ["door0.fold", "door4.fold"]
 
 
 def test_a_vertex_is_dragged_by_keys_until_it_is_released(bench):
