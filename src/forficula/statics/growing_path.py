@@ -190,7 +190,7 @@ def nearest_point(points: Sequence[QuasiStaticPoint], positions: Array) -> int:
 
 def lengths_along(positions: Array) -> Array:
     """Return the distance of each point of a path from its start in the space of all positions, m, (point,)."""
-    steps = np.linalg.norm(np.diff(positions, axis=0).reshape(len(positions) - 1, -1), axis=1)
+    steps = np.linalg.norm(np.diff(positions, axis=0), axis=(1, 2))
     return np.concatenate([[0.0], np.cumsum(steps)])
 
 

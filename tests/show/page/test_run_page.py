@@ -349,15 +349,14 @@ def test_the_picture_is_saved_sharp_and_its_motion_as_a_film_that_can_be_stopped
     assert (name, picture.shape[1]) == ("binder2025-picture.png", 2400)
     coloured = np.ptp(picture[..., :3], axis=2) > 0.1
     assert 0.02 < coloured.mean() < 0.9
-    # the scales below the picture have one place whatever the state, because all frames of a film have one size
-    opened.page.evaluate("forficula.clips[0].marks[0].name += ' after a long name'.repeat(4)")
+    # frames of films have one size: the scales below the picture have one place, however long the names of states are
+    mark = "forficula.clips[0].marks[0]"
+    opened.page.evaluate(f"{mark}.name += ' after a long name'.repeat(4)")
     _, content = saved(opened, "download PNG of the picture")
     go_to(opened, 0)
     _, other = saved(opened, "download PNG of the picture")
     assert matplotlib.image.imread(io.BytesIO(content)).shape == matplotlib.image.imread(io.BytesIO(other)).shape
-    opened.page.evaluate(
-        "forficula.clips[0].marks[0].name = forficula.clips[0].marks[0].name.split(' after a long')[0]"
-    )
+    opened.page.evaluate(f"{mark}.name = {mark}.name.split(' after a long')[0]")
     go_to(opened, 1)
     film = opened.page.get_by_role("button", name="download a film as GIF")
     film.click()
