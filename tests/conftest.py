@@ -273,6 +273,7 @@ def no_column_figures(monkeypatch):
 def leave_figures_empty(monkeypatch, tell):
     """Leave the files of figures in folders of results empty, with the text that a function returns for a drawing."""
     from forficula.files import write_bytes
+    from forficula.show.page.data.shown_path import Fold
     from forficula.show.style import COPY_ENDINGS, figure_files
 
     def save_nothing(drawings, folder, copies=COPY_ENDINGS):
@@ -285,6 +286,9 @@ def leave_figures_empty(monkeypatch, tell):
     kinds = ("convergence", "cycling", "identify", "landscape", "material", "optimum", "run", "static_map", "study")
     for kind in (*kinds, "assumptions", "tolerance"):
         monkeypatch.setattr(f"forficula.show.folder.{kind}_folder.save_figures", save_nothing)
+    # the fold path of a page takes as long as a figure
+    for kind in ("run", "landscape"):
+        monkeypatch.setattr(f"forficula.show.page.{kind}_page.fold_of", lambda _: Fold(path=None, missing="Not computed."))
 
 
 @pytest.fixture

@@ -34,7 +34,7 @@ def test_every_call_reports_the_same_kind_of_progress(design):
     }
     calls = {
         "run": lambda: ff.run(design, reports.append, confirm=False),
-        "landscape": lambda: ff.landscape("bistable-clasp", progress=reports.append),
+        "landscape": lambda: ff.landscape("kresling-cell", progress=reports.append),
         "study": lambda: ff.sweep(design, factors, progress=reports.append),
         "converge": lambda: ff.converge(design, timesteps="0.5 0.25 ms", progress=reports.append),
         "assumptions": lambda: ff.assumptions(design, only=["timestep"], progress=reports.append),
