@@ -288,7 +288,9 @@ def leave_figures_empty(monkeypatch, tell):
         monkeypatch.setattr(f"forficula.show.folder.{kind}_folder.save_figures", save_nothing)
     # the fold path of a page takes as long as a figure
     for kind in ("run", "landscape"):
-        monkeypatch.setattr(f"forficula.show.page.{kind}_page.fold_of", lambda _: Fold(path=None, missing="Not computed."))
+        monkeypatch.setattr(
+            f"forficula.show.page.{kind}_page.fold_of", lambda _: Fold(path=None, missing="Not computed.")
+        )
 
 
 @pytest.fixture

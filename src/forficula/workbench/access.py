@@ -19,7 +19,7 @@ from urllib.parse import urlsplit
 
 _REDIRECT = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>forficula</title><meta name="referrer" content="no-referrer">
-<meta http-equiv="refresh" content="0; url={address}"></head>
+<link rel="icon" href="data:,"><meta http-equiv="refresh" content="0; url={address}"></head>
 <body><p>The workbench opens. If it does not, <a href="{address}">open it</a>.</p></body></html>
 """
 _HOSTS = ("127.0.0.1", "localhost")
@@ -79,7 +79,8 @@ def write_redirect(address: str, path: Path) -> None:
 def refused_page(reason: str) -> str:
     """Return a page that explains to a reader why a browser is not let in."""
     return (
-        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>forficula: not let in</title></head>\n'
+        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>forficula: not let in</title>'
+        '<link rel="icon" href="data:,"></head>\n'
         f"<body><h1>This browser is not let in</h1>\n<p>{reason}</p>\n"
         "<p>The terminal in which <code>forficula open</code> runs shows an address that works once. After its use the"
         " terminal shows the next one. If this browser has the workbench open in another tab, go on there.</p>\n"

@@ -218,7 +218,7 @@ class _Guarded(RequestHandler):
     def explain(self, status: int, page: str) -> None:
         """Answer with a page that contains only text."""
         self.set_status(status)
-        self.set_header("Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'")
+        self.set_header("Content-Security-Policy", "default-src 'none'; img-src data:; frame-ancestors 'none'")
         self.set_header("Content-Type", "text/html; charset=utf-8")
         self.finish(page)
 
