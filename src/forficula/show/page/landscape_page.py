@@ -83,7 +83,7 @@ def landscape_page(
         printed_result(landscape_table(landscape, record, tendon)),
         figure_sections(folder, _HEADINGS, texts),
         run=run,
-        data=data | {"paths": paths} if paths or data.get("curves") else None,
+        data=data | {"paths": paths} if drawn is not None or paths or data.get("curves") else None,
         missing=fold.missing,
     )
 
