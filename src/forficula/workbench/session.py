@@ -10,7 +10,7 @@ from forficula.workbench.requests import DesignRequest
 from forficula.workbench.worker import Report, StoppedError, Task, Worker
 
 # s, until the process of a task is ended that was stopped but does not report
-_PATIENCE = 0.3
+_PATIENCE = 1.0
 
 
 class WorkerSession:
