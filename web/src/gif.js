@@ -37,7 +37,7 @@ function encode(frames, width, height, hundredths) {
   let before = null;
   for (const frame of frames) {
     const indices = Uint8Array.from(frame, (colour, at) => (before && before[at] === colour ? CLEAR : indexOf[colour]));
-    // keep what is under transparent pixels
+    // do not clear the previous frame under transparent pixels
     out.push(0x21, 0xf9, 4, 0x05);
     short(hundredths);
     out.push(CLEAR, 0, 0x2c);

@@ -63,7 +63,7 @@ function drawScene(scene, camera, width, height) {
   const projection = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
   const drawn = [];
   scene.traverseVisible((object) => {
-    // a shadow darkens what is behind it, which this renderer does not
+    // this renderer draws no shadows, because a shadow darkens the faces behind it
     if (object.geometry && !materialsOf(object)[0].stencilWrite) drawn.push(object);
   });
   for (const object of drawn.filter((each) => each.isLineSegments)) drawLines(object, projection, target);

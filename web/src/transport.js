@@ -113,7 +113,7 @@ function profiles(clip, clock) {
     ball.style.left = `${across(moment).toFixed(2)}%`;
     ball.style.top = `${up(clip.valuesAt(first.key, moment)[0]).toFixed(2)}%`;
   });
-  // what it shows is heard as the value of the slider, and is a plot below
+  // hidden from screen readers: the slider reads its value aloud, and a plot below shows the curve
   return [make("div", { className: "profile", "aria-hidden": "true" }, curve, ball, name)];
 }
 

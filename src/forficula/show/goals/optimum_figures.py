@@ -168,7 +168,7 @@ def _focus(axes: Axes, optimum: Optimum, one: Array, other: Array, chosen: Flags
 
 
 def _draw_limits(axes: Axes, optimum: Optimum) -> list[Artist]:
-    """Shade what is beyond the limits of the first two objectives; returns the legend's entry."""
+    """Shade the areas beyond the limits of the first two objectives, and return the legend's entry."""
     ranges, limits = (axes.get_xlim(), axes.get_ylim()), _objective_limits(optimum)
     for number, kind, bound in limits:
         low, high = ranges[number]

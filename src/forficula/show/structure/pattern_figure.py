@@ -58,7 +58,7 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Drawing:
-    """What is drawn in the plane.
+    """Flat drawing of a pattern: its net, lines and marks.
 
     Attributes:
         net: pattern; None without a pattern.

@@ -181,7 +181,7 @@ def _continued(
 
 
 def _release(driven: DrivenNet, shape: NetShape, bound: float) -> list[QuasiStaticPoint]:
-    """Return the shapes through which a net comes to rest when its drive is released.
+    """Return the shapes that a net takes on its descent to rest after its drive is switched off.
 
     Args:
         driven: the net with its drive.
@@ -339,7 +339,7 @@ def _event(drive: Drive, snap: Snap, first: int, last: int) -> NumberedEvent:
 def _path_remarks(
     driven: DrivenNet, slow: SlowPath, events: Sequence[NumberedEvent], *, reached: bool
 ) -> tuple[str, ...]:
-    """Return sentences on what is unreliable on a path."""
+    """Return sentences on unreliable parts of a path."""
     remarks = list[str]()
     if any(snap.kind != "limit" for snap in slow.snaps):
         remarks.append(
