@@ -1,3 +1,4 @@
+from forficula.design.assembly.assembly import AssemblyDesign
 from forficula.design.design import Design, shortest_sample_interval
 from forficula.design.fans.fan import FanDesign, FanProtocol
 from forficula.design.fans.joint import JointDesign, JointProtocol
@@ -32,6 +33,7 @@ __all__ = [
     "NO_LAW",
     "TORQUE",
     "AnyDesign",
+    "AssemblyDesign",
     "Design",
     "FanDesign",
     "FanProtocol",

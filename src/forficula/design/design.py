@@ -20,7 +20,7 @@ from forficula.design.stops import StopSection
 from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.names import folder_name
-from forficula.quantities import show_quantity
+from forficula.quantities import Unit, show_quantity
 
 if TYPE_CHECKING:
     from forficula.design.chosen import Choice
@@ -55,8 +55,8 @@ class Design(Displayed, Section):
     papers: ClassVar[Mapping[str, str]] = {}
     # keys, or beginnings of keys, on which the rest states depend, apart from the tendons
     rest_keys: ClassVar[tuple[str, ...]]
-    # section with the masses, on which the rest states under gravity depend
-    weight_section: ClassVar[str]
+    # sections with the masses, on which the rest states under gravity depend
+    weight_sections: ClassVar[tuple[str, ...]]
 
     name: Annotated[str, Field(min_length=1, description="name of the design in all outputs")]
     source: Annotated[str, Field(description="where the values of the design come from")]
@@ -123,6 +123,11 @@ class Design(Displayed, Section):
     @property
     def named_protocol(self) -> NamedProtocol:
         """The protocol by names, in the form that is common to all kinds of designs."""
+        raise NotImplementedError
+
+    @property
+    def measure_units(self) -> dict[str, Unit]:
+        """Names of measures and of roles of hinges that a bound may have, with their units."""
         raise NotImplementedError
 
     @property

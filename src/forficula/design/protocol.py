@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -116,6 +117,33 @@ class Protocol(Section):
     gravity: float = quantity(ACCELERATION, "gravity, normal to the flat sheet and downwards; 0 switches gravity off")
     contact: Annotated[bool, Field(strict=True, description="whether bodies touch each other")]
     stages: Annotated[tuple[StageSection, ...], Field(min_length=1, description="stages of the protocol, in order")]
+
+
+class CommonProtocol(Protocol):
+    """A protocol with defaults for everything but its stages, for structures of any kind."""
+
+    timestep: float | Literal["auto"] = quantity(
+        SHORT_TIME,
+        'step of the integrator, or "auto": halved until verdict and times converge and the energy balance closes',
+        default="auto",
+        above=0,
+        words=("auto",),
+    )
+    sample_interval: float = quantity(SHORT_TIME, "time between two rows of the record", default=2e-3, above=0)
+    rest_speed: float = quantity(
+        ANGULAR_SPEED, "speed below which a hinge counts as at rest", default=math.radians(2.0), above=0
+    )
+    window: float = quantity(
+        TIME,
+        "averaging window of a state; a run is stuck once it has rested short of its goal for this long plus three"
+        " relaxation times of the slowest Maxwell branch; branches slower than the stages are not counted",
+        default=0.1,
+        above=0,
+    )
+    gravity: float = quantity(
+        ACCELERATION, "gravity, normal to the flat sheet and downwards; 0 switches gravity off", default=0.0
+    )
+    contact: Annotated[bool, Field(strict=True, description="whether bodies touch each other")] = False
 
 
 @dataclass(frozen=True, kw_only=True)

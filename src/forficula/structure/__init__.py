@@ -1,6 +1,6 @@
 from forficula.design.named_protocol import Drive, RestState, Transition, Wording
 from forficula.structure.appearance import Appearance
-from forficula.structure.build import drive_keys, static_keys, structure_of
+from forficula.structure.build import drive_keys, static_keys, structure_of, with_protocol
 from forficula.structure.fans.crossing import bar_crossing, tendon_crossing
 from forficula.structure.goals import (
     distance_to_goal,
@@ -45,7 +45,6 @@ from forficula.structure.parts import (
     Surface,
     Tendon,
 )
-from forficula.structure.protocol import with_protocol
 from forficula.structure.sheets.couplings import coupling_rows
 from forficula.structure.sheets.facets import facet_triangles, held_corners, hinge_groups, springs_name
 from forficula.structure.sheets.flaps import built_creases, crease_flaps, crease_law, crease_numbers, flap_angles

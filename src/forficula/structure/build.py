@@ -6,8 +6,10 @@ from collections.abc import Callable, Mapping
 from functools import lru_cache
 from typing import Any
 
-from forficula.design import AnyDesign, Design, FanDesign, JointDesign, SheetDesign, as_design
+from forficula.design import AnyDesign, AssemblyDesign, Design, FanDesign, JointDesign, SheetDesign, as_design
 from forficula.errors import InputError
+from forficula.structure import protocol
+from forficula.structure.assembly.join import assembly_structure
 from forficula.structure.fans import joint, veins
 from forficula.structure.sheets import nodes, plates
 from forficula.structure.structure import Structure
@@ -22,6 +24,7 @@ _BUILDERS: Mapping[type[Design], Callable[[Any], Structure]] = {
     FanDesign: veins.vein_structure,
     JointDesign: joint.joint_structure,
     SheetDesign: _sheet_structure,
+    AssemblyDesign: lambda design: assembly_structure(design, structure_of),
 }
 
 
@@ -42,6 +45,20 @@ def _built(design: Design) -> Structure:
     raise InputError(f"{design.name}: designs of this class cannot be built")
 
 
+def with_protocol(structure: Structure, design: Design) -> Structure:
+    """Return a structure with the drives, goals, states and transitions of a design.
+
+    Args:
+        structure: structure of the design, or of a design that differs in the protocol only.
+        design: design with the protocol.
+
+    Raises:
+        InputError: drives that the structure cannot combine, or a force on a vertex that a support holds.
+    """
+    # the drives of an assembly are those of its parts, whose structures it does not keep
+    return structure_of(design) if isinstance(design, AssemblyDesign) else protocol.with_protocol(structure, design)
+
+
 def drive_keys(design: Design) -> tuple[str, ...]:
     """Return the keys of the strengths of a design's drives."""
     return tuple(drive.key for drive in design.named_protocol.drives)
@@ -50,4 +67,4 @@ def drive_keys(design: Design) -> tuple[str, ...]:
 def static_keys(design: Design) -> tuple[str, ...]:
     """Return the keys, or beginnings of keys, on which the rest states of a design depend, apart from its tendons."""
     # without gravity, the rest states do not depend on masses
-    return (*design.rest_keys, design.weight_section) if design.protocol.gravity else design.rest_keys
+    return (*design.rest_keys, *design.weight_sections) if design.protocol.gravity else design.rest_keys

@@ -51,12 +51,12 @@ def with_protocol(structure: Structure, design: Design) -> Structure:
         _target(structure, named) if name == "target" else replace(goal_of(structure, text), name=name)
         for name, text in named.goals.items()
     )
-    return replace(structure, drives=(*drives, *_together(structure, design)), goals=tuple(goals))
+    return replace(structure, drives=(*drives, *drives_together(structure, design)), goals=tuple(goals))
 
 
 def _driven(structure: Structure, design: Design, named: NamedProtocol) -> tuple[tuple[Motor, ...], tuple[Drive, ...]]:
     """Return motors and drives: hinges with the same torques share a motor, every other action has its own."""
-    motors, moved = _torques(structure, named.drives)
+    motors, moved = torque_motors(structure, named.drives)
     strengths = [drive.strength for drive in named.drives]
     for number, drive in enumerate(named.drives):
         for action in drive.actions:
@@ -76,7 +76,7 @@ def _driven(structure: Structure, design: Design, named: NamedProtocol) -> tuple
     )
 
 
-def _torques(structure: Structure, drives: Sequence[Drive]) -> tuple[list[Motor], list[dict[int, float]]]:
+def torque_motors(structure: Structure, drives: Sequence[Drive]) -> tuple[list[Motor], list[dict[int, float]]]:
     """Return the motors of torques and, for every motor, the shares of drives by their numbers."""
     torques = [
         (number, action, _hinges(structure, action))
@@ -205,7 +205,7 @@ def _target(structure: Structure, named: NamedProtocol) -> StageGoal:
     return StageGoal(name="target", kind="bounds", least=least, most=most)
 
 
-def _together(structure: Structure, design: Design) -> list[Drive]:
+def drives_together(structure: Structure, design: Design) -> list[Drive]:
     """Return one drive for the drives of every stage that has several and leads to a state."""
     known, stages = [drive.name for drive in structure.drives], design.protocol.stages
     return [

@@ -37,6 +37,9 @@ from forficula.quantities import Unit, format_quantity, show_quantity
 _MOST_VEINS = 1001
 
 
+_MEASURES: dict[str, Unit] = dict.fromkeys(("ring", "turn", "lift", "sweep", "distal_angle"), ANGLE)
+
+
 class FanProtocol(Protocol):
     """The stages in which the wing is driven, and the criteria by which a run is judged."""
 
@@ -76,8 +79,7 @@ class FanProtocol(Protocol):
 
     @model_validator(mode="after")
     def _stages_in_order(self) -> FanProtocol:
-        bounded = dict.fromkeys(("ring", "turn", "lift", "sweep", "distal_angle"), ANGLE)
-        check_folding_stages(self, bounded, whole="a wing")
+        check_folding_stages(self, _MEASURES, whole="a wing")
         return self
 
 
@@ -90,7 +92,7 @@ class FanDesign(Design):
         "saito2020": "the crease pattern that the fan simplifies",
     }
     reference: ClassVar[str | None] = "binder2025"
-    weight_section: ClassVar[str] = "vein"
+    weight_sections: ClassVar[tuple[str, ...]] = ("vein",)
     rest_keys: ClassVar[tuple[str, ...]] = (
         "pattern",
         "membrane",
@@ -214,6 +216,11 @@ class FanDesign(Design):
     def with_other_start(self) -> Self | None:
         """Return the design with a start that differs by 1 %; see `Design.with_other_start`."""
         return self.model_copy(update={"protocol": other_start(self.protocol, self.protocol.initial_overbend)})
+
+    @property
+    def measure_units(self) -> dict[str, Unit]:
+        """Names of measures and of roles of hinges that a bound may have, with their units."""
+        return _MEASURES
 
     @property
     def named_protocol(self) -> NamedProtocol:

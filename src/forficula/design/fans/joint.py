@@ -18,7 +18,9 @@ from forficula.design.protocol import Protocol, check_bounds
 from forficula.design.section import ANGLE, ANGULAR_SPEED, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.tendon import TendonSection, check_on_bars
 from forficula.errors import InputError
-from forficula.quantities import show_quantity
+from forficula.quantities import Unit, show_quantity
+
+_MEASURES: dict[str, Unit] = dict.fromkeys(("ring", "distal_angle"), ANGLE)
 
 
 class JointProtocol(Protocol):
@@ -46,7 +48,7 @@ class JointProtocol(Protocol):
 
     @model_validator(mode="after")
     def _stages_in_order(self) -> JointProtocol:
-        check_folding_stages(self, dict.fromkeys(("ring", "distal_angle"), ANGLE), whole="a joint")
+        check_folding_stages(self, _MEASURES, whole="a joint")
         return self
 
 
@@ -56,7 +58,7 @@ class JointDesign(Design):
     varied_key: ClassVar[str] = "tendon.rest_length"
     papers: ClassVar[Mapping[str, str]] = {"binder2025": "the joint and its tendon"}
     reference: ClassVar[str | None] = "binder2025-joint"
-    weight_section: ClassVar[str] = "vein"
+    weight_sections: ClassVar[tuple[str, ...]] = ("vein",)
     rest_keys: ClassVar[tuple[str, ...]] = ("pattern", "hinge", *REST_KEYS)
 
     pattern: JointPattern
@@ -85,6 +87,11 @@ class JointDesign(Design):
     def with_other_start(self) -> Self | None:
         """Return the design with a start that differs by 1 %; see `Design.with_other_start`."""
         return self.model_copy(update={"protocol": other_start(self.protocol, self.protocol.initial_overbend)})
+
+    @property
+    def measure_units(self) -> dict[str, Unit]:
+        """Names of measures and of roles of hinges that a bound may have, with their units."""
+        return _MEASURES
 
     @property
     def named_protocol(self) -> NamedProtocol:

@@ -17,6 +17,7 @@ import tomli_w
 from pydantic import ValidationError
 
 from forficula.allowed_files import may_read
+from forficula.design.assembly.assembly import AssemblyDesign, check_part_name, part_names
 from forficula.design.design import Design
 from forficula.design.fans.fan import FanDesign
 from forficula.design.fans.fan_sections import MOST_UNITS
@@ -169,13 +170,21 @@ def save_design(design: Design, path: str | os.PathLike[str]) -> None:
 
 def design_text(design: Design) -> str:
     """Return all values of a design as TOML; values that a rule chooses are marked, with the reason."""
-    tables = design.settled().as_tables()
-    if isinstance(design, FanDesign) and is_by_vein(tables["tendon"]):
-        tables["tendon"] = [{"vein": int(vein)} | entry for vein, entry in tables["tendon"].items()]
-    # the protocol comes last
-    text = tomli_w.dumps({name: tables[name] for name in sorted(tables, key=lambda name: name == "protocol")})
-    reasons = {f"{choice.section}.{choice.key}": f"[chosen] {choice.reason}" for choice in design.chosen}
+    text = tomli_w.dumps(_file_form(design, design.settled().as_tables()))
+    within = "part." if isinstance(design, AssemblyDesign) else ""
+    reasons = {f"{within}{choice.section}.{choice.key}": f"[chosen] {choice.reason}" for choice in design.chosen}
     return with_remarks(text, reasons) if reasons else text
+
+
+def _file_form(design: Design, tables: dict[str, Any]) -> dict[str, Any]:
+    """Return the tables of a design as a file has them: parts of an assembly under `part`, and the protocol last."""
+    if isinstance(design, AssemblyDesign):
+        parts = {name: _file_form(getattr(design, name), tables[name]) for name in design.parts}
+        tables = {key: value for key, value in tables.items() if key not in (*parts, "parts")} | {"part": parts}
+    elif isinstance(design, FanDesign) and is_by_vein(tables["tendon"]):
+        by_number = [{"vein": int(vein)} | entry for vein, entry in tables["tendon"].items()]
+        tables = tables | {"tendon": by_number}
+    return {name: tables[name] for name in sorted(tables, key=lambda name: name == "protocol")}
 
 
 def design_from_text(text: str) -> Design:
@@ -185,7 +194,7 @@ def design_from_text(text: str) -> Design:
         InputError: a key or value that is not allowed.
         TOMLDecodeError: the text is not TOML.
     """
-    return _validate(_over({}, tomllib.loads(text), merged, si=False), si=False)
+    return _validate(_over({}, _with_parts(tomllib.loads(text), None), merged, si=False), si=False)
 
 
 @cache
@@ -211,6 +220,7 @@ def _read_files(name_or_path: str) -> list[File]:
             if name in _named():
                 tables = deepcopy(_named_tables(name))
                 base = tables.pop("based_on", None)
+                tables = _with_parts(tables, None)
             else:
                 tables = _file_tables(name, above)
                 base = _base_of(tables, Path(name))
@@ -243,10 +253,60 @@ def _file_tables(name: str, above: Sequence[Path]) -> dict[str, Any]:
         check_file_kind(tables, "design")
         if "name" not in tables:
             tables["name"] = _name_of(path)
+        tables = _with_parts(tables, path)
         tables = {key: value_from_folder(key, value, path.parent) for key, value in tables.items()}
         return with_sheet_read(tables, folder=path.parent)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
+
+
+def _with_parts(tables: dict[str, Any], path: Path | None) -> dict[str, Any]:
+    """Return tables of an assembly with each part directly under its name, complete with the design it is based on.
+
+    Args:
+        tables: tables of a file, with the parts under `part`; those of other designs stay as they are.
+        path: path of the file; None for a named design.
+
+    Raises:
+        InputError: a part that is not a table, whose name is not allowed, or whose base cannot be read.
+    """
+    if "part" not in tables:
+        return tables
+    parts = tables["part"]
+    if not isinstance(parts, dict) or not parts:
+        raise InputError(f"part: need tables such as [part.fan], got {as_written(parts)}")
+    others = {key: value for key, value in tables.items() if key != "part"}
+    return others | {"parts": list(parts)} | {name: _part_tables(name, part, path) for name, part in parts.items()}
+
+
+def _part_tables(name: str, part: object, path: Path | None) -> dict[str, Any]:
+    """Return the tables of a part, laid over those of the design that it is based on."""
+    if not isinstance(part, dict):
+        raise InputError(f"part.{name}: need a table under [part.{check_part_name(name)}], got {as_written(part)}")
+    check_part_name(name)
+    folder = Path() if path is None else path.parent
+    part = {key: value_from_folder(key, value, folder) for key, value in part.items()}
+    base = part.pop("based_on", None)
+    complete: dict[str, Any] = {}
+    try:
+        for _, tables in [] if base is None else _base_files(base, folder):
+            complete = _over(complete, tables, merged, si=False)
+        inside = with_sheet_read(_with_parts(part, path), folder=folder)
+        return _over(complete, inside, merged, si=False)
+    except RejectedError as error:
+        raise RejectedError([name, *error.place], f"part.{name}.{error}") from None
+    except InputError as error:
+        raise InputError(f"part.{name}: {error}") from None
+
+
+def _base_files(base: object, folder: Path) -> list[File]:
+    """Read the files of the design that a part is based on: a name, or a path relative to the file's folder."""
+    if not isinstance(base, str):
+        raise InputError(f'based_on: need the name of a design such as "binder2025", got {as_written(base)}')
+    suffix = Path(base).suffix.lower()
+    if suffix in PATTERN_FILES:
+        return [(base, file_tables(folder / base, None))]
+    return _read_files(str(folder / base) if suffix == ".toml" else base)
 
 
 def _name_of(path: Path) -> str:
@@ -273,6 +333,8 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
     _check_texts(settings)
     if any(key.partition(".")[0] == "based_on" for key in settings):
         raise InputError("based_on: cannot be set; name the design to start from instead")
+    if part_names(tables):
+        settings = {key.removeprefix("part."): value for key, value in settings.items()}
     check_once(dotted_keys(settings), tables)
     return _over(tables, nested(with_sheet_read(settings)), with_settings_over, si=si)
 
@@ -311,6 +373,8 @@ def _over(
     tables: dict[str, Any], upper: dict[str, Any], lay: Callable[[object, object], Any], *, si: bool
 ) -> dict[str, Any]:
     """Lay tables over others; tendons have separate rules, and the pattern of a fan gives their number."""
+    if names := tuple(dict.fromkeys([*part_names(tables), *part_names(upper)])):
+        return _assembly_over(tables, upper, lay, names, si=si)
     tables = _without_other_pattern(tables, kind_of(upper))
     both: dict[str, Any] = lay(tables, {key: value for key, value in upper.items() if key != "tendon"})
     if "tendon" not in upper:
@@ -327,6 +391,33 @@ def _over(
     units = pattern.get("units") if isinstance(pattern, dict) else None
     veins = 2 * units + 1 if isinstance(units, int) and 0 < units <= MOST_UNITS else 0
     return {**both, "tendon": tendons_over(tables.get("tendon"), upper["tendon"], veins=veins, si=si)}
+
+
+def _assembly_over(
+    tables: dict[str, Any],
+    upper: dict[str, Any],
+    lay: Callable[[object, object], Any],
+    names: Sequence[str],
+    *,
+    si: bool,
+) -> dict[str, Any]:
+    """Lay tables of an assembly over others, part by part, by the rules of each part's kind."""
+    parts: dict[str, Any] = {}
+    for name in names:
+        below, above = tables.get(name, {}), upper.get(name)
+        if above is None:
+            continue
+        if not isinstance(below, dict) or not isinstance(above, dict):
+            raise RejectedError([name], f"{name}: need a table under [part.{name}], got {as_written(above)}")
+        try:
+            parts[name] = _over(below, above, lay, si=si)
+        except RejectedError as error:
+            raise RejectedError([name, *error.place], f"{name}.{error}") from None
+        except InputError as error:
+            raise InputError(f"{name}.{error}") from None
+    others = {key: value for key, value in upper.items() if key not in (*names, "parts")}
+    below = {key: value for key, value in tables.items() if key not in parts}
+    return {**lay(below, others), **parts, "parts": list(names)}
 
 
 def _without_other_pattern(tables: dict[str, Any], kind: str | None) -> dict[str, Any]:

@@ -87,10 +87,9 @@ def _find_quantity(key: str, model: type[Design], text: object) -> Quantity | No
 
 def names_law(key: str) -> bool:
     """Return whether a key is the law of a tendon."""
-    match key.split("."):
-        case ["tendon", "law"]:
-            return True
-        case ["tendon", _, "law"]:
+    # the name of a part of an assembly may come first
+    match key.split(".")[-3:]:
+        case [*_, "tendon", "law"] | ["tendon", _, "law"]:
             return True
         case _:
             return False
@@ -105,6 +104,11 @@ def key_value(design: Design, key: str) -> Any:
         InputError: a list of the design has no such entry, or the design lacks a section with required values.
     """
     section, _, rest = key.partition(".")
+    if rest and isinstance(part := getattr(design, section, None), Design):
+        try:
+            return key_value(part, rest)
+        except InputError as error:
+            raise InputError(f"{section}.{error}") from None
     if section == "tendon" and rest and isinstance(design, FanDesign):
         vein, _, inside = rest.partition(".")
         if vein.isdecimal():

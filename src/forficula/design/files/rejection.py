@@ -113,6 +113,8 @@ def _of_a_check(place: list[str], message: str, model: type[Section], which: str
         return RejectedError(place[:-1] if missing else place, f"{written_key(place[:-1])}.{message}{remedy}")
     if is_key(name, model):  # a check of several values has no single place
         return RejectedError([], message)
+    if place and is_key(f"{written_key(place)}.{name}", model):  # the same of a part of an assembly
+        return RejectedError(place, f"{written_key(place)}.{message}")
     if place and not message.startswith((f"{written_key(place)}.", f"{written_key(place)} ")):
         message = f"{written_key(place)}: {message}"
     return RejectedError(place, message)

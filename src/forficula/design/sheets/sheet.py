@@ -11,11 +11,12 @@ from forficula.design.chosen import Choice, choices, with_choices
 from forficula.design.design import Design
 from forficula.design.named_protocol import NamedProtocol
 from forficula.design.sheet_protocol import sheet_protocol
-from forficula.design.sheets.sheet_checks import check_sheet
+from forficula.design.sheets.sheet_checks import check_sheet, measured_units
 from forficula.design.sheets.sheet_drives import SheetDrive, SheetMeasure, SheetProtocol, SheetTendon
 from forficula.design.sheets.sheet_places import facet_of
 from forficula.design.sheets.sheet_sections import Crease, FacetSection, Imperfection, Support, largest_extension
 from forficula.pattern import CreasePattern, central_facet, facet_tree
+from forficula.quantities import Unit
 
 # factor of the imperfection of a sheet for a slightly different start
 _OTHER_START = 1.01
@@ -25,7 +26,7 @@ class SheetDesign(Design):
     """A sheet that folds at its creases, with its protocol."""
 
     varied_key: ClassVar[str] = "crease.stiffness"
-    weight_section: ClassVar[str] = "facet"
+    weight_sections: ClassVar[tuple[str, ...]] = ("facet",)
     rest_keys: ClassVar[tuple[str, ...]] = (
         "pattern",
         "crease",
@@ -93,6 +94,11 @@ class SheetDesign(Design):
     def named_protocol(self) -> NamedProtocol:
         """The drives of the sheet with what they act on, and the states and transitions of its stages."""
         return sheet_protocol(self)
+
+    @property
+    def measure_units(self) -> dict[str, Unit]:
+        """Names of measures and of roles of creases that a bound may have, with their units."""
+        return measured_units(self)
 
     def settled(self) -> Self:
         """Return the design with the values that a rule chooses filled in."""

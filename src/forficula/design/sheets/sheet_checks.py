@@ -269,9 +269,7 @@ def _targeted(sheet: CreasePattern, edges: Sequence[int]) -> list[int]:
 def _check_protocol(design: SheetDesign, sheet: CreasePattern) -> None:
     """Refuse stages with unknown names, repeated states, and goals that stops of creases make unreachable."""
     edges = fold_edges(sheet)
-    measured: dict[str, Unit] = dict.fromkeys(("creases", *(crease_role(sheet, edge) for edge in edges)), ANGLE)
-    for measure in design.measure:
-        measured[measure.name] = LENGTH if measure.of is None else ANGLE
+    measured = measured_units(design)
     goals = ["target"] if _targeted(sheet, edges) else []
     check_stages(design.protocol, [drive.name for drive in design.drive], goals, measured)
     _check_torques(design, sheet)
@@ -287,6 +285,13 @@ def _check_protocol(design: SheetDesign, sheet: CreasePattern) -> None:
             _check_angle_goal(design, sheet, f"protocol.stages.{number}.until", written)
         elif written is not None and parse_quantity(written.value, LENGTH) <= 0:
             raise InputError(f"protocol.stages.{number}.until: need a distance > 0 m, got {as_written(stage.until)}")
+
+
+def measured_units(design: SheetDesign) -> dict[str, Unit]:
+    """Return the names of measures and of roles of creases that a bound may have, with their units."""
+    roles = (crease_role(design.sheet, edge) for edge in fold_edges(design.sheet))
+    units: dict[str, Unit] = dict.fromkeys(("creases", *roles), ANGLE)
+    return units | {measure.name: LENGTH if measure.of is None else ANGLE for measure in design.measure}
 
 
 def _check_angle_goal(design: SheetDesign, sheet: CreasePattern, key: str, written: GoalText) -> None:

@@ -7,13 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import AfterValidator, Discriminator, Field, Tag, create_model, field_validator, model_validator
 
-from forficula.design.protocol import Protocol
+from forficula.design.protocol import CommonProtocol
 from forficula.design.section import (
-    ACCELERATION,
     ANGLE,
     ANGULAR_SPEED,
     LENGTH,
-    SHORT_TIME,
     TIME,
     TORQUE,
     Section,
@@ -259,32 +257,11 @@ class SheetMeasure(_MaybeJoined):
         return self
 
 
-class SheetProtocol(Protocol):
+class SheetProtocol(CommonProtocol):
     """The stages in which the sheet is driven, and the criteria by which a run is judged."""
 
     about: ClassVar[str] = "The stages in which the sheet is driven, and the criteria by which a run is judged"
 
-    timestep: float | Literal["auto"] = quantity(
-        SHORT_TIME,
-        'step of the integrator, or "auto": halved until verdict and times converge and the energy balance closes',
-        default="auto",
-        above=0,
-        words=("auto",),
-    )
-    sample_interval: float = quantity(SHORT_TIME, "time between two rows of the record", default=2e-3, above=0)
-    rest_speed: float = quantity(
-        ANGULAR_SPEED, "speed below which a hinge counts as at rest", default=math.radians(2.0), above=0
-    )
-    window: float = quantity(
-        TIME,
-        "averaging window of a state; a run is stuck once it has rested short of its goal for this long plus three"
-        " relaxation times of the slowest Maxwell branch; branches slower than the stages are not counted",
-        default=0.1,
-        above=0,
-    )
-    gravity: float = quantity(
-        ACCELERATION, "gravity, normal to the flat sheet and downwards; 0 switches gravity off", default=0.0
-    )
     contact: Annotated[
         bool, Field(strict=True, description="must be false: contact between facets is not modelled")
     ] = False

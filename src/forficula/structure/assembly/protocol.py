@@ -1,0 +1,171 @@
+"""The protocol of an assembly applied to its structure: motors, drives, measures and goals of all parts by name."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from forficula.arrays import Array
+from forficula.design.assembly.assembly import AssemblyDesign
+from forficula.design.named_protocol import Drive
+from forficula.design.protocol import read_goal
+from forficula.errors import InputError
+from forficula.names import one_of
+from forficula.structure.goals import coordinate_count, goal_of
+from forficula.structure.motors_and_measures import Measure, Motor, StageGoal
+from forficula.structure.protocol import drives_together, torque_motors
+from forficula.structure.structure import Structure
+
+
+@dataclass(frozen=True, kw_only=True)
+class JoinedPart:
+    """A part of an assembly and its place among the components of the whole.
+
+    Attributes:
+        name: name of the part.
+        structure: structure of the part alone, with its protocol.
+        hinges: number of each of its hinges in the assembly, (hinge,).
+        first_point: number of its first point in the assembly.
+        turn: rotation from the axes of the part to those of the assembly, (3, 3).
+    """
+
+    name: str
+    structure: Structure
+    hinges: tuple[int, ...]
+    first_point: int
+    turn: Array
+
+
+def with_assembly_protocol(structure: Structure, design: AssemblyDesign, parts: Sequence[JoinedPart]) -> Structure:
+    """Return a structure with the measures, drives, goals, states and transitions of an assembly.
+
+    Args:
+        structure: structure of the assembly without a protocol.
+        design: design of the assembly.
+        parts: the parts of the assembly.
+
+    Raises:
+        InputError: a drive on hinges or points that the structure does not have, or that a part drives already.
+    """
+    named = design.named_protocol
+    own = [drive for drive in named.drives if drive.name in [section.name for section in design.drive]]
+    motors = [_motor(part, motor) for part in parts for motor in part.structure.motors]
+    drives = _part_drives(parts, named.drives)
+    own_motors, own_shares = _own_motors(structure, own, motors)
+    count = len(motors) + len(own_motors)
+    motors += own_motors
+    drives += [
+        replace(
+            drive, shares=tuple([0.0] * (count - len(own_motors)) + [shares.get(number, 0.0) for shares in own_shares])
+        )
+        for number, drive in enumerate(own)
+    ]
+    drives = [replace(drive, shares=(*drive.shares, *[0.0] * (count - len(drive.shares)))) for drive in drives]
+    structure = replace(
+        structure,
+        motors=tuple(motors),
+        drives=tuple(drives),
+        measures=tuple(_measure(part, measure) for part in parts for measure in part.structure.measures),
+        goals=(),
+        states=named.states,
+        stage_states=named.stage_states,
+        transitions=named.transitions,
+    )
+    goals = (
+        replace(goal_of(structure, text), name=name)
+        if read_goal(text) is not None
+        else _part_goal(structure, parts, name)
+        for name, text in named.goals.items()
+    )
+    structure = replace(structure, goals=tuple(goals))
+    return replace(structure, drives=(*drives, *drives_together(structure, design)))
+
+
+def _motor(part: JoinedPart, motor: Motor) -> Motor:
+    """Return a motor of a part with the numbers of the assembly."""
+    direction = motor.direction
+    if direction is not None and not np.array_equal(part.turn, np.eye(3)):
+        direction = part.turn @ direction
+    return replace(
+        motor,
+        name=f"{part.name}.{motor.name}",
+        hinges=tuple(part.hinges[hinge] for hinge in motor.hinges),
+        points=tuple(part.first_point + point for point in motor.points),
+        direction=direction,
+    )
+
+
+def _part_drives(parts: Sequence[JoinedPart], named: Sequence[Drive]) -> list[Drive]:
+    """Return the drives of the parts, with shares for the motors of all parts before and in each part."""
+    by_name = {drive.name: drive for drive in named}
+    drives: list[Drive] = []
+    before = 0
+    for part in parts:
+        for drive in part.structure.drives:
+            named_drive = by_name.get(f"{part.name}.{drive.name}")
+            if named_drive is not None:
+                shares = (*[0.0] * before, *drive.shares)
+                drives.append(replace(named_drive, shares=shares, strength=drive.strength))
+        before += len(part.structure.motors)
+    return drives
+
+
+def _own_motors(
+    structure: Structure, drives: Sequence[Drive], driven: Sequence[Motor]
+) -> tuple[list[Motor], list[dict[int, float]]]:
+    """Return the motors of drives of the assembly and, for every motor, the shares of these drives by their numbers."""
+    taken = {hinge: motor.name for motor in driven for hinge in motor.hinges}
+    names = {name for hinge in structure.hinges for name in (hinge.name, hinge.role)}
+    for drive in drives:
+        for action in drive.actions:
+            for name in action.hinges:
+                if name not in names:
+                    raise InputError(f"drive.{drive.name}.of: need {one_of(sorted(names), name)}")
+    motors, shares = torque_motors(structure, drives)
+    for motor in motors:
+        for hinge in motor.hinges:
+            if hinge in taken:
+                name = structure.hinges[hinge].name
+                raise InputError(
+                    f"drive.{motor.name}.of: the motor {taken[hinge]} of a part turns {name} already; switch on the"
+                    " drive of the part instead"
+                )
+    points = {point.name.replace(" ", ""): number for number, point in enumerate(structure.points)}
+    for number, drive in enumerate(drives):
+        for action in drive.actions:
+            if action.kind != "force":
+                continue
+            unknown = [place for place in action.places if place.replace(" ", "") not in points]
+            if unknown:
+                raise InputError(f"drive.{drive.name}.of: need {one_of(points, unknown[0])}")
+            direction = np.array(action.direction, dtype=np.float64)
+            pushed = tuple(points[place.replace(" ", "")] for place in action.places)
+            unit = direction / np.linalg.norm(direction)
+            motors.append(Motor(name=drive.name, kind="force", points=pushed, direction=unit))
+            shares.append({number: 1.0})
+    return motors, shares
+
+
+def _measure(part: JoinedPart, measure: Measure) -> Measure:
+    """Return a measure of a part with the numbers of the assembly."""
+    one, other = measure.points or (0, 0)
+    return replace(
+        measure,
+        name=f"{part.name}.{measure.name}",
+        hinges=tuple(part.hinges[hinge] for hinge in measure.hinges),
+        points=None if measure.points is None else (part.first_point + one, part.first_point + other),
+        label=f"{part.name}: {measure.label or measure.name}",
+    )
+
+
+def _part_goal(structure: Structure, parts: Sequence[JoinedPart], name: str) -> StageGoal:
+    """Return a goal of a part that is no bound on one measure, such as that every crease is at its target."""
+    part_name, _, goal_name = name.partition(".")
+    part = next(part for part in parts if part.name == part_name)
+    goal = next(goal for goal in part.structure.goals if goal.name == goal_name)
+    least, most = (np.full(coordinate_count(structure), sign * np.inf) for sign in (-1.0, 1.0))
+    for hinge, number in enumerate(part.hinges):
+        least[number], most[number] = goal.least[hinge], goal.most[hinge]
+    return StageGoal(name=name, kind=goal.kind, least=least, most=most)
