@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.design import Design, design_pattern
+from forficula.design import Design, part_patterns
 from forficula.pattern import flat_folding_faults
 from forficula.quantities import reading_unit
 from forficula.structure.mass import mass_of
@@ -38,9 +38,13 @@ def structure_warnings(design: Design, structure: Structure) -> list[str]:
     folded = _time_folded(design, structure)
     groups = _identical_tendons(structure)
     built = _as_built(structure)
-    faults = flat_folding_faults(design_pattern(design))
+    faults = [
+        f"{f'{part}: ' if part else ''}the sheet does not fold flat: {fault.removesuffix('.')}"
+        for part, pattern in part_patterns(design).items()
+        for fault in flat_folding_faults(pattern)
+    ]
     return [
-        *(f"the sheet does not fold flat: {fault.removesuffix('.')}" for fault in faults),
+        *faults,
         *_overlapping_bars(structure),
         *_heavy_medium(structure),
         *design.idle,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.design.assembly.assembly import AssemblyDesign
 from forficula.design.design import Design
 from forficula.design.fans.fan import FanDesign
 from forficula.design.fans.joint import JointDesign
@@ -27,7 +28,23 @@ def design_pattern(design: Design) -> CreasePattern:
         return design.pattern.sheet
     if isinstance(design, SheetDesign):
         return design.sheet
+    if isinstance(design, AssemblyDesign):
+        raise InputError(
+            f"{design.name}: an assembly has no crease pattern of its own, but its parts have, such as"
+            f" {design.parts[0]}"
+        )
     raise InputError(f"{design.name}: has no crease pattern")
+
+
+def part_patterns(design: Design) -> dict[str, CreasePattern]:
+    """Return the crease patterns of all parts of an assembly by name, or that of another design under ""."""
+    if not isinstance(design, AssemblyDesign):
+        return {"": design_pattern(design)}
+    return {
+        f"{name}.{inner}".rstrip("."): pattern
+        for name, part in design.designs.items()
+        for inner, pattern in part_patterns(part).items()
+    }
 
 
 def design_frames(design: Design) -> list[tuple[str, Array, Array]]:

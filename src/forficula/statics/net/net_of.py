@@ -172,17 +172,21 @@ def _plates(structure: Structure) -> _Frame:
             ground.append(point.place)
         else:
             rows.append(place_weights(structure, plates, point.body, point.place))
-    nodes = np.concatenate([plates.nodes, np.array(ground).reshape(-1, 3)])
     creases, pins = [], list[tuple[int, int]]()
     for hinge in structure.hinges:
         if hinge.flaps is not None:
             creases.append(hinge.flaps)
             continue
         first = len(rows)
-        flaps = joint_places(structure, hinge, plates.size)
-        rows += [place_weights(structure, plates, body, place) for body, place in flaps]
+        for body, place in joint_places(structure, hinge, plates.size):
+            if body == GROUND:
+                rows.append({len(plates.nodes) + len(ground): 1.0})
+                ground.append(place)
+            else:
+                rows.append(place_weights(structure, plates, body, place))
         creases.append((first, first + 1, first + 2, first + 3, first + 4, first + 5))
         pins += [(first, first + 3), (first + 1, first + 4)]
+    nodes = np.concatenate([plates.nodes, np.array(ground).reshape(-1, 3)])
     begin = len(rows)
     rows += [{number: 1.0} for number in range(len(plates.nodes))]
     bars = [(begin + one, begin + other) for one, other in plates.bars]

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.pattern.rotation import frame_along
-from forficula.structure import Hinge, Structure, mass_of
+from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion, frame_along
+from forficula.structure import GROUND, Hinge, Structure, mass_of
 from forficula.structure.tree import built_frames
 
 _STIFF = 1e6  # stiffness of bars of plates and pins of joints, divided by that of the stiffest other part
@@ -21,7 +21,8 @@ class PlateNodes:
 
     Attributes:
         nodes: four of each plate that is not a copy: at its origin and along its axes, m, (node, 3).
-        first: number of the first node of each body, that of the original for a copy, (body,).
+        first: number of the first node of each body, that of the original for a copy, and that of the body that
+            carries it for a body without joints, (body,).
         free: whether a body may move, (body,).
         size: distance of the nodes along the axes from the origin, m.
         mass: mass matrix, the same for x, y and z, kg, (node, node).
@@ -45,29 +46,50 @@ def plate_nodes(structure: Structure) -> PlateNodes:
     origins, _ = built_frames(structure)
     size = structure.span / 4
     copies = {closure.bodies[1]: closure.bodies[0] for closure in structure.closures}
-    originals = [body for body in range(len(structure.bodies)) if body not in copies]
+    carriers = [_carrier(structure, body) for body in range(len(structure.bodies))]
+    originals = [body for body, (carrier, _) in enumerate(carriers) if body not in copies and carrier == body]
     hinged = {hinge.body for hinge in structure.hinges}
     mass = np.zeros((4 * len(originals), 4 * len(originals)))
-    for index, body in enumerate(originals):
+    for body, (carrier, motion) in enumerate(carriers):
+        if body in copies:
+            continue
+        index = originals.index(copies.get(carrier, carrier))
         weight, centre, inertia = mass_of(structure, body)
+        if carrier != body:
+            centre, inertia = motion.of(centre), motion.rotation @ inertia @ motion.rotation.T
         spread = np.trace(inertia) / 2 * np.eye(3) - inertia + weight * np.outer(centre, centre)
         moments = np.block([[np.array([[weight]]), weight * centre[None]], [weight * centre[:, None], spread]])
         shares = np.block([[np.ones((1, 1)), -np.ones((1, 3)) / size], [np.zeros((3, 1)), np.eye(3) / size]])
         count = 1 + list(copies.values()).count(body)
-        mass[4 * index : 4 * index + 4, 4 * index : 4 * index + 4] = count * shares @ moments @ shares.T
+        mass[4 * index : 4 * index + 4, 4 * index : 4 * index + 4] += count * shares @ moments @ shares.T
     axes = np.concatenate((np.zeros((1, 3)), size * np.eye(3)))
     return PlateNodes(
         nodes=np.concatenate([origins[body] + axes for body in originals]),
-        first=tuple(4 * originals.index(copies.get(body, body)) for body in range(len(structure.bodies))),
-        free=tuple(bool(joint.slides) or body in hinged for body, joint in enumerate(structure.bodies)),
+        first=tuple(4 * originals.index(copies.get(carrier, carrier)) for carrier, _ in carriers),
+        free=tuple(bool(structure.bodies[carrier].slides) or carrier in hinged for carrier, _ in carriers),
         size=size,
         mass=mass,
         bars=tuple((4 * index + one, 4 * index + other) for index in range(len(originals)) for one, other in _ENDS),
     )
 
 
+def _carrier(structure: Structure, body: int) -> tuple[int, RigidMotion]:
+    """Return the body that carries a body without joints, itself for others, and the motion to the axes of the carrier.
+
+    A body that is fixed to the ground carries itself.
+    """
+    motion, hinged = IDENTITY_MOTION, {hinge.body for hinge in structure.hinges}
+    while body not in hinged and not structure.bodies[body].slides and structure.bodies[body].parent != GROUND:
+        motion = RigidMotion(structure.bodies[body].frame, structure.bodies[body].position).after(motion)
+        body = structure.bodies[body].parent
+    return body, motion
+
+
 def place_weights(structure: Structure, plates: PlateNodes, body: int, place: Array) -> dict[int, float]:
     """Return the weight of each node, by the number of the node, for a position in the axes of a body."""
+    carrier, motion = _carrier(structure, body)
+    if carrier != body:
+        body, place = carrier, motion.of(place)
     closure = next((entry for entry in structure.closures if entry.bodies[1] == body), None)
     if closure is not None:
         place = closure.position + closure.frame @ place
