@@ -20,11 +20,19 @@ class RejectedError(InputError):
         self.place = tuple(place)
 
 
-def merged(below: object, upper: object) -> Any:
-    """Lay the values of a file over those of its base: tables are merged, all other values are replaced."""
+def merged(below: object, upper: object, place: tuple[str, ...] = ()) -> Any:
+    """Lay the values of a file over those of its base: tables are merged, all other values are replaced.
+
+    A table over a list of tables changes the entries that its keys name.
+
+    Raises:
+        RejectedError: a list has no such entry.
+    """
+    if isinstance(below, list) and isinstance(upper, dict) and all(isinstance(entry, dict) for entry in below):
+        return with_settings_over(below, upper, place)
     if not (isinstance(below, dict) and isinstance(upper, dict)):
         return upper
-    return {**below, **{key: merged(below.get(key), value) for key, value in upper.items()}}
+    return {**below, **{key: merged(below.get(key), value, (*place, key)) for key, value in upper.items()}}
 
 
 def nested(settings: Mapping[str, object]) -> dict[str, Any]:

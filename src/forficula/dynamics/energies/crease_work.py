@@ -122,11 +122,11 @@ def _plate_displacements(
     structure: Structure, placement: Placement, motor: Motor, position: Array, travel: Array
 ) -> Array:
     """Compute the displacement of points of plates along a force for small shifts, (...)."""
-    origins, frames = placement.poses(position)
-    moves, turns = placement.rates(origins, frames, travel)
+    pose = placement.poses(position)
+    moves, turns = placement.rates(pose, travel)
     bodies = [structure.points[point].body for point in motor.points]
     places = np.array([structure.points[point].place for point in motor.points])
-    arms = (frames[..., bodies, :, :] @ places[..., None])[..., 0]
+    arms = (pose.frames[..., bodies, :, :] @ places[..., None])[..., 0]
     assert motor.direction is not None
     return np.asarray(
         np.sum((moves[..., bodies, :] + np.cross(turns[..., bodies, :], arms)) @ motor.direction, axis=-1)

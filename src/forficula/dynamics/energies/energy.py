@@ -181,8 +181,7 @@ def state_series(
     return series | {
         **state_energies(model, derived),
         "point_position": units.length * points,
-        # surfaces for contact follow after them
-        "membrane_position": units.length * derived["flexvert_xpos"][:, : len(model.mesh.bodies)],
+        "membrane_position": units.length * membrane_nodes(model, derived),
     }
 
 
@@ -213,6 +212,11 @@ def _site_places(model: Model, sites: Array) -> Array:
     return np.asarray(sites[:, np.maximum(model.sites, 0)])
 
 
+def membrane_nodes(model: Model, derived: Mapping[str, Array]) -> Array:
+    """Return the positions of the nodes of the membranes, (state, node, 3), among those of all flexes."""
+    return np.asarray(derived["flexvert_xpos"][:, model.first_node : model.first_node + len(model.mesh.bodies)])
+
+
 def state_energies(model: Model, derived: Mapping[str, Array]) -> dict[str, Array]:
     """Compute the energies of states except those of tendons and hinges, J, (state,).
 
@@ -225,7 +229,7 @@ def state_energies(model: Model, derived: Mapping[str, Array]) -> dict[str, Arra
     units, height = model.units, np.sum(weighs * derived["xipos"][..., 2], axis=-1)
     with np.errstate(over="ignore", invalid="ignore"):  # diverging structures
         return {
-            "membrane_energy": units.energy * stretch_energy(derived["flexvert_xpos"], model.mesh),
+            "membrane_energy": units.energy * stretch_energy(membrane_nodes(model, derived), model.mesh),
             "kinetic_energy": units.energy * derived["energy"][:, 1],
             "gravitational_energy": units.energy * model.in_units.gravity * height,
         }

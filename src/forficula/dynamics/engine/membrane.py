@@ -12,6 +12,9 @@ from forficula.arrays import Array, Indices
 from forficula.structure import Membrane, MembraneLaw, Structure
 
 
+_FLEX = "membrane"  # the engine's name of the flex of all membranes
+
+
 @dataclass(frozen=True, kw_only=True)
 class MembraneMesh:
     """The membranes of a structure as one mesh.
@@ -54,7 +57,7 @@ def add_membranes(spec: mujoco.MjSpec, mesh: MembraneMesh, structure: Structure)
     if law is None:
         return
     flex = spec.add_flex(
-        name="membrane",
+        name=_FLEX,
         dim=2,
         radius=law.thickness / 2,
         young=law.youngs_modulus,
@@ -69,6 +72,12 @@ def add_membranes(spec: mujoco.MjSpec, mesh: MembraneMesh, structure: Structure)
     flex.vertbody = [structure.bodies[body].name for body in mesh.bodies]
     flex.vert = mesh.places.ravel()
     flex.elem = mesh.triangles.ravel()
+
+
+def first_node(engine: mujoco.MjModel) -> int:
+    """Return the index of the first node of the membranes among the vertices of all flexes; 0 without a membrane."""
+    flex = mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_FLEX, _FLEX)
+    return int(engine.flex_vertadr[flex]) if flex >= 0 else 0
 
 
 def stretch_energy(nodes: Array, mesh: MembraneMesh) -> Array:

@@ -17,7 +17,7 @@ from forficula.dynamics.engine.closures import add_closures, gap_name
 from forficula.dynamics.engine.contact import add_panels, add_stop_sensors, check_apart
 from forficula.dynamics.engine.couplings import add_couplings
 from forficula.dynamics.engine.drag import CONSTANT_STEPS, Drag, add_medium, drag_of
-from forficula.dynamics.engine.membrane import MembraneMesh, add_membranes, joined_mesh
+from forficula.dynamics.engine.membrane import MembraneMesh, add_membranes, first_node, joined_mesh
 from forficula.dynamics.engine.tendons import add_distance, add_limit, add_pulls, add_spring, add_tendon
 from forficula.dynamics.engine.units import ModelUnits, design_in_model_units, model_units
 from forficula.dynamics.stepping.folds import Folds, folds_of, slide_name
@@ -43,6 +43,7 @@ class Model:
         engine: the compiled model; copy it before changing it.
         spec: the source that compiles to it.
         mesh: its membranes, in the model's units.
+        first_node: index of the first node of the membranes among the vertices of the engine's flexes.
         folds: computes the hinges' angles from the engine's positions.
         creases: hinges that are not joints; None if there are none.
         drag: of the medium; None for empty space.
@@ -77,6 +78,7 @@ class Model:
     engine: mujoco.MjModel
     spec: mujoco.MjSpec
     mesh: MembraneMesh
+    first_node: int
     folds: Folds
     creases: EngineCreases | None
     drag: Drag | None
@@ -195,6 +197,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         engine=engine,
         spec=spec,
         mesh=mesh,
+        first_node=first_node(engine),
         folds=folds,
         creases=creases_of(engine, in_units, folds),
         drag=drag,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,9 +12,23 @@ from forficula.arrays import Array, Indices
 from forficula.structure import GROUND, Structure
 
 
+class Pose(NamedTuple):
+    """Pose of a tree of bodies in the axes of the ground.
+
+    Attributes:
+        origins: of bodies, (..., body, 3).
+        frames: rotations from bodies' axes to the ground's, (..., body, 3, 3).
+        axes: unit vectors of joints, (..., joint, 3).
+    """
+
+    origins: Array
+    frames: Array
+    axes: Array
+
+
 @dataclass(frozen=True, kw_only=True)
 class Placement:
-    """A tree of bodies. Some bodies turn freely or by a hinge. Constants may have leading dimensions.
+    """A tree of bodies. Bodies turn freely or by joints. Constants may have leading dimensions.
 
     Attributes:
         levels: numbers of the bodies on the ground, of their children, and so on.
@@ -23,10 +38,11 @@ class Placement:
         slides: index of the coordinates of origins in the positions, (body, 3); -1 for held ones.
         free: bodies that turn freely, (free,).
         quaternions: index of their first number in the positions, (free,).
-        hinged: bodies that turn by a hinge, (hinged,).
-        hinges: index of the hinge's angle in the positions, (hinged,).
-        axes: of the hinges in the axes of the body, (..., hinged, 3).
-        built: angles of the hinges in the built shape, (..., hinged).
+        hinged: number of the body that each joint turns, (joint,), joints in the order of the structure.
+        rounds: indices of the first joints of bodies, of their second joints, and so on.
+        hinges: index of the joint's angle in the positions, (joint,).
+        axes: of the joints in the axes of the body, (..., joint, 3).
+        built: angles of the joints in the built shape, (..., joint).
         position_count: length of a position.
         velocity_count: length of a velocity: one less for every body that turns freely.
         velocities: index in the velocities for each index in the positions, (position,); for a quaternion, the index of
@@ -41,6 +57,7 @@ class Placement:
     free: Indices
     quaternions: Indices
     hinged: Indices
+    rounds: tuple[Indices, ...]
     hinges: Indices
     axes: Array
     built: Array
@@ -55,30 +72,38 @@ class Placement:
     def _moved_to(self, positions: Array, frames: Array, axes: Array, built: Array) -> Placement:
         return replace(self, positions=positions, frames=frames, axes=axes, built=built)
 
-    def poses(self, positions: Array) -> tuple[Array, Array]:
-        """Compute origins, (..., body, 3), and rotations from bodies' axes to the ground's, (..., body, 3, 3)."""
+    def poses(self, positions: Array) -> Pose:
+        """Compute the pose of all bodies and joints for the engine's positions, (..., position)."""
         lead, count = positions.shape[:-1], len(self.parents)
         held = np.concatenate([positions, np.zeros((*lead, 1))], axis=-1)
         frames = np.broadcast_to(self.frames, (*lead, count, 3, 3)).copy()
         frames[..., self.free, :, :] = _rotations(positions[..., self.quaternions[:, None] + np.arange(4)])
         turns = positions[..., self.hinges] - self.built
-        frames[..., self.hinged, :, :] = frames[..., self.hinged, :, :] @ _rotations_about(self.axes, turns)
+        turned = _rotations_about(self.axes, turns)
+        axes = np.zeros((*lead, len(self.hinged), 3))
+        for which in self.rounds:
+            bodies = self.hinged[which]
+            frames[..., bodies, :, :] = frames[..., bodies, :, :] @ turned[..., which, :, :]
+            axes[..., which, :] = (frames[..., bodies, :, :] @ self.axes[..., which, :, None])[..., 0]
         origins = self.positions + held[..., self.slides]
         for level in self.levels[1:]:
             parents = self.parents[level]
             carried = (frames[..., parents, :, :] @ origins[..., level, :, None])[..., 0]
             origins[..., level, :] = origins[..., parents, :] + carried
             frames[..., level, :, :] = frames[..., parents, :, :] @ frames[..., level, :, :]
-        return origins, frames
+        carriers = self.parents[self.hinged]
+        moving = carriers != GROUND
+        axes[..., moving, :] = (frames[..., carriers[moving], :, :] @ axes[..., moving, :, None])[..., 0]
+        return Pose(origins, frames, axes)
 
-    def rates(self, origins: Array, frames: Array, shifts: Array) -> tuple[Array, Array]:
+    def rates(self, pose: Pose, shifts: Array) -> tuple[Array, Array]:
         """Compute displacements and turns of bodies in the axes of the ground for small shifts, (..., body, 3) each.
 
         Args:
-            origins: of bodies, from `poses`.
-            frames: of bodies, from `poses`.
+            pose: from `poses`.
             shifts: in the coordinates of velocities, (..., velocity).
         """
+        origins, frames, axes = pose
         lead, count = shifts.shape[:-1], len(self.parents)
         held = np.concatenate([shifts, np.zeros((*lead, 1))], axis=-1)
         places = np.append(self.velocities, -1)
@@ -86,8 +111,9 @@ class Placement:
         turns = np.zeros((*lead, count, 3))
         body_turns = shifts[..., self.velocities[self.quaternions][:, None] + np.arange(3)]
         turns[..., self.free, :] = (frames[..., self.free, :, :] @ body_turns[..., None])[..., 0]
-        about = (frames[..., self.hinged, :, :] @ self.axes[..., None])[..., 0]
-        turns[..., self.hinged, :] = about * shifts[..., self.velocities[self.hinges]][..., None]
+        about = axes * shifts[..., self.velocities[self.hinges]][..., None]
+        for which in self.rounds:
+            turns[..., self.hinged[which], :] += about[..., which, :]
         for level in self.levels[1:]:
             parents = self.parents[level]
             arms = origins[..., level, :] - origins[..., parents, :]
@@ -109,13 +135,19 @@ def stacked(placements: Sequence[Placement]) -> Placement:
 def placement_of(structure: Structure) -> Placement:
     """Lay out the bodies of a structure, in its units, in the engine's order: depth first, as listed."""
     bodies, count = structure.bodies, len(structure.bodies)
-    joints = {hinge.body: hinge for hinge in structure.hinges if not hinge.flaps}
+    joints: dict[int, list[int]] = {}
+    turned = [hinge for hinge in structure.hinges if not hinge.flaps]
+    for number, hinge in enumerate(turned):
+        joints.setdefault(hinge.body, []).append(number)
     slides = np.full((count, 3), -1, dtype=np.int64)
-    free, quaternions, hinged, hinges, velocities = (list[int]() for _ in range(5))
+    free, quaternions, velocities = (list[int]() for _ in range(3))
+    hinges = np.zeros(len(turned), dtype=np.int64)
     depth = np.zeros(count, dtype=np.int64)
-    velocity = 0
     for number, body in enumerate(bodies):
         depth[number] = 0 if body.parent == GROUND else depth[body.parent] + 1
+    velocity = 0
+    for number in _depth_first(structure):
+        body = bodies[number]
         for axis in body.slides:
             slides[number, axis] = len(velocities)
             velocities.append(velocity)
@@ -125,12 +157,11 @@ def placement_of(structure: Structure) -> Placement:
             quaternions.append(len(velocities))
             velocities += [velocity] * 4
             velocity += 3
-        if number in joints:
-            hinged.append(number)
-            hinges.append(len(velocities))
+        for joint in joints.get(number, ()):
+            hinges[joint] = len(velocities)
             velocities.append(velocity)
             velocity += 1
-    turned = [joints[number] for number in hinged]
+    most = max(map(len, joints.values()), default=0)
     return Placement(
         levels=tuple(np.flatnonzero(depth == level) for level in range(int(depth.max(initial=0)) + 1)),
         parents=np.array([body.parent for body in bodies], dtype=np.int64),
@@ -139,14 +170,30 @@ def placement_of(structure: Structure) -> Placement:
         slides=slides,
         free=np.array(free, dtype=np.int64),
         quaternions=np.array(quaternions, dtype=np.int64),
-        hinged=np.array(hinged, dtype=np.int64),
-        hinges=np.array(hinges, dtype=np.int64),
+        hinged=np.array([hinge.body for hinge in turned], dtype=np.int64),
+        rounds=tuple(
+            np.array([numbers[place] for numbers in joints.values() if len(numbers) > place], dtype=np.int64)
+            for place in range(most)
+        ),
+        hinges=hinges,
         axes=np.array([hinge.axis for hinge in turned]).reshape(-1, 3),
         built=np.array([hinge.sense * hinge.built for hinge in turned]),
         position_count=len(velocities),
         velocity_count=velocity,
         velocities=np.array(velocities, dtype=np.int64),
     )
+
+
+def _depth_first(structure: Structure) -> list[int]:
+    """Return the numbers of the bodies depth first, children of a body in the order in which they are listed."""
+    children: dict[int, list[int]] = {}
+    for number, body in enumerate(structure.bodies):
+        children.setdefault(body.parent, []).append(number)
+    order, left = list[int](), list(reversed(children.get(GROUND, [])))
+    while left:
+        order.append(left.pop())
+        left += reversed(children.get(order[-1], []))
+    return order
 
 
 def _rotations(quaternions: Array) -> Array:

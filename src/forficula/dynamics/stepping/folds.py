@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 
 from forficula.arrays import Array, Indices
-from forficula.dynamics.engine.placement import Placement, placement_of
+from forficula.dynamics.engine.placement import Placement, Pose, placement_of
 from forficula.dynamics.engine.plate_angles import PlateAngles, plate_angles
 from forficula.pattern.geometry import cross, dot
 from forficula.structure import Structure, built_points, crease_flaps, crease_numbers, flap_angles
@@ -90,21 +90,21 @@ class Folds:
         """Return the positions of the corners of all flaps, in the model's units, (..., crease, 6, 3)."""
         if self.placement is None:
             return np.asarray((self.built + self._shifted(positions))[..., self.flaps, :])
-        return self._corner_positions(*self.placement.poses(positions))
+        return self._corner_positions(self.placement.poses(positions))
 
     def turns(self, positions: Array, shifts: Array) -> tuple[PlateAngles, Array]:
         """Return angles between plates with their derivatives, and changes by small shifts, rad, (..., crease)."""
         assert self.placement is not None
-        origins, frames = self.placement.poses(positions)
-        angles = plate_angles(self._corner_positions(origins, frames))
-        _, turned = self.placement.rates(origins, frames, shifts)
+        pose = self.placement.poses(positions)
+        angles = plate_angles(self._corner_positions(pose))
+        _, turned = self.placement.rates(pose, shifts)
         left, right = (turned[..., self.carriers[self.flaps[:, place]], :] for place in (0, 3))
         return angles, dot(angles.turning, np.moveaxis(right - left, -1, 0))
 
-    def _corner_positions(self, origins: Array, frames: Array) -> Array:
+    def _corner_positions(self, pose: Pose) -> Array:
         """Return the positions of the corners of all flaps for some poses of the bodies, (..., crease, 6, 3)."""
-        arms = (frames[..., self.carriers, :, :] @ self.places[..., None])[..., 0]
-        return np.asarray((origins[..., self.carriers, :] + arms)[..., self.flaps, :])
+        arms = (pose.frames[..., self.carriers, :, :] @ self.places[..., None])[..., 0]
+        return np.asarray((pose.origins[..., self.carriers, :] + arms)[..., self.flaps, :])
 
     def _shifted(self, positions: Array) -> Array:
         """Return the shifts of the nodes, (..., node, 3)."""

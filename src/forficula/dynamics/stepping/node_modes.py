@@ -134,20 +134,20 @@ def _step(square: float, rate: float) -> float:
 def _plate_modes(structure: Structure) -> tuple[float, float]:
     """Compute the square of the largest angular frequency, and the largest damping rate, of plates as built."""
     placement = placement_of(structure)
-    origins, frames = placement.poses(_built_position(structure, placement))
-    moves, turns = placement.rates(origins, frames, np.eye(placement.velocity_count))
+    pose = placement.poses(_built_position(structure, placement))
+    moves, turns = placement.rates(pose, np.eye(placement.velocity_count))
     inertia = np.zeros((placement.velocity_count, placement.velocity_count))
     for number in range(len(structure.bodies)):
         mass, centre, tensor = mass_of(structure, number)
-        tensor = frames[number] @ tensor @ frames[number].T
-        moved = moves[:, number] + np.cross(turns[:, number], frames[number] @ centre)
+        tensor = pose.frames[number] @ tensor @ pose.frames[number].T
+        moved = moves[:, number] + np.cross(turns[:, number], pose.frames[number] @ centre)
         inertia += mass * moved @ moved.T + turns[:, number] @ tensor @ turns[:, number].T
     matrices = [np.zeros_like(inertia), np.zeros_like(inertia)]
     for hinge, place in zip(_joints(structure), placement.velocities[placement.hinges].tolist(), strict=True):
         inertia[place, place] += hinge.armature
         matrices[0][place, place] += hinge.stiffness
     carriers = np.array([point.body for point in structure.points], dtype=np.int64)
-    arms = np.array([frames[point.body] @ point.place for point in structure.points])
+    arms = np.array([pose.frames[point.body] @ point.place for point in structure.points])
     for points, gradients, *strengths in (_lines(structure), _creases(structure)):
         if len(points):
             shifts = moves[:, carriers[points]] + np.cross(turns[:, carriers[points]], arms[points])

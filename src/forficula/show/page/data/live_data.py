@@ -106,7 +106,7 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
             places += np.asarray(built.points[number].place).tolist()
         else:
             names.append(f"membrane {number - count}")
-            bodies.append(int(model.engine.flex_vertbodyid[number - count]))
+            bodies.append(int(model.engine.flex_vertbodyid[model.first_node + number - count]))
             places += np.asarray(mesh.places[number - count]).tolist()
     return {
         "units": {"length": model.units.length, "time": model.units.time, "energy": model.units.energy},
