@@ -38,13 +38,13 @@ def test_bodies_are_where_the_engine_has_them_and_move_as_there(moved):
     model, data = moved
     placement = model.folds.placement
     assert (placement.position_count, placement.velocity_count) == (model.engine.nq, model.engine.nv)
-    origins, frames = placement.poses(data.qpos)
+    pose = placement.poses(data.qpos)
     names = [body.name for body in model.structure.bodies]
     for number, name in enumerate(names):
         body = data.body(name)
-        np.testing.assert_allclose(origins[number], body.xpos, atol=1e-12)
-        np.testing.assert_allclose(frames[number].ravel(), body.xmat, atol=1e-12)
-    moves, turns = placement.rates(origins, frames, data.qvel)
+        np.testing.assert_allclose(pose.origins[number], body.xpos, atol=1e-12)
+        np.testing.assert_allclose(pose.frames[number].ravel(), body.xmat, atol=1e-12)
+    moves, turns = placement.rates(pose, data.qvel)
     for number, name in enumerate(names):
         velocity = np.zeros(6)
         kind, body = mujoco.mjtObj.mjOBJ_XBODY, model.engine.body(name).id

@@ -53,11 +53,12 @@ def _margin(record: Record, outcome: Outcome, transition: Transition) -> float:
     made, state = outcome.transitions[transition.name], outcome.states[transition.state]
     if not outcome.verdict.conclusive or made is None or state is None or transition.stage is None:
         return NOT_TRIED
-    limit = record.design.protocol.stages[transition.stage].time_limit
+    last = transition.stage if transition.goal_stage is None else transition.goal_stage
+    limit = sum(stage.time_limit for stage in record.design.protocol.stages[transition.stage : last + 1])
     if made.succeeded:
         return 1.0 if made.time is None else max(1.0 - made.time / limit, 0.0) or np.finfo(float).eps
     goal = goal_of(record.structure, transition.goal)
-    reached = record.stages[transition.stage].goal_time is not None
+    reached = last < len(record.stages) and record.stages[last].goal_time is not None
     return -_share_short(record, transition, state, goal_of(record.structure, transition.released) if reached else goal)
 
 

@@ -283,10 +283,11 @@ class Outcome(Displayed):
 
 @dataclass(frozen=True, kw_only=True)
 class _TransitionRun:
-    """A transition in a run: the stage that drives it, and the state at its end or after its release."""
+    """A transition in a run: the stages that drive it and that end at its goal, and the state at the end or later."""
 
     transition: Transition
     driven: StageEnd | None
+    ended: StageEnd | None
     state: State | None
     holds: bool
 
@@ -435,8 +436,9 @@ def _reason_text(record: Record, verdict: Verdict, missed: StageEnd | None) -> s
 def _transition_run(record: Record, transition: Transition) -> _TransitionRun:
     structure, number = record.structure, transition.stage
     if number is None or number >= len(record.stages):
-        return _TransitionRun(transition=transition, driven=None, state=None, holds=False)
-    driven = record.stages[number]
+        return _TransitionRun(transition=transition, driven=None, ended=None, state=None, holds=False)
+    driven, last = record.stages[number], transition.goal_stage
+    ended = record.stages[last] if last is not None and last < len(record.stages) else None
     names = structure.stage_states
     named = next((place for place in range(number, len(names)) if names[place] == transition.state), number)
     end = (
@@ -448,24 +450,24 @@ def _transition_run(record: Record, transition: Transition) -> _TransitionRun:
     )
     rest_state = state_of(structure, transition.state)
     state = None if end is None else _state(record, end, transition.state)
-    stage_goal = goal_of(structure, driven.stage.until)
+    stage_goal = goal_of(structure, transition.goal if ended is None else ended.stage.until)
     ends_transition = _same_goal(stage_goal, goal_of(structure, transition.goal))
-    reached = driven.goal_time is not None or stage_goal.kind != "bounds"
+    reached = ended is not None and (ended.goal_time is not None or stage_goal.kind != "bounds")
     holds = False
     if state is not None and rest_state is not None:
         # a stage that does not end at a bound cannot reach it, so its final state decides
         kept = goal_of(structure, transition.released if ends_transition else rest_state.goal)
         holds = reached and _within_bounds(state.coordinates, kept)
         # a goal that was met before the drive acted is not an effect of the drive
-        holds = holds and not early_goal(record, driven)
-    return _TransitionRun(transition=transition, driven=driven, state=state, holds=holds)
+        holds = holds and ended is not None and not early_goal(record, ended)
+    return _TransitionRun(transition=transition, driven=driven, ended=ended, state=state, holds=holds)
 
 
 def _transition_run_of(runs: list[_TransitionRun], end: StageEnd) -> _TransitionRun | None:
     """Return the transition that a stage drives, or whose goal ends the stage."""
     drives = stage_drives(end.stage)
     for run in runs:
-        if run.driven is end:
+        if end in (run.driven, run.ended):
             return run
     return next((run for run in runs if run.transition.goal == end.stage.until or run.transition.drive in drives), None)
 
@@ -474,7 +476,7 @@ def _missed(record: Record, runs: list[_TransitionRun]) -> StageEnd | None:
     """Return the first stage whose goal was missed or lost when released; None if there is none."""
     for run in runs:
         if run.driven is not None and not run.holds:
-            return run.driven
+            return run.driven if run.ended is None else run.ended
     last = record.stages[-1]
     has_goal = last.stage.wait or goal_of(record.structure, last.stage.until).kind == "bounds"
     return last if last.goal_time is None and has_goal else None
@@ -595,12 +597,13 @@ def _transition(record: Record, run: _TransitionRun, holds: Mapping[str, bool | 
     if end is None:
         return None
     succeeded = bool(holds[transition.state])
+    reached = None if run.ended is None else run.ended.goal_time
     drive = drive_of(record.structure, transition.drive)
     released = run.state is not None and run.state.time > end.end
     return TransitionOutcome(
         strength=drive.strength,
         succeeded=succeeded,
-        time=end.goal_time - end.start if succeeded and end.goal_time is not None else None,
+        time=reached - end.start if succeeded and reached is not None else None,
         work=_work(record, end),
         largest_force=_largest_force(record, drive, end),
         held=holds[transition.state] if released else None,

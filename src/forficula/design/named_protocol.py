@@ -127,6 +127,8 @@ class Transition:
             the state must keep its own goal.
         measure: name of the measure that shows the progress.
         kind: kind of that measure.
+        ends: number of the stage that ends at the goal; None for `stage`, whose drive acts until the goal is reached. A
+            stage that drives for a given time only is followed by stages without drives, one of which ends at the goal.
         furthest: which of the measure's readings is furthest from the goal.
         begun: reading beyond which the transition has begun irreversibly; None where sentences do not report progress.
         wording: words for sentences.
@@ -143,6 +145,12 @@ class Transition:
     begun: float | None
     wording: Wording
     kind: Literal["angle", "distance"] = "angle"
+    ends: int | None = None
+
+    @property
+    def goal_stage(self) -> int | None:
+        """Number of the protocol's stage that ends at the goal; None where the protocol has no such stage."""
+        return self.stage if self.ends is None else self.ends
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -18,6 +18,8 @@ def stage_transitions(
 ) -> tuple[Transition, ...]:
     """Return a transition for every driven stage that ends at bounds and leads to a state.
 
+    A stage that drives for a given time has the goal of the first stage without drives after it that ends at bounds.
+
     Args:
         stages: stages of a protocol.
         distances: names of the measures that are distances.
@@ -25,19 +27,22 @@ def stage_transitions(
     """
     transitions: list[Transition] = []
     for number, stage in enumerate(stages):
-        state = _state_after(stages, number)
-        if not stage_drives(stage) or not is_bound(stage) or state is None:
+        ends = _goal_stage(stages, number)
+        state = None if ends is None else _state_after(stages, ends)
+        if ends is None or state is None:
             continue
-        written = bound(stage.until)
+        until = stages[ends].until
+        written = bound(until)
         measure = "creases" if written is None else written.name
         transitions.append(
             Transition(
                 name=stage.name,
                 drive=" and ".join(stage_drives(stage)),
                 stage=number,
-                goal=stage.until,
+                ends=None if ends == number else ends,
+                goal=until,
                 state=state,
-                released=stage.until,
+                released=until,
                 measure=measure,
                 kind="distance" if measure in distances else "angle",
                 furthest="smallest" if written is None or written.relation == ">" else "largest",
@@ -49,12 +54,16 @@ def stage_transitions(
 
 
 def rest_states(stages: Sequence[StageSection]) -> tuple[RestState, ...]:
-    """Return the states at the ends of stages; the goal of each is that of the last driven stage, or "time"."""
+    """Return the states at the ends of stages; the goal of each is that of the last driven stage, or "time".
+
+    The goal of a stage that drives for a given time is that of `stage_transitions`.
+    """
     states: list[RestState] = []
     goal, last = "time", ""
-    for stage in stages:
+    for number, stage in enumerate(stages):
         if stage_drives(stage):
-            goal, last = stage.until, stage.name
+            ends = _goal_stage(stages, number)
+            goal, last = stage.until if ends is None else stages[ends].until, stage.name
         if stage.state is not None:
             states.append(
                 RestState(
@@ -65,6 +74,21 @@ def rest_states(stages: Sequence[StageSection]) -> tuple[RestState, ...]:
                 )
             )
     return tuple(states)
+
+
+def _goal_stage(stages: Sequence[StageSection], number: int) -> int | None:
+    """Return the number of the stage that ends at the goal of a driven stage; None without such a goal."""
+    stage = stages[number]
+    if not stage_drives(stage):
+        return None
+    if is_bound(stage) or stage.until != "time":
+        return number if is_bound(stage) else None
+    for later in range(number + 1, len(stages)):
+        if stage_drives(stages[later]):
+            return None
+        if is_bound(stages[later]):
+            return later
+    return None
 
 
 def _state_after(stages: Sequence[StageSection], number: int) -> str | None:

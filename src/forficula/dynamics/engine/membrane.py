@@ -11,7 +11,6 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.structure import Membrane, MembraneLaw, Structure
 
-
 _FLEX = "membrane"  # the engine's name of the flex of all membranes
 
 
