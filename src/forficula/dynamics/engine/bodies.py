@@ -57,11 +57,16 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure) -> None:
         _add_hinge(bodies[hinge.body], hinge, structure.stops)
         if number in driven:
             _add_motor(spec, hinge, driven[number].no_load_speed)
-    if structure.plates and any(motor.points for motor in structure.motors):
+    if has_turning_bodies(structure) and any(motor.points for motor in structure.motors):
         spec.worldbody.add_site(name=GROUND_SITE)
     for motor in structure.motors:
         if motor.points:
             _add_force(spec, motor, structure)
+
+
+def has_turning_bodies(structure: Structure) -> bool:
+    """Return whether bodies turn, so that a force on a point of a body needs a site there; nodes only slide."""
+    return bool(structure.plates or structure.bars)
 
 
 def engine_sites(structure: Structure) -> list[int]:
@@ -71,7 +76,9 @@ def engine_sites(structure: Structure) -> list[int]:
     pairs += [measure.points for measure in structure.measures if measure.points is not None]
     pairs += [pair for closure in structure.closures for pair in closure.points]
     ends = {number for pair in pairs for number in pair}
-    ends |= {number for motor in structure.motors for number in motor.points} if structure.plates else set()
+    ends |= (
+        {number for motor in structure.motors for number in motor.points} if has_turning_bodies(structure) else set()
+    )
     return [number for number, point in enumerate(structure.points) if point.place.any() or number in ends]
 
 
@@ -170,11 +177,11 @@ def force_name(motor: str) -> str:
 
 
 def _add_force(spec: mujoco.MjSpec, motor: Motor, structure: Structure) -> None:
-    """Add a force in one direction at points: at sites of plates, or on a tendon that measures shifts of nodes."""
+    """Add a force in one direction at points: at sites of plates and bars, or on a tendon that measures shifts of nodes."""
     name, direction = force_name(motor.name), motor.direction
     if direction is None:
         return
-    if structure.plates:
+    if has_turning_bodies(structure):
         for point in motor.points:
             force = spec.add_actuator(name=f"{name}_{point}", target=structure.points[point].name)
             force.trntype, force.refsite = mujoco.mjtTrn.mjTRN_SITE, GROUND_SITE

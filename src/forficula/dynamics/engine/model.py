@@ -12,7 +12,14 @@ import numpy as np
 from forficula.arrays import Array, Flags, Indices
 from forficula.design import Design
 from forficula.dynamics.energies.creases import EngineCreases, add_creases, clear_rows, creases_of
-from forficula.dynamics.engine.bodies import add_bodies, brake_name, engine_sites, force_name, servo_names
+from forficula.dynamics.engine.bodies import (
+    add_bodies,
+    brake_name,
+    engine_sites,
+    force_name,
+    has_turning_bodies,
+    servo_names,
+)
 from forficula.dynamics.engine.closures import add_closures, gap_name
 from forficula.dynamics.engine.contact import add_panels, add_stop_sensors, check_apart
 from forficula.dynamics.engine.couplings import add_couplings
@@ -362,7 +369,7 @@ def _followed(engine: mujoco.MjModel, structure: Structure) -> Indices:
     for number, motor in enumerate(structure.motors):
         names = [structure.hinges[hinge].name for hinge in motor.hinges if not structure.hinges[hinge].flaps]
         force = force_name(motor.name)
-        on_plates = [f"{force}_{point}" for point in motor.points] if structure.plates else []
+        on_plates = [f"{force}_{point}" for point in motor.points] if has_turning_bodies(structure) else []
         served = [target for target, _ in servo_names(motor)]
         names += served or on_plates or ([force] if motor.points else [])
         follows[_indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, names)] = number
@@ -373,7 +380,7 @@ def _force_displacements(engine: mujoco.MjModel, structure: Structure) -> Array:
     """Return the displacement of every force's points along it per shift of each coordinate, (motor, dof)."""
     pushed = np.zeros((len(structure.motors), engine.nv))
     for number, motor in enumerate(structure.motors):
-        if motor.direction is None or structure.plates:
+        if motor.direction is None or has_turning_bodies(structure):
             continue
         for point in motor.points:
             pushed[number] += _displacement_weights(engine, structure, point, motor.direction)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -172,10 +173,27 @@ def assembly_structure(design: AssemblyDesign, build: Callable[[Design], Structu
         structure = replace(structure, appearance=parts[0].structure.appearance)
     else:
         structure = replace(structure, span=float(np.ptp(built_points(structure), axis=0).max()))
+    _check_kinds(structure)
     structure = _with_joints(structure, design)
     structure = _with_inertia(structure, parts)
     _check_masses(structure)
     return with_assembly_protocol(structure, design, [_joined_part(part, numbers) for part in parts])
+
+
+def _check_kinds(structure: Structure) -> None:
+    """Refuse parts that cannot be simulated together."""
+    laws = {dataclasses.astuple(membrane.law) for membrane in structure.membranes}
+    if len(laws) > 1:
+        raise InputError(
+            f"{structure.name}: need membranes of one thickness and one material in all parts, got {len(laws)} different"
+        )
+    for crease in structure.hinges:
+        bodies = {structure.points[point].body for point in (crease.flaps or ())}
+        if structure.plates and len(bodies) > 2:
+            raise InputError(
+                f"{structure.name}: need facets that are rigid in all parts, or that bend in all of them, got both:"
+                f" {crease.name} is a crease of facets that bend"
+            )
 
 
 def _joined_part(part: _Part, numbers: Mapping[str, int]) -> JoinedPart:
