@@ -44,7 +44,7 @@ _LEGEND = 0.45
 _SAME = 0.1  # points closer than this share of a plot's size share a label
 # equilibria off the path are drawn up to this multiple of the largest strength on the path: a crease at a stop
 # withstands far more
-_BEYOND = 4.0
+_BEYOND = 2.0
 
 _BEHIND_NUMBERS: dict[str, Any] = {"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.7}
 _STABLE: dict[str, Any] = {"color": BLACK, "lw": 0.9, "ls": "-"}
