@@ -22,6 +22,13 @@ class Vertex(Section):
     sectors: tuple[float, ...] = quantity(
         ANGLE, "angles between neighbouring creases, counterclockwise", above=0, below=math.pi
     )
+    sector_sum: float | None = quantity(
+        ANGLE,
+        "sum to which the sectors are scaled; if not given, sectors remain as given",
+        default=None,
+        above=0,
+        examples=["350 deg"],
+    )
     lengths: tuple[float, ...] = quantity(LENGTH, "lengths of the creases: one for all or one for each", above=0)
     assignment: Annotated[
         str, Field(description="M, V, F or U for every crease; if not given, as the vertex is built")
@@ -39,7 +46,13 @@ class Vertex(Section):
     def sheet(self) -> CreasePattern:
         """The crease pattern."""
         lengths = self.lengths[0] if len(self.lengths) == 1 else self.lengths
-        return vertex_pattern(self.sectors, lengths, self.assignment, self.fold)
+        return vertex_pattern(self._scaled_sectors(), lengths, self.assignment, self.fold)
+
+    def _scaled_sectors(self) -> tuple[float, ...]:
+        if self.sector_sum is None:
+            return self.sectors
+        scale = self.sector_sum / math.fsum(self.sectors)
+        return tuple(scale * sector for sector in self.sectors)
 
 
 class VertexDesign(SheetDesign):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import groupby, pairwise
+from itertools import groupby, pairwise, takewhile
 from typing import Any
 
 import numpy as np
@@ -42,6 +42,9 @@ _PLOT, _LOW_PLOT, _PICTURE = 2.2, 1.7, 1.3  # heights of a plot, and largest hei
 _WORDS = 0.2  # height of a picture's title, inch
 _LEGEND = 0.45
 _SAME = 0.1  # points closer than this share of a plot's size share a label
+# equilibria off the path are drawn up to this multiple of the largest strength on the path: a crease at a stop
+# withstands far more
+_BEYOND = 2.0
 
 _BEHIND_NUMBERS: dict[str, Any] = {"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.7}
 _STABLE: dict[str, Any] = {"color": BLACK, "lw": 0.9, "ls": "-"}
@@ -98,7 +101,7 @@ def _draw_course(
     axes = panel.add_subplot(grid[0, :])
     axes.axhline(0, color="0.8", lw=0.5, zorder=0)
     if course.through is not None:
-        plot.lines(axes, course.through.points)
+        plot.lines(axes, plot.through)
     for path in course.slow.paths:
         axes.plot(*plot.place(path.points), color=BLUE, lw=1.8, zorder=3)
     for snap in course.slow.snaps:
@@ -129,7 +132,8 @@ class _Plot:
     def __init__(self, landscape: EnergyLandscape, course: Course) -> None:
         assert landscape.net is not None
         self._structure, self._net, self._drive = landscape.structure, landscape.net.net, course.drive
-        points = [*course.slow.points, *(() if course.through is None else course.through.points)]
+        self.through = _near_path(course)
+        points = [*course.slow.points, *self.through]
         self._size = abs(course.drive.strength)
         motor = driven_motor(self._structure, course.drive)
         si = "rad" if motor.direction is None else "m"
@@ -173,6 +177,13 @@ class _Plot:
             axes.plot(*self.place([run[0][1], *(other for _, _, other in run)]), **(_STABLE if holds else _UNSTABLE))
 
 
+def _near_path(course: Course) -> Sequence[PathPoint]:
+    """Return the equilibria through the snaps of a course, up to strengths far beyond those of its slow path."""
+    points = () if course.through is None else course.through.points
+    limit = _BEYOND * max(abs(point.factor) for point in course.slow.points)
+    return list(takewhile(lambda point: abs(point.factor) <= limit, points))
+
+
 def _numbered(places: Sequence[tuple[float, float]]) -> list[tuple[tuple[float, float], str]]:
     """Return points with the numbers of their pictures; points that coincide share one label."""
     size = np.ptp(np.array(places), axis=0) + 1e-12
@@ -210,7 +221,7 @@ def _handles(courses: Sequence[Course]) -> list[Line2D]:
         handles.append(Line2D([], [], color=VERMILION, marker="o", mfc="white", ms=4, lw=1.2, label="snap"))
     if True in kinds:
         handles.append(Line2D([], [], color=GREEN, marker="o", mfc="white", ms=4, lw=1.2, label="bifurcation"))
-    steps = [step for course in courses if course.through is not None for step in pairwise(course.through.points)]
+    steps = [step for course in courses for step in pairwise(_near_path(course))]
     stable = {one.index == 0 and other.index == 0 for one, other in steps}
     if True in stable:
         handles.append(Line2D([], [], label="stable equilibria off the path", **_STABLE))

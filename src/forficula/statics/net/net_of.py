@@ -25,13 +25,16 @@ Flags = NDArray[np.bool_]
 
 
 def is_net(structure: Structure) -> bool:
-    """Return whether all moving parts are sliding points, or plates that are in loops or free."""
+    """Return whether all moving parts are sliding points, or plates that are in loops or free.
+
+    Springs along creases that open close loops, too.
+    """
     if structure.bars or structure.limits:
         return False
     jointed = any(hinge.flaps is None for hinge in structure.hinges)
     if structure.plates:
         joints = [hinge.body for hinge in structure.hinges if hinge.flaps is None]
-        loose = bool(structure.closures) or any(body.turns for body in structure.bodies)
+        loose = bool(structure.closures or structure.springs) or any(body.turns for body in structure.bodies)
         return loose and len(joints) == len(set(joints)) and not structure.membranes
     return any(body.slides for body in structure.bodies) and not jointed
 
