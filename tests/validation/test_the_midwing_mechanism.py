@@ -57,8 +57,10 @@ def energy(angles, group=GROUP, ratio=RATIO, sector=SECTOR):
     away = np.array([side - REST, middle])
     springs = group * np.array([2, ratio])
     stored = 2 / 3 * value**2 + springs @ away**2 / 2
-    return stored, 4 / 3 * value * slope + springs * away, (
-        4 / 3 * (np.outer(slope, slope) + value * curvature) + np.diag(springs)
+    return (
+        stored,
+        4 / 3 * value * slope + springs * away,
+        (4 / 3 * (np.outer(slope, slope) + value * curvature) + np.diag(springs)),
     )
 
 
@@ -172,7 +174,9 @@ def test_both_states_and_the_saddle_are_those_of_the_closed_form(agree, holds, n
     ):
         sides, middle = shape.angles[list(SIDES)], shape.angles[MIDDLE]
         agree(f"side angle, {name}", np.degrees(sides), math.degrees(known[0]), unit="deg", by="closed form", abs=5e-3)
-        agree(f"middle angle, {name}", np.degrees(middle), math.degrees(known[1]), unit="deg", by="closed form", abs=5e-3)
+        agree(
+            f"middle angle, {name}", np.degrees(middle), math.degrees(known[1]), unit="deg", by="closed form", abs=5e-3
+        )
     heights = [1e3 * UNIT * (energy(SADDLE)[0] - energy(state)[0]) for state in (LOCKED, FOLDED)]
     # bars that stand for plates yield by 5e-6 of the energy
     agree("barrier of the locked state", 1e3 * saddle.barriers[0], heights[0], unit="mJ", by="closed form", rel=1e-3)

@@ -76,9 +76,8 @@ def engine_sites(structure: Structure) -> list[int]:
     pairs += [measure.points for measure in structure.measures if measure.points is not None]
     pairs += [pair for closure in structure.closures for pair in closure.points]
     ends = {number for pair in pairs for number in pair}
-    ends |= (
-        {number for motor in structure.motors for number in motor.points} if has_turning_bodies(structure) else set()
-    )
+    if has_turning_bodies(structure):
+        ends |= {number for motor in structure.motors for number in motor.points}
     return [number for number, point in enumerate(structure.points) if point.place.any() or number in ends]
 
 
@@ -177,7 +176,7 @@ def force_name(motor: str) -> str:
 
 
 def _add_force(spec: mujoco.MjSpec, motor: Motor, structure: Structure) -> None:
-    """Add a force in one direction at points: at sites of plates and bars, or on a tendon that measures shifts of nodes."""
+    """Add a force in one direction at points: at sites of bodies that turn, or on a tendon that measures shifts."""
     name, direction = force_name(motor.name), motor.direction
     if direction is None:
         return

@@ -185,7 +185,8 @@ def _check_kinds(structure: Structure) -> None:
     laws = {dataclasses.astuple(membrane.law) for membrane in structure.membranes}
     if len(laws) > 1:
         raise InputError(
-            f"{structure.name}: need membranes of one thickness and one material in all parts, got {len(laws)} different"
+            f"{structure.name}: need membranes of one thickness and one material in all parts, got {len(laws)} that"
+            " differ"
         )
     for crease in structure.hinges:
         bodies = {structure.points[point].body for point in (crease.flaps or ())}

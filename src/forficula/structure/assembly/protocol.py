@@ -12,7 +12,7 @@ from forficula.design.assembly.assembly import AssemblyDesign
 from forficula.design.named_protocol import Drive
 from forficula.design.protocol import read_goal
 from forficula.errors import InputError
-from forficula.names import one_of
+from forficula.names import listed, one_of
 from forficula.structure.goals import coordinate_count, goal_of
 from forficula.structure.motors_and_measures import Measure, Motor, StageGoal
 from forficula.structure.protocol import drives_together, torque_motors
@@ -51,21 +51,21 @@ def with_assembly_protocol(structure: Structure, design: AssemblyDesign, parts: 
     """
     named = design.named_protocol
     own = [drive for drive in named.drives if drive.name in [section.name for section in design.drive]]
-    motors = [_motor(part, motor) for part in parts for motor in part.structure.motors]
-    drives = _part_drives(parts, named.drives)
-    own_motors, own_shares = _own_motors(structure, own, motors)
-    count = len(motors) + len(own_motors)
-    motors += own_motors
-    drives += [
-        replace(
-            drive, shares=tuple([0.0] * (count - len(own_motors)) + [shares.get(number, 0.0) for shares in own_shares])
-        )
-        for number, drive in enumerate(own)
+    of_parts = [_motor(part, motor) for part in parts for motor in part.structure.motors]
+    own_motors, own_shares = _own_motors(structure, own)
+    motors, shared = _shared_motors(structure, of_parts, own_motors)
+    drives = [
+        replace(drive, shares=(*drive.shares, *[0.0] * (len(motors) - len(drive.shares))))
+        for drive in _part_drives(parts, named.drives)
     ]
-    drives = [replace(drive, shares=(*drive.shares, *[0.0] * (count - len(drive.shares)))) for drive in drives]
+    for number, drive in enumerate(own):
+        shares = [0.0] * len(motors)
+        for motor, by_drive in zip(shared, own_shares, strict=True):
+            shares[motor] += by_drive.get(number, 0.0)
+        drives.append(replace(drive, shares=tuple(shares)))
     structure = replace(
         structure,
-        motors=tuple(motors),
+        motors=motors,
         drives=tuple(drives),
         measures=tuple(_measure(part, measure) for part in parts for measure in part.structure.measures),
         goals=(),
@@ -112,40 +112,61 @@ def _part_drives(parts: Sequence[JoinedPart], named: Sequence[Drive]) -> list[Dr
     return drives
 
 
-def _own_motors(
-    structure: Structure, drives: Sequence[Drive], driven: Sequence[Motor]
-) -> tuple[list[Motor], list[dict[int, float]]]:
+def _own_motors(structure: Structure, drives: Sequence[Drive]) -> tuple[list[Motor], list[dict[int, float]]]:
     """Return the motors of drives of the assembly and, for every motor, the shares of these drives by their numbers."""
-    taken = {hinge: motor.name for motor in driven for hinge in motor.hinges}
     names = {name for hinge in structure.hinges for name in (hinge.name, hinge.role)}
+    points = {point.name.replace(" ", ""): number for number, point in enumerate(structure.points)}
     for drive in drives:
         for action in drive.actions:
-            for name in action.hinges:
-                if name not in names:
-                    raise InputError(f"drive.{drive.name}.of: need {one_of(sorted(names), name)}")
+            known = points if action.kind == "force" else names
+            written = [place.replace(" ", "") for place in action.places] or action.hinges
+            for name in written:
+                if name not in known:
+                    raise InputError(f"drive.{drive.name}.of: need {one_of(sorted(known), name)}")
     motors, shares = torque_motors(structure, drives)
-    for motor in motors:
-        for hinge in motor.hinges:
-            if hinge in taken:
-                name = structure.hinges[hinge].name
-                raise InputError(
-                    f"drive.{motor.name}.of: the motor {taken[hinge]} of a part turns {name} already; switch on the"
-                    " drive of the part instead"
-                )
-    points = {point.name.replace(" ", ""): number for number, point in enumerate(structure.points)}
     for number, drive in enumerate(drives):
         for action in drive.actions:
-            if action.kind != "force":
-                continue
-            unknown = [place for place in action.places if place.replace(" ", "") not in points]
-            if unknown:
-                raise InputError(f"drive.{drive.name}.of: need {one_of(points, unknown[0])}")
-            direction = np.array(action.direction, dtype=np.float64)
-            pushed = tuple(points[place.replace(" ", "")] for place in action.places)
-            unit = direction / np.linalg.norm(direction)
-            motors.append(Motor(name=drive.name, kind="force", points=pushed, direction=unit))
-            shares.append({number: 1.0})
+            if action.kind == "force":
+                direction = np.array(action.direction, dtype=np.float64)
+                pushed = tuple(points[place.replace(" ", "")] for place in action.places)
+                unit = direction / np.linalg.norm(direction)
+                motors.append(Motor(name=drive.name, kind="force", points=pushed, direction=unit))
+                shares.append({number: 1.0})
     return motors, shares
+
+
+def _shared_motors(
+    structure: Structure, of_parts: Sequence[Motor], own: Sequence[Motor]
+) -> tuple[tuple[Motor, ...], list[int]]:
+    """Return the motors of the parts and of the assembly, and the number of the motor for each one of the assembly.
+
+    A hinge has one motor: a torque of the assembly on the hinges of a motor of a part uses that motor.
+
+    Raises:
+        InputError: a torque on some of the hinges of a motor of a part, but not on all.
+    """
+    motors, numbers = list(of_parts), list[int]()
+    for motor in own:
+        same = next(
+            (
+                number
+                for number, other in enumerate(of_parts)
+                if motor.hinges and set(other.hinges) == set(motor.hinges)
+            ),
+            None,
+        )
+        for other in of_parts:
+            common = sorted(set(motor.hinges) & set(other.hinges))
+            if common and same is None:
+                driven = listed(structure.hinges[hinge].name for hinge in other.hinges)
+                raise InputError(
+                    f"drive.{motor.name}.of: need all hinges of the motor {other.name} of a part, {driven}, or none of"
+                    f" them, got {structure.hinges[common[0]].name} among others"
+                )
+        if same is None:
+            motors.append(motor)
+        numbers.append(len(motors) - 1 if same is None else same)
+    return tuple(motors), numbers
 
 
 def _measure(part: JoinedPart, measure: Measure) -> Measure:
