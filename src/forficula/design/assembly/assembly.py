@@ -246,6 +246,10 @@ class AssemblyDesign(Design):
         """Return the design with the values that a rule chooses filled in, in the surroundings of the assembly."""
         return self.model_copy(update={name: part.settled() for name, part in self.designs.items()})
 
+    def hash_values(self) -> dict[str, Any]:
+        """Return the values that affect a run, including those that a rule chooses."""
+        return super(AssemblyDesign, self.settled()).hash_values()
+
 
 def with_part(part: str, text: str) -> str:
     """Return a bound of a part as text, with the part's name before the measure."""

@@ -143,9 +143,12 @@ def _plate_modes(structure: Structure) -> tuple[float, float]:
         moved = moves[:, number] + np.cross(turns[:, number], pose.frames[number] @ centre)
         inertia += mass * moved @ moved.T + turns[:, number] @ tensor @ turns[:, number].T
     matrices = [np.zeros_like(inertia), np.zeros_like(inertia)]
-    for hinge, place in zip(_joints(structure), placement.velocities[placement.hinges].tolist(), strict=True):
+    places, braking = placement.velocities[placement.hinges].tolist(), _braking(structure)
+    for (number, hinge), place in zip(_joints(structure), places, strict=True):
         inertia[place, place] += hinge.armature
         matrices[0][place, place] += hinge.stiffness
+        # the engine's integrator is implicit in the damping of joints, but not in that of motors
+        matrices[1][place, place] += braking[number]
     carriers = np.array([point.body for point in structure.points], dtype=np.int64)
     arms = np.array([pose.frames[point.body] @ point.place for point in structure.points])
     for points, gradients, *strengths in (_lines(structure), _creases(structure)):
@@ -158,9 +161,9 @@ def _plate_modes(structure: Structure) -> tuple[float, float]:
     return max(square, 0.0), max(rate, 0.0)
 
 
-def _joints(structure: Structure) -> list[Hinge]:
-    """Return the hinges that turn bodies, in their order."""
-    return [hinge for hinge in structure.hinges if not hinge.flaps]
+def _joints(structure: Structure) -> list[tuple[int, Hinge]]:
+    """Return the hinges that turn bodies, with their numbers, in their order."""
+    return [(number, hinge) for number, hinge in enumerate(structure.hinges) if not hinge.flaps]
 
 
 def _built_position(structure: Structure, placement: Placement) -> Array:

@@ -1,0 +1,184 @@
+"""Designs of assemblies: parts in files and under keys, joints, and refusals."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+from forficula.design import design_from_text, design_text, key_value, load_design, with_values
+from forficula.errors import InputError
+from forficula.structure import structure_of
+
+STAGES = """
+[[protocol.stages]]
+name = "wait"
+drive = "none"
+until = "time"
+time_limit = "10 ms"
+"""
+PARTS = """
+[part.inner]
+based_on = "force-clasp"
+[part.outer]
+based_on = "force-clasp"
+tendon.band.stiffness = "2 N/cm"
+crease.damping = "0.1 N m s/rad/m"
+"""
+MOUNT = """
+[[joint]]
+name = "mount"
+kind = "rigid"
+part = "outer"
+to = "inner.facet1"
+points = ["facet0_vertex0", "facet0_vertex3"]
+onto = ["facet1_vertex2", "facet1_vertex5"]
+up = [0, 0, 1]
+"""
+
+
+def two(joints=MOUNT, parts=PARTS, stages=STAGES, more=""):
+    return f'name = "two"\nsource = "a test"\n{parts}\n{joints}\n{more}\n[protocol]\n{stages}'
+
+
+@pytest.fixture
+def read(tmp_path):
+    """Return a function that reads a design from the text of a file."""
+
+    def from_text(text, settings=None):
+        file = tmp_path / "two.toml"
+        file.write_text(text, encoding="utf-8")
+        return load_design(file, settings)
+
+    return from_text
+
+
+@pytest.fixture
+def design(read):
+    return read(two())
+
+
+def test_keys_begin_with_the_name_of_the_part(design):
+    assert key_value(design, "inner.tendon.band.stiffness") == pytest.approx(800)
+    assert key_value(design, "outer.tendon.band.stiffness") == pytest.approx(200)
+    assert key_value(design, "outer.crease.damping") == pytest.approx(0.1)
+    assert key_value(design, "inner.crease.damping") == pytest.approx(0.05)
+
+
+def test_a_setting_changes_one_part(read):
+    changed = read(two(), {"inner.tendon.band.stiffness": "3 N/cm", "part.outer.facet.density": "2 g/cm^3"})
+    assert key_value(changed, "inner.tendon.band.stiffness") == pytest.approx(300)
+    assert key_value(changed, "outer.facet.density") == pytest.approx(2000)
+    assert key_value(changed, "inner.facet.density") == pytest.approx(1270)
+    assert "inner.tendon.band.stiffness" in changed.source
+
+
+def test_a_written_design_reads_back_with_the_same_values(design):
+    text = design_text(design)
+    assert "[part.outer.crease]" in text
+    assert "[chosen]" not in text
+    again = design_from_text(text)
+    assert again.hash == design.hash
+    assert design_text(again) == text
+
+
+def test_a_design_crosses_the_border_of_a_process(design):
+    again = pickle.loads(pickle.dumps(design))
+    assert again.hash == design.hash
+    assert structure_of(again).hinges[0].name == "inner.crease0"
+
+
+def test_a_changed_value_of_a_part_changes_the_hash(design):
+    assert with_values(design, {"outer.crease.stiffness": 2.0}).hash != design.hash
+
+
+def test_an_assembly_may_be_based_on_another(read, tmp_path):
+    read(two())
+    upper = tmp_path / "upper.toml"
+    upper.write_text('based_on = "two.toml"\nname = "upper"\n[part.outer]\nfacet.density = "3 g/cm^3"\n')
+    changed = load_design(upper)
+    assert key_value(changed, "outer.facet.density") == pytest.approx(3000)
+    assert key_value(changed, "outer.tendon.band.stiffness") == pytest.approx(200)
+    assert changed.source.startswith("two with other values of outer.facet.density")
+
+
+def test_a_part_may_be_an_assembly(read, tmp_path):
+    read(two())
+    outer = tmp_path / "outer.toml"
+    outer.write_text(
+        f'name = "nested"\n[part.pair]\nbased_on = "two.toml"\n[part.single]\nbased_on = "force-clasp"\n[protocol]\n{STAGES}'
+    )
+    nested = load_design(outer)
+    assert key_value(nested, "pair.outer.tendon.band.stiffness") == pytest.approx(200)
+    assert {hinge.name for hinge in structure_of(nested).hinges} == {
+        "pair.inner.crease0",
+        "pair.outer.crease0",
+        "single.crease0",
+    }
+    assert pickle.loads(pickle.dumps(nested)).hash == nested.hash
+
+
+def test_gravity_and_contact_of_the_assembly_apply_to_its_parts(read):
+    heavy = read(two(), {"protocol.gravity": "9.81 m/s^2"})
+    assert structure_of(heavy).gravity == pytest.approx(9.81)
+    assert all(part.protocol.gravity == 9.81 for part in heavy.designs.values())
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (
+            two(joints=MOUNT.replace('part = "outer"', 'part = "outr"')),
+            'joint.0.part: need "inner" or "outer", got "outr"',
+        ),
+        (two(joints=MOUNT.replace("inner.facet1", "inner.facet7")), 'joint.mount.to: need "inner.facet0"'),
+        (two(joints=MOUNT.replace("inner.facet1", "facet1")), 'joint.0.to: need "ground" or a body of a part'),
+        (
+            two(joints=MOUNT.replace("inner.facet1", "outer.facet1")),
+            "joint.mount.to: need a body that outer does not carry",
+        ),
+        (two(joints=MOUNT.replace('"facet0_vertex3"]', '"corner"]')), "joint.mount.points: need"),
+        (two(joints=MOUNT.replace("onto =", "position =")), "joint.0.position"),
+        (
+            two(joints=MOUNT.replace('kind = "rigid"', 'kind = "glued"')),
+            'joint.0.kind: need "rigid", "hinge", "coupling"',
+        ),
+        (
+            two(joints=MOUNT + MOUNT.replace('"mount"', '"again"')),
+            "joint.1.part: need a part that joint mount does not carry",
+        ),
+        (two(joints=MOUNT + MOUNT), "joint.1.name: need a name that no part and no other joint has"),
+        (two(parts=PARTS.replace("force-clasp", "force-clsp")), 'part.inner: "force-clsp" is neither a named design'),
+        (two(parts=PARTS.replace("[part.outer]", "[part.protocol]")), "part.protocol: need a name that is not a key"),
+        (two(parts=PARTS.replace("[part.outer]", "[part.Outer]")), "part: need a name of small letters"),
+        (two(parts=PARTS.replace("crease.damping", "crease.dampng")), "outer.crease.dampng: unknown key"),
+        (two(parts=PARTS.replace("0.1 N m s/rad/m", "-1 N m s/rad/m")), "outer.crease.damping: need >= 0"),
+        (two(parts=PARTS.replace("tendon.band", "tendon.bnd")), "outer.tendon.bnd"),
+        (two(stages=STAGES.replace('"none"', '"outer.pul"')), 'did you mean "outer.pull"?'),
+        (two(stages=STAGES.replace('"time"', '"outer.jaww < 3 deg"')), 'did you mean "outer.jaw"?'),
+    ],
+)
+def test_a_refusal_names_the_key_and_what_is_allowed(read, text, message):
+    with pytest.raises(InputError) as error:
+        structure_of(read(text))
+    assert message in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+def test_an_unknown_key_of_a_part_names_the_nearest(design):
+    with pytest.raises(
+        InputError, match=r"outer\.crease\.stifness: unknown key.*did you mean outer\.crease\.stiffness"
+    ):
+        with_values(design, {"outer.crease.stifness": 1.0})
+
+
+def test_the_second_part_lies_where_the_joint_places_it(design):
+    structure = structure_of(design)
+    numbers = {point.name: number for number, point in enumerate(structure.points)}
+    from forficula.structure import built_points
+
+    places = built_points(structure)
+    for one, other in (
+        ("inner.facet1_vertex2", "outer.facet0_vertex0"),
+        ("inner.facet1_vertex5", "outer.facet0_vertex3"),
+    ):
+        np.testing.assert_allclose(places[numbers[one]], places[numbers[other]], atol=1e-15)

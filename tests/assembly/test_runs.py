@@ -1,0 +1,220 @@
+"""Runs of assemblies: one part alone, parts that are turned, and joints of each kind."""
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+from forficula.design import design_from_text, design_text, load_design, with_values
+from forficula.dynamics import compile_model, energy_balance, simulate
+from forficula.structure import built_points, structure_of
+
+SHORT = {"binder2025": 0.02, "letter-fold": 0.02, "force-clasp": 0.005, "kresling-cell": 0.002}
+WAIT = """
+[protocol]
+timestep = "{step:g} ms"
+sample_interval = "0.5 ms"
+rest_speed = "2 deg/s"
+window = "1 ms"
+
+[[protocol.stages]]
+name = "wait"
+drive = "{drive}"
+until = "time"
+time_limit = "{limit:g} ms"
+"""
+
+
+def assembly(parts, joints="", *, step=0.05, drive="none", limit=5.0, more=""):
+    """Return an assembly that is driven for some milliseconds."""
+    text = f'name = "whole"\nsource = "a test"\n{parts}\n{joints}\n{more}\n'
+    return text + WAIT.format(step=step, drive=drive, limit=limit)
+
+
+def read(tmp_path, text):
+    file = tmp_path / "whole.toml"
+    file.write_text(text, encoding="utf-8")
+    return load_design(file)
+
+
+def simulated(design):
+    return simulate([compile_model(design)])[0]
+
+
+@pytest.mark.parametrize("name", SHORT)
+def test_an_assembly_of_one_part_reproduces_that_part_bit_for_bit(name, tmp_path):
+    alone = load_design(name)
+    drive = next(drive.name for drive in structure_of(alone).drives)
+    step = 1e3 * alone.protocol.timestep
+    stages = [{"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": SHORT[name] / 2}]
+    if name not in ("force-clasp", "kresling-cell", "letter-fold"):
+        stages.append({**stages[0], "name": "drive", "drive": drive})
+    alone = with_values(alone, {"protocol.stages": stages, "protocol.sample_interval": 5e-4})
+    text = design_text(alone)
+    whole = f'name = "whole"\nsource = "a test"\n[part.wing]\nbased_on = "{name}"\n'
+    protocol = text[text.index("[protocol]") :]
+    protocol = re.sub(
+        r"(?m)^(fold_torque|unfold_torque|initial_overbend|folded_angle|opened_angle|arrival|driven_veins).*$",
+        "",
+        protocol,
+    )
+    protocol = protocol.replace(f'drive = "{drive}"', f'drive = "wing.{drive}"')
+    if (stops := re.search(r"(?ms)^\[stops\]\n.*?\n\n", text)) is not None:
+        protocol = f"{stops.group()}{protocol}"
+    joined = read(tmp_path, whole + protocol)
+    one, other = simulated(alone), simulated(joined)
+    assert one.series.keys() == other.series.keys()
+    for key, values in one.series.items():
+        np.testing.assert_array_equal(values, other.series[key], err_msg=key)
+    assert step == 1e3 * joined.protocol.timestep
+
+
+TURNED = """
+[[joint]]
+name = "stand"
+kind = "rigid"
+part = "wing"
+points = ["hub0", "tip2"]
+position = ["1 cm", "2 cm", "3 cm"]
+along = [1, 2, -2]
+up = [0, 1, 1]
+"""
+
+
+def test_a_turned_fan_folds_as_one_that_is_not(tmp_path):
+    parts = '[part.wing]\nbased_on = "binder2025"\n'
+    still, turned = (
+        simulated(read(tmp_path, assembly(parts, joints, drive="wing.fold", step=0.2, limit=20)))
+        for joints in ("", TURNED)
+    )
+    angles, others = (record.series["hinge_angle"] for record in (still, turned))
+    assert np.abs(angles[-1]).max() > math.radians(20)
+    np.testing.assert_allclose(others, angles, atol=1e-7)
+    for key in ("tendon_energy", "membrane_energy", "kinetic_energy"):
+        np.testing.assert_allclose(turned.series[key], still.series[key], rtol=1e-5, atol=1e-9)
+    places = built_points(turned.structure)
+    names = [point.name for point in turned.structure.points]
+    hub, tip = (places[names.index(f"wing.{name}")] for name in ("hub0", "tip2"))
+    np.testing.assert_allclose(hub, [0.01, 0.02, 0.03], atol=1e-15)
+    np.testing.assert_allclose((tip - hub) / np.linalg.norm(tip - hub), np.array([1, 2, -2]) / 3, atol=1e-12)
+
+
+PLATE = """
+[part.{name}]
+based_on = "letter-fold"
+pattern.panels = 2
+pattern.panel_lengths = ["10 cm"]
+pattern.width = "6 cm"
+pattern.assignment = "V"
+facet.thickness = "1 mm"
+facet.density = "1.2 g/cm^3"
+crease.stiffness = "0 N m/rad/m"
+crease.damping = "0 N m s/rad/m"
+tendon = []
+measure = []
+drive = []
+[[part.{name}.support]]
+of = "facet 0"
+[[part.{name}.protocol.stages]]
+name = "wait"
+drive = "none"
+until = "time"
+time_limit = "1 s"
+"""
+
+
+def two_plates(tmp_path, joints, *, more="", drive="none", limit=50.0):
+    parts = PLATE.format(name="one") + PLATE.format(name="two").replace("facet.density", "facet.density")
+    return read(tmp_path, assembly(parts, joints, step=0.1, drive=drive, limit=limit, more=more))
+
+
+def test_a_rigid_coupling_ties_two_angles_by_its_ratio(tmp_path):
+    coupling = '[[joint]]\nname = "tie"\nkind = "coupling"\nhinges = ["one.crease1", "two.crease1"]\nratio = -0.5\n'
+    push = '[[drive]]\nname = "push"\nkind = "torque"\nof = "one.crease1"\nvalue = "1 N cm"\n'
+    names = [hinge.name for hinge in structure_of(two_plates(tmp_path, "")).hinges]
+    coupling = coupling.replace("crease1", names[0].partition(".")[2])
+    push = push.replace("one.crease1", names[0])
+    record = simulated(two_plates(tmp_path, coupling, more=push, drive="push"))
+    one, two = record.series["hinge_angle"].T
+    assert one[-1] > math.radians(5)
+    np.testing.assert_allclose(two, -0.5 * one, atol=1e-3 * one[-1])
+    # both plates turn about their ends with m L^2 / 3: (1 + 1/4) I a'' = T
+    mass = 1200 * 0.1 * 0.06 * 1e-3
+    inertia = 1.25 * mass * (0.1**2 / 3 + 1e-3**2 / 12)
+    np.testing.assert_allclose(one, 0.01 / inertia * record.time**2 / 2, rtol=0.02, atol=1e-4)
+
+
+def test_a_spring_and_a_tendon_between_parts_store_their_closed_forms_and_the_balance_closes(tmp_path):
+    shift = '[[joint]]\nname = "aside"\nkind = "rigid"\npart = "two"\npoints = ["facet0_vertex0"]\nposition = ["0 cm", "12 cm", "0 cm"]\n'
+    spring = (
+        '[[joint]]\nname = "{name}"\nkind = "{kind}"\nfrom = "one.facet1_vertex2"\nto = "ground"\n'
+        'ground = ["20 cm", "0 cm", "5 cm"]\nstiffness = "{stiffness} N/cm"\nrest_length = "2 cm"\ndamping = "0 N s/m"\n'
+    )
+    joints = shift + spring.format(name="spring", kind="spring", stiffness=1)
+    joints += (
+        spring.format(name="band", kind="tendon", stiffness=2)
+        .replace("one.facet1", "two.facet1")
+        .replace('"0 cm", "5 cm"', '"12 cm", "5 cm"')
+    )
+    record = simulated(two_plates(tmp_path, joints, limit=30))
+    names = [point.name for point in record.structure.points]
+    place = record.series["point_position"]
+    for part, ground, energy, stiffness in (
+        ("one", [0.2, 0, 0.05], record.series["spring_energy"][:, 0], 100),
+        ("two", [0.2, 0.12, 0.05], record.series["tendon_energy"][:, 0], 200),
+    ):
+        length = np.linalg.norm(place[:, names.index(f"{part}.facet1_vertex2")] - ground, axis=1)
+        np.testing.assert_allclose(
+            energy,
+            stiffness / 2 * (length - 0.02 if part == "one" else np.maximum(length - 0.02, 0)) ** 2,
+            rtol=1e-9,
+            atol=1e-12,
+        )
+    balance = energy_balance(record)
+    assert abs(balance.residual) < 5e-3
+
+
+HINGE = """
+[[joint]]
+name = "axle"
+kind = "hinge"
+part = "two"
+points = ["facet0_vertex0", "facet0_vertex3"]
+position = ["0 cm", "30 cm", "0 cm"]
+stiffness = "0.5 N m/rad"
+rest_angle = "10 deg"
+"""
+
+
+def test_a_part_swings_on_its_hinge_with_the_period_of_a_rigid_body(tmp_path):
+    design = two_plates(tmp_path, HINGE, limit=60)
+    closed = with_values(
+        design, {"two.crease.stiffness": 1e3, "two.crease.rest_angle": 0.0, "two.crease.start": 0.0}
+    )  # both plates as one
+    record = simulated(closed)
+    number = [hinge.name for hinge in record.structure.hinges].index("axle")
+    mass = 1200 * 0.2 * 0.06 * 1e-3
+    inertia = mass * (0.2**2 / 3 + 1e-3**2 / 12)
+    angle = math.radians(10) * (1 - np.cos(math.sqrt(0.5 / inertia) * record.time))
+    np.testing.assert_allclose(record.series["hinge_angle"][:, number], angle, atol=math.radians(0.4))
+
+
+def test_the_hinge_of_a_part_without_a_body_that_is_fixed_needs_a_mass(tmp_path):
+    from forficula.errors import InputError
+
+    joint = '[[joint]]\nname = "claval line"\nkind = "hinge"\npart = "wing"\npoints = ["hub0", "ring0"]\nposition = ["0 cm", "0 cm", "0 cm"]\n'
+    text = assembly('[part.wing]\nbased_on = "binder2025"\n', joint)
+    with pytest.raises(InputError, match="joint.claval line.mass: need > 0 g"):
+        structure_of(read(tmp_path, text))
+    structure = structure_of(read(tmp_path, text.replace("[[joint]]\n", '[[joint]]\nmass = "3 g"\n')))
+    assert sum(mass.mass for mass in structure.masses) == pytest.approx(3e-3)
+
+
+def test_the_whole_hindwing_locks_withstands_a_gust_snaps_folds_and_opens_again():
+    record = simulated(load_design("earwig-hindwing"))
+    ends = {end.stage.name: end for end in record.stages}
+    assert all(end.goal_time is not None or end.stage.until == "time" for end in record.stages)
+    assert energy_balance(record).residual < 5e-3
+    assert ends["snap"].goal_time - ends["pulse"].start < 0.1
+    assert design_from_text(design_text(record.design)).hash == record.design.hash
