@@ -7,7 +7,7 @@ import pytest
 
 from forficula.design import design_from_text, design_text, key_value, load_design, with_values
 from forficula.errors import InputError
-from forficula.structure import structure_of
+from forficula.structure import built_points, structure_of
 
 STAGES = """
 [[protocol.stages]]
@@ -105,7 +105,8 @@ def test_a_part_may_be_an_assembly(read, tmp_path):
     read(two())
     outer = tmp_path / "outer.toml"
     outer.write_text(
-        f'name = "nested"\n[part.pair]\nbased_on = "two.toml"\n[part.single]\nbased_on = "force-clasp"\n[protocol]\n{STAGES}'
+        'name = "nested"\n[part.pair]\nbased_on = "two.toml"\n[part.single]\nbased_on = "force-clasp"\n[protocol]\n'
+        + STAGES
     )
     nested = load_design(outer)
     assert key_value(nested, "pair.outer.tendon.band.stiffness") == pytest.approx(200)
@@ -174,8 +175,6 @@ def test_an_unknown_key_of_a_part_names_the_nearest(design):
 def test_the_second_part_lies_where_the_joint_places_it(design):
     structure = structure_of(design)
     numbers = {point.name: number for number, point in enumerate(structure.points)}
-    from forficula.structure import built_points
-
     places = built_points(structure)
     for one, other in (
         ("inner.facet1_vertex2", "outer.facet0_vertex0"),
