@@ -113,6 +113,7 @@ facet.density = "1.2 g/cm^3"
 crease.stiffness = "0 N m/rad/m"
 crease.damping = "0 N m s/rad/m"
 crease.start = "0 deg"
+crease.back_limit = "90 deg"
 tendon = []
 measure = []
 drive = []
