@@ -10,8 +10,9 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.net.energy import Expansion, expand, load_slope, shape_at
+from forficula.statics.net.energy import Expansion, expand, expand_at, load_slope, shape_at
 from forficula.statics.net.factor import Factorisation, factored, softest
+from forficula.statics.net.layout import layout_of
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.supports import supported
@@ -107,6 +108,7 @@ def load_path(
     target: float | None = None,
     stop: Callable[[PathPoint], bool] | None = None,
     events: int | None = None,
+    locate_events: bool = True,
     rising: bool = True,
     direction: Array | None = None,
     watch: Callable[[PathPoint], None] = lambda _: None,
@@ -129,6 +131,7 @@ def load_path(
             ends when it returns to this factor.
         stop: ends the path after the first point for which it returns True.
         events: ends the path after this number of limits and bifurcations; None for any number.
+        locate_events: whether to locate limits and bifurcations, which may take longer than the path itself.
         rising: whether the factor rises at first.
         direction: in which the path leaves its start, (node, 3). The mode of a bifurcation, or its opposite, leads
             onto the other path. None for the direction given by the load.
@@ -166,7 +169,7 @@ def load_path(
         if not branching and length > _CORNER * longest and _bent(current, following, length):
             length /= 2
             continue
-        new = [] if branching else _events_between(net, load, current, following, length, len(points) - 1)
+        new = [] if branching or not locate_events else _events_between(net, load, current, following, length, len(points) - 1)
         passed = target is not None and _crosses(current.point.factor, following.point.factor, target)
         if target is not None and passed:
             following = _point_at_factor(net, load, current, following, length, target)
@@ -208,21 +211,21 @@ def _settled(net: Net, load: Load, start: NetShape, factor: float) -> Expansion 
         moved = np.abs(step).max(initial=0.0)
         if not moved <= 0.1 * net.size:
             break
-        current = expand(net, _moved(net, current.shape, step), load, factor)
+        current = _moved(net, current.shape, step, load, factor)
         if moved <= _HOME * net.size / 100:
             return current
     return None
 
 
-def _moved(net: Net, shape: NetShape, step: Array) -> NetShape:
-    return shape_at(net, shape.positions + step, shape.angles)
+def _moved(net: Net, shape: NetShape, step: Array, load: Load, factor: float) -> Expansion:
+    return expand_at(net, shape.positions + step, shape.angles, load, factor)
 
 
 def _tangent(net: Net, load: Load, current: Expansion, parts: Factorisation) -> Array:
     """Return the derivative of displacements by the load factor, m, (node, 3)."""
-    push = load_slope(net, current.shape, load)
+    push = load_slope(net, current.shape, load, current.turning)
     if np.any(load.displacements):
-        push = push - (current.curvature @ load.displacements.ravel()).reshape(-1, 3)
+        push = push - (layout_of(net).whole(current.blocks) @ load.displacements.ravel()).reshape(-1, 3)
     tangent = load.displacements.copy()
     tangent[net.free] += parts.solve(push[net.free])
     return tangent
@@ -253,7 +256,7 @@ def _station(
 def _increment(net: Net, load: Load, current: _PathPoint, length: float) -> _PathPoint | None:
     """Find the next point of the path at about the given length; None if Newton's method does not converge."""
     factor = current.point.factor + length * current.pace
-    guess = _moved(net, current.point.shape, length * current.direction)
+    guess = _moved(net, current.point.shape, length * current.direction, load, factor)
     corrected = _corrected(net, load, guess, factor, current.direction, length)
     if corrected is None:
         return None
@@ -262,7 +265,7 @@ def _increment(net: Net, load: Load, current: _PathPoint, length: float) -> _Pat
 
 
 def _corrected(
-    net: Net, load: Load, guess: NetShape, factor: float, direction: Array, length: float
+    net: Net, load: Load, guess: Expansion, factor: float, direction: Array, length: float
 ) -> tuple[Expansion, float, int] | None:
     """Find the equilibrium in the plane through a guess that is normal to a direction.
 
@@ -270,7 +273,7 @@ def _corrected(
         The equilibrium, its load factor and the number of corrections; None if Newton's method does not converge, or
         leaves the neighbourhood of the guess.
     """
-    following = expand(net, guess, load, factor)
+    following = guess
     aside = np.zeros_like(net.nodes)
     for corrections in range(_CORRECTIONS):
         if not np.all(np.isfinite(following.slope)):
@@ -285,7 +288,7 @@ def _corrected(
         if not np.linalg.norm(aside) <= _ASTRAY * length:
             return None
         factor += change
-        following = expand(net, _moved(net, following.shape, step), load, factor)
+        following = _moved(net, following.shape, step, load, factor)
         if moved <= _HOME * length:
             # the energy is infinite beyond the contact of locking panels, where no path leads
             return (following, factor, corrections) if np.isfinite(following.stored) else None
@@ -308,7 +311,7 @@ def intermediate_point(
     net, _ = supported(net, load)
     chord = after.shape.positions - before.shape.positions
     length = float(np.linalg.norm(chord))
-    guess = shape_at(net, positions, before.shape.angles)
+    guess = expand_at(net, positions, before.shape.angles, load, factor)
     corrected = _corrected(net, load, guess, factor, chord / length, length)
     if corrected is None:
         return None
@@ -326,7 +329,7 @@ def intermediate_point(
 def _pass_kink(net: Net, load: Load, current: _PathPoint, length: float) -> tuple[_PathPoint, _PathPoint | None]:
     """Pass a kink of a law, such as a tendon that goes slack, at which the tangent turns abruptly."""
     factor = current.point.factor + length * current.pace
-    over = expand(net, _moved(net, current.point.shape, length * current.direction), load, factor)
+    over = _moved(net, current.point.shape, length * current.direction, load, factor)
     tangent = _tangent(net, load, over, factored(over.free))
     for pace in (1 / np.linalg.norm(tangent), -1 / np.linalg.norm(tangent)):
         turned = replace(current, direction=pace * tangent, pace=float(pace))

@@ -12,7 +12,7 @@ from scipy.sparse.linalg import LinearOperator, eigsh
 from forficula.arrays import Array, Flags
 from forficula.errors import InputError
 from forficula.statics.net.energy import expand
-from forficula.statics.net.factor import factored
+from forficula.statics.net.factor import Matrix, as_dense, factored
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.supports import rigid_motions
 
@@ -79,9 +79,9 @@ def natural_modes(net: Net, shape: NetShape, count: int = 10) -> Modes:
     )
 
 
-def _all_modes(curvature: csc_array, masses: csc_array) -> tuple[Array, Array]:
+def _all_modes(curvature: Matrix, masses: csc_array) -> tuple[Array, Array]:
     """Compute all modes; coordinates without a mass follow the others statically."""
-    stiff, heavy = curvature.toarray(), masses.toarray()
+    stiff, heavy = as_dense(curvature), masses.toarray()
     light = np.asarray(np.abs(heavy).sum(axis=1)) == 0
     follow = np.eye(len(stiff))[:, ~light]
     if light.any():

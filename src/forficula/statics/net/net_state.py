@@ -276,8 +276,8 @@ class Strength:
 def strength(net: Net, shape: NetShape) -> Strength:
     """Compute strains, forces and moments of all parts of a net in a shape."""
     bars, tendons, _, _ = sides_of(net, shape.positions)
-    rest, length = net.springs.rest_length, np.linalg.norm(bars, axis=1)
-    law, span = net.tendons.law, np.linalg.norm(tendons, axis=1)
+    rest, length = net.springs.rest_length, np.linalg.norm(bars, axis=0)
+    law, span = net.tendons.law, np.linalg.norm(tendons, axis=0)
     longer = np.maximum(span - law.rest_length, 0.0)
     return Strength(
         strains=np.divide(length - rest, rest, out=np.zeros_like(rest), where=rest > 0),
