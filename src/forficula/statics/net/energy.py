@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+from scipy.sparse import bsr_array
 
 from forficula.arrays import Array
 from forficula.statics.net.factor import Matrix
@@ -34,6 +36,7 @@ class Expansion:
         blocks: blocks of the Hessian by all coordinates, N/m, (block, 9).
         free: Hessian by the free coordinates, N/m.
         turning: gradient of the angles by the sides of their creases, 1/m, (3, side, crease).
+        layout: of the net.
     """
 
     shape: NetShape
@@ -43,6 +46,12 @@ class Expansion:
     blocks: Array
     free: Matrix
     turning: Array
+    layout: Layout
+
+    @cached_property
+    def curvature(self) -> bsr_array:
+        """Return the Hessian by all coordinates, N/m."""
+        return self.layout.whole(self.blocks)
 
 
 def shape_at(net: Net, positions: Array, near: Array | None = None) -> NetShape:
@@ -120,6 +129,7 @@ def _expanded(
         blocks=blocks,
         free=layout.free_part(blocks),
         turning=turning,
+        layout=layout,
     )
 
 
@@ -211,9 +221,7 @@ def _straight(net: Net, springs: Array, tendons: Array) -> Piece:
     return energy, per_length * sides, blocks.reshape(9, -1)
 
 
-def _folds(
-    net: Net, sides: Array, frames: _Frames, slope: Array, angles: Array, torques: Array | None
-) -> Piece:
+def _folds(net: Net, sides: Array, frames: _Frames, slope: Array, angles: Array, torques: Array | None) -> Piece:
     energy, moment, stiffness = net.creases.law.expansion(angles)
     acting = moment if torques is None else moment - torques
     blocks = np.empty((3, 3, 3, 3, len(angles)))

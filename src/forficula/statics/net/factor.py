@@ -80,7 +80,9 @@ def _pivoted(matrix: Array, shift: float) -> Factorisation | None:
         return None
     # every pivot of two rows has one negative eigenvalue
     double = np.count_nonzero(pivots < 0) // 2
-    single = np.count_nonzero((parts.diagonal() < 0) & (pivots > 0)) if double else np.count_nonzero(parts.diagonal() < 0)
+    single = (
+        np.count_nonzero((parts.diagonal() < 0) & (pivots > 0)) if double else np.count_nonzero(parts.diagonal() < 0)
+    )
 
     def solve(right: Array) -> Array:
         return np.asarray(dsytrs(parts, pivots, right, lower=1)[0]).reshape(right.shape)

@@ -13,7 +13,6 @@ from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.statics.net.energy import Expansion, expand, expand_at, load_slope, shape_at
 from forficula.statics.net.factor import Factorisation, factored, softest
-from forficula.statics.net.layout import layout_of
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.supports import supported
@@ -171,7 +170,11 @@ def load_path(
         if not branching and length > _CORNER * longest and _bent(current, following, length):
             length /= 2
             continue
-        new = [] if branching or not locate_events else _events_between(net, load, current, following, length, len(points) - 1)
+        new = (
+            []
+            if branching or not locate_events
+            else _events_between(net, load, current, following, length, len(points) - 1)
+        )
         passed = target is not None and _crosses(current.point.factor, following.point.factor, target)
         if target is not None and passed:
             following = _point_at_factor(net, load, current, following, length, target)
@@ -227,7 +230,7 @@ def _tangent(net: Net, load: Load, current: Expansion, parts: Factorisation) -> 
     """Return the derivative of displacements by the load factor, m, (node, 3)."""
     push = load_slope(net, current.shape, load, current.turning)
     if np.any(load.displacements):
-        push = push - (layout_of(net).whole(current.blocks) @ load.displacements.ravel()).reshape(-1, 3)
+        push = push - (current.curvature @ load.displacements.ravel()).reshape(-1, 3)
     tangent = load.displacements.copy()
     tangent[net.free] += parts.solve(push[net.free])
     return tangent
