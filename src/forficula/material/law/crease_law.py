@@ -119,7 +119,7 @@ class CreaseLaw:
         return np.asarray(spring), np.asarray(slope)
 
     def expansion(self, angle: Array) -> tuple[Array, Array, Array]:
-        """Compute the results of `energy`, `moment` and `slope` together, in less time, in the shape of `angle` (rad)."""
+        """Compute the results of `energy`, `moment` and `slope` together, in the shape of `angle` (rad)."""
         within = (np.maximum(self.lock_below, self.lower) <= angle) & (angle <= np.minimum(self.lock_above, self.upper))
         if not within.all():
             return (self.energy(angle), *self.moment_and_slope(angle))

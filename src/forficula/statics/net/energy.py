@@ -178,7 +178,7 @@ def load_slope(net: Net, shape: NetShape, load: Load, turning: Array | None = No
 
 
 def sides_of(net: Net, positions: Array) -> tuple[Array, Array, Array, Array]:
-    """Return sides of springs and tendons, m, (3, side), of creases, (3, side, crease), triangles, (3, 2 x triangle)."""
+    """Return sides of springs and tendons, (3, side), of creases, (3, side, crease), of triangles, (3, side), m."""
     layout = layout_of(net)
     springs, tendons, creases, _ = layout.counts
     sides = np.ascontiguousarray((layout.sides @ positions).T)
@@ -192,7 +192,7 @@ def _work(net: Net, shape: NetShape, load: Load) -> float:
 
 
 def _length(sides: Array) -> Array:
-    return np.sqrt(np.einsum("is,is->s", sides, sides))
+    return np.asarray(np.sqrt(np.einsum("is,is->s", sides, sides)))
 
 
 def _straight(net: Net, springs: Array, tendons: Array) -> Piece:
@@ -376,7 +376,7 @@ def _slopes(sides: Array, frames: _Frames) -> Array:
 
 def _shares(sides: Array, frames: _Frames) -> Array:
     """Return the positions of corners along their creases, divided by the creases' lengths, (panel, crease)."""
-    return np.einsum("ipc,ic->pc", sides[:, 1:], frames.along) / frames.length
+    return np.asarray(np.einsum("ipc,ic->pc", sides[:, 1:], frames.along) / frames.length)
 
 
 def _add_curvature(blocks: Array, sides: Array, frames: _Frames, slope: Array, factor: Array) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeAlias
 
 import numpy as np
 from scipy.linalg.lapack import dpbtrf, dpbtrs, dsytrf, dsytrs
@@ -14,7 +15,7 @@ from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 from forficula.arrays import Array, Indices
 
-Matrix = csc_array | Array  # symmetric
+Matrix: TypeAlias = csc_array | Array  # symmetric
 
 DENSE = 100  # rows up to which a Hessian is dense, and up to which all eigenvalues are computed
 _FEW = 100  # rows up to which SuperLU is as fast as the band
@@ -79,15 +80,13 @@ def _pivoted(matrix: Array, shift: float) -> Factorisation | None:
     if failed:
         return None
     # every pivot of two rows has one negative eigenvalue
-    double = np.count_nonzero(pivots < 0) // 2
-    single = (
-        np.count_nonzero((parts.diagonal() < 0) & (pivots > 0)) if double else np.count_nonzero(parts.diagonal() < 0)
-    )
+    single = pivots > 0
+    index = np.count_nonzero(parts.diagonal()[single] < 0) + np.count_nonzero(~single) // 2
 
     def solve(right: Array) -> Array:
         return np.asarray(dsytrs(parts, pivots, right, lower=1)[0]).reshape(right.shape)
 
-    return Factorisation(index=int(double + single), solve=solve)
+    return Factorisation(index=int(index), solve=solve)
 
 
 def _on_diagonal(matrix: csc_array, shift: float) -> Factorisation | None:

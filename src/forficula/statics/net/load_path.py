@@ -170,11 +170,9 @@ def load_path(
         if not branching and length > _CORNER * longest and _bent(current, following, length):
             length /= 2
             continue
-        new = (
-            []
-            if branching or not locate_events
-            else _events_between(net, load, current, following, length, len(points) - 1)
-        )
+        new = list[PathEvent]()
+        if locate_events and not branching:
+            new = _events_between(net, load, current, following, length, len(points) - 1)
         passed = target is not None and _crosses(current.point.factor, following.point.factor, target)
         if target is not None and passed:
             following = _point_at_factor(net, load, current, following, length, target)
