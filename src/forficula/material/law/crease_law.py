@@ -125,7 +125,8 @@ class CreaseLaw:
             return (self.energy(angle), *self.moment_and_slope(angle))
         turned = angle - self.rest_angle
         moment = np.asarray(self.stiffness * turned)
-        return moment * turned / 2, moment, np.broadcast_to(self.stiffness, angle.shape)
+        slope = np.asarray(self.stiffness, dtype=np.float64)
+        return moment * turned / 2, moment, slope if slope.shape == angle.shape else np.broadcast_to(slope, angle.shape)
 
     def _locked(self, angle: Array) -> tuple[Array, Array, Array]:
         """Return the angle clipped to the linear range, the share of the locking range that is used, and this range.

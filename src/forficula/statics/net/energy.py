@@ -104,10 +104,11 @@ def _expanded(
     layout = layout_of(net)
     springs, tendons, creases, triangles = sides
     torques = None if load is None else factor * load.torques
-    turning = _slopes(creases, frames)
+    shares = _shares(creases, frames)
+    turning = _slopes(frames, shares)
     pieces = [
         _straight(net, springs, tendons),
-        _folds(net, creases, frames, turning, shape.angles, torques),
+        _folds(net, frames, shares, turning, shape.angles, torques),
     ]
     if net.membranes is not None:
         pieces.append(_stretched(net.membranes, triangles))
@@ -154,7 +155,8 @@ def stored_by_part(net: Net, shape: NetShape, further: Array | float = 0.0) -> t
 def angle_slopes(net: Net, shape: NetShape) -> tuple[Array, Layout]:
     """Return gradients of the creases' angles by their sides, 1/m, (3, side, crease), and the layout of the sides."""
     creases = sides_of(net, shape.positions)[2]
-    return _slopes(creases, _frames(creases)), layout_of(net)
+    frames = _frames(creases)
+    return _slopes(frames, _shares(creases, frames)), layout_of(net)
 
 
 def load_slope(net: Net, shape: NetShape, load: Load, turning: Array | None = None) -> Array:
@@ -221,12 +223,12 @@ def _straight(net: Net, springs: Array, tendons: Array) -> Piece:
     return energy, per_length * sides, blocks.reshape(9, -1)
 
 
-def _folds(net: Net, sides: Array, frames: _Frames, slope: Array, angles: Array, torques: Array | None) -> Piece:
+def _folds(net: Net, frames: _Frames, shares: Array, slope: Array, angles: Array, torques: Array | None) -> Piece:
     energy, moment, stiffness = net.creases.law.expansion(angles)
     acting = moment if torques is None else moment - torques
     blocks = np.empty((3, 3, 3, 3, len(angles)))
     np.multiply((stiffness * slope)[:, None, :, None], slope[None, :, None, :], out=blocks)
-    _add_curvature(blocks, sides, frames, slope, acting)
+    _add_curvature(blocks, frames, shares, slope, acting)
     return float(np.sum(energy)), (acting * slope).reshape(3, -1), blocks.reshape(9, -1)
 
 
@@ -317,8 +319,9 @@ def fold_angle_derivatives(sides: Array) -> tuple[Array, Array]:
         1/m^2, (3, 3, side, side, crease).
     """
     frames, curvature = _frames(sides), np.zeros((3, 3, 3, 3, sides.shape[2]))
-    slope = _slopes(sides, frames)
-    _add_curvature(curvature, sides, frames, slope, np.ones(sides.shape[2]))
+    shares = _shares(sides, frames)
+    slope = _slopes(frames, shares)
+    _add_curvature(curvature, frames, shares, slope, np.ones(sides.shape[2]))
     return slope, curvature
 
 
@@ -358,7 +361,7 @@ def _turned(frames: _Frames, near: Array) -> Array:
     return np.asarray(angles + 2 * np.pi * np.round((near - angles) / (2 * np.pi)))
 
 
-def _slopes(sides: Array, frames: _Frames) -> Array:
+def _slopes(frames: _Frames, shares: Array) -> Array:
     """Compute the gradient of fold angles by their sides, 1/m, (3, side, crease).
 
     With e along the crease, u to a corner at the height h above it, n the unit normal of its panel and t = n x e / |e|,
@@ -366,9 +369,9 @@ def _slopes(sides: Array, frames: _Frames) -> Array:
     and Fedkiw 2003, doi 10.2312/SCA03/028-036; Hessian as in Tamstorf and Grinspun 2013,
     doi 10.1016/j.gmod.2013.07.001, here by sides instead of corners). No angle is singular.
     """
-    slope = np.empty_like(sides)
+    slope = np.empty((3, 3, len(frames.length)))
     np.multiply(frames.normal, _SIGNS / frames.height, out=slope[:, 1:])
-    by_along = _shares(sides, frames) * slope[:, 1:]
+    by_along = shares * slope[:, 1:]
     np.add(by_along[:, 0], by_along[:, 1], out=slope[:, 0])
     slope[:, 0] *= -1
     return slope
@@ -379,28 +382,27 @@ def _shares(sides: Array, frames: _Frames) -> Array:
     return np.asarray(np.einsum("ipc,ic->pc", sides[:, 1:], frames.along) / frames.length)
 
 
-def _add_curvature(blocks: Array, sides: Array, frames: _Frames, slope: Array, factor: Array) -> None:
+def _add_curvature(blocks: Array, frames: _Frames, shares: Array, slope: Array, factor: Array) -> None:
     """Add the Hessian of fold angles, times a factor, to blocks of pairs of coordinates, then of sides.
 
     Args:
         blocks: changed in place, (3, 3, side, side, crease).
-        sides: of the creases, m, (3, side, crease).
         frames: of the creases.
+        shares: positions of corners along their creases, (panel, crease).
         slope: gradient of the angles, 1/m, (3, side, crease).
         factor: for each crease, (crease,).
     """
     along, length, _, across, height = frames
-    share = _shares(sides, frames)
     by_corner = factor * slope[:, 1:]
     bent = by_corner[:, None] * (across / height)
     bent = bent + bent.swapaxes(0, 1)
     lifted = (along / length)[:, None, None] * by_corner
-    tilted = share * bent - lifted
+    tilted = shares * bent - lifted
     pairs = blocks.reshape(3, 3, 9, -1)
     pairs[:, :, 4::4] -= bent
     pairs[:, :, 3::3] += tilted
     pairs[:, :, 1:3] += tilted.swapaxes(0, 1)
-    twisted = share * (lifted + lifted.swapaxes(0, 1)) - (share**2 + (height / length) ** 2 / 2) * bent
+    twisted = shares * (lifted + lifted.swapaxes(0, 1)) - (shares**2 + (height / length) ** 2 / 2) * bent
     pairs[:, :, 0] += twisted[:, :, 0]
     pairs[:, :, 0] += twisted[:, :, 1]
 
