@@ -1,4 +1,4 @@
-"""How fast sheets of nodes and of plates are: steps, load paths, and designs side by side, on this machine, in one run.
+"""Measure steps, load paths, energy landscapes and designs side by side for sheets of nodes and of plates.
 
 python benchmarks/sheets.py [--most N] [--json FILE]
 """
@@ -19,7 +19,12 @@ import numpy as np
 from forficula.design import Design, load_design, with_values
 from forficula.dynamics import compile_model, simulate, stable_timestep, versions
 from forficula.errors import InputError
+from forficula.statics import energy_landscape
 from forficula.statics.net import crease_torques, load_path
+from forficula.statics.net.driven.net_course import released
+from forficula.statics.net.energy import expand
+from forficula.statics.net.factor import factored
+from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import bends, net_of, start_shape
 from forficula.structure import structure_of
 
@@ -28,6 +33,17 @@ _KINDS = ("bars", "membrane", "rigid")
 _STEPS = {4: 2000, 8: 1000, 16: 300}
 _INCREMENTS = 100
 _DESIGNS, _TOGETHER = 40, 500
+_LANDSCAPES = (
+    "miura-sheet",
+    "bistable-miura",
+    "bistable-clasp",
+    "force-clasp",
+    "four-plate-snap",
+    "kresling-cell",
+    "waterbomb-base",
+)
+_REPEATS = 60
+_LARGE = 32  # facets along a side of the largest sheet that is released
 
 
 def sheet(size: int, kind: str = "bars", steps: int = 1, **values: object) -> Design:
@@ -94,6 +110,38 @@ def path_time(size: int) -> dict[str, Any]:
     }
 
 
+def landscape_time(name: str) -> dict[str, Any]:
+    """Return the time of the landscape of a named design, in seconds and relative to one Newton step of its net."""
+    design = load_design(name)
+    structure = structure_of(design)
+    net = net_of(structure)
+    wall, cpu, landscape = _timed(lambda: energy_landscape(design))
+    return {
+        "design": name,
+        "free_coordinates": int(np.count_nonzero(net.free)),
+        "states": len(landscape.states),
+        "passes": len(landscape.passes),
+        "wall_s": wall,
+        "cpu_s": cpu,
+        "newton_steps": cpu / _newton_step(net, start_shape(structure, net)),
+    }
+
+
+def _newton_step(net: Net, shape: NetShape) -> float:
+    """Return the median CPU time of energy, Hessian and factorisation, s."""
+    times = [_timed(lambda: factored(expand(net, shape).free))[1] for _ in range(_REPEATS)]
+    return sorted(times)[_REPEATS // 2]
+
+
+def release_time(size: int) -> dict[str, Any]:
+    """Return the time in which a folded sheet whose creases rest flat comes to rest by statics."""
+    design = with_values(sheet(size), {"crease.rest_angle": "flat"})
+    structure = structure_of(design)
+    net = net_of(structure)
+    wall, cpu, (rest, _) = _timed(lambda: released(net, start_shape(structure, net)))
+    return {"size": size, "nodes": len(net.nodes), "steps": rest.steps, "wall_s": wall, "cpu_s": cpu}
+
+
 def side_by_side() -> dict[str, Any]:
     """Designs of differing crease stiffness as one batch, by the same one after another."""
     stiffness = np.geomspace(0.01, 0.04, _DESIGNS).tolist()
@@ -113,7 +161,7 @@ def side_by_side() -> dict[str, Any]:
 
 
 def _timed(work: Callable[[], Any]) -> tuple[float, float, Any]:
-    """Wall and CPU time, s, and what came of it."""
+    """Return wall and CPU time, s, and the result."""
     wall, cpu = time.perf_counter(), time.process_time()
     done = work()
     return time.perf_counter() - wall, time.process_time() - cpu, done
@@ -136,6 +184,16 @@ def _show(numbers: dict[str, Any]) -> None:
             f"load path, {row['size']}x{row['size']}, {row['nodes']} nodes: {row['increments']} increments"
             f" ({row['ended']}) in {row['wall_s']:.2f} s, {row['cpu_s']:.2f} s CPU"
         )
+    for row in numbers["landscapes"]:
+        print(
+            f"landscape of {row['design']}: {row['states']} states, {row['passes']} saddles, {row['wall_s']:.2f} s,"
+            f" {row['cpu_s']:.2f} s CPU, {row['newton_steps']:.0f} times a Newton step"
+        )
+    for row in numbers["releases"]:
+        print(
+            f"release, {row['size']}x{row['size']}, {row['nodes']} nodes: {row['steps']} steps, {row['wall_s']:.2f} s,"
+            f" {row['cpu_s']:.2f} s CPU"
+        )
     batch = numbers["batch"]
     print(
         f"{batch['designs']} designs as one batch: {batch['together_steps_per_s']:.0f} steps/s, one after another"
@@ -151,11 +209,14 @@ def main() -> None:
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
     sizes = [size for size in _SIZES if size <= arguments.most]
+    whole = arguments.most >= max(_SIZES)
     numbers: dict[str, Any] = {
         "machine": {"cores": os.cpu_count(), "python": platform.python_version(), **versions()},
         "load_before": os.getloadavg()[0],
         "steps": [steps_per_second(size, kind) for size in sizes for kind in _KINDS],
         "paths": [path_time(size) for size in sizes],
+        "landscapes": [landscape_time(name) for name in (_LANDSCAPES if whole else _LANDSCAPES[:1])],
+        "releases": [release_time(size) for size in (*sizes, *([_LARGE] if whole else []))],
         "batch": side_by_side(),
         "load_after": os.getloadavg()[0],
     }

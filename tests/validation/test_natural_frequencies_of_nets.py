@@ -1,5 +1,6 @@
 """Natural frequencies of nets agree with closed forms: strings of masses, a molecule of four atoms, a pendulum."""
 
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -38,6 +39,27 @@ def test_a_free_tetrahedron_has_six_rigid_body_motions_and_the_frequencies_of_a_
     agree("squared frequencies by k / m", squares, [1, 1, 2, 2, 2, 4], by="Herzberg 1945", rel=1e-9)
     assert list(modes.rigid) == [True] * 6 + [False] * 6
     agree("frequencies of rigid-body motions", modes.frequencies[:6], 0, unit="Hz", by="free motion", abs=1e-6)
+
+
+def test_stiff_bars_and_light_masses_do_not_disturb_slow_modes(agree):
+    # two masses m on a soft spring k have 2 k / m; a stiff bar K to a mass of m / 1e4 has about 1e4 K / m
+    nodes = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0)])
+    free = np.zeros((3, 3), dtype=np.bool_)
+    free[0, 0] = free[1, 0] = free[2, 1] = True
+    bars, stiffness = [[0, 1], [1, 2]], np.array([1.0, 1e7])
+    net = replace(truss(nodes, bars, stiffness=1.0, masses=np.array([1.0, 1.0, 1e-4])), free=free)
+    net = replace(net, springs=replace(net.springs, stiffness=stiffness))
+    modes = natural_modes(net, built_shape(net), 3)
+    result = (2 * np.pi * modes.frequencies) ** 2
+    agree("square of the slow mode", result[1], 2.0, unit="1/s^2", by="2 k / m", rel=1e-9)
+    assert abs(result[0]) < 1e-4 * result[1]
+
+
+def test_an_unstable_shape_has_a_growth_rate():
+    net = truss([[-1, 0, 0], [0, 0, 0], [1, 0, 0]], [[0, 1], [1, 2]], stiffness=50.0, rest=1.1, held=[0, 2])
+    modes = natural_modes(net, built_shape(net), 3)
+    assert np.sum(modes.frequencies < 0) == 2  # compressed bars move sideways
+    assert (2 * np.pi * modes.frequencies[2]) ** 2 == pytest.approx(100.0)
 
 
 def test_a_pendulum_has_the_frequency_of_its_length(agree):

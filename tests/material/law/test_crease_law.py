@@ -32,6 +32,15 @@ def test_as_a_spring_rests_further_on_its_energy_falls_by_its_own_moment_even_wh
     assert law.rest_moment(angle, further) == pytest.approx(fall, rel=1e-6, abs=2e-4)
 
 
+@settings(deadline=None)
+@given(st.lists(st.floats(-2.9, 2.9), min_size=1, max_size=3), st.sampled_from([LOCKING, STOPPED]))
+def test_the_expansion_is_energy_moment_and_slope(angles, law):
+    angles = np.array(angles)
+    for value, expected in zip(law.expansion(angles), (law.energy(angles), *law.moment_and_slope(angles)), strict=True):
+        assert value.shape == angles.shape
+        np.testing.assert_allclose(value, expected, rtol=1e-12, atol=1e-14)
+
+
 def test_a_locking_crease_follows_the_published_law():
     # Liu and Paulino 2017 by the angle from contact, theta = pi + fold angle, below theta_1:
     # M = k (theta_1 - theta_0) + (2 k theta_1 / pi) tan(pi (theta - theta_1) / (2 theta_1))

@@ -24,9 +24,26 @@ def test_the_index_counts_the_eigenvalues_below_zero(size, seed):
     assert factored(matrix, -values[size // 2] - 1e-6).index == size // 2 + 1
 
 
-def test_the_factorisation_solves_linear_systems():
-    matrix, right = symmetric(50, 3), np.arange(50.0)
-    np.testing.assert_allclose(matrix @ factored(matrix).solve(right), right, atol=1e-8)
+@settings(deadline=None, max_examples=20)
+@given(st.integers(1, 60), st.integers(0, 1000))
+def test_the_inertia_of_a_dense_matrix_is_that_of_its_sparse_one(size, seed):
+    matrix = symmetric(size, seed)
+    for shift in (0.0, 0.3, -0.7):
+        assert factored(matrix.toarray(), shift).index == factored(matrix, shift).index
+
+
+def test_a_singular_dense_matrix_is_factorised_after_a_small_shift():
+    factors = factored(np.zeros((3, 3)), 0.0)
+    assert factors.index == 0
+    assert np.all(np.isfinite(factors.solve(np.ones(3))))
+
+
+@pytest.mark.parametrize("form", [csc_array, np.asarray])
+def test_the_factorisation_solves_linear_systems(form):
+    matrix, right = form(symmetric(50, 3).toarray()), np.arange(100.0).reshape(50, 2)
+    solution = factored(matrix).solve(right)
+    np.testing.assert_allclose(matrix @ solution, right, atol=1e-8)
+    np.testing.assert_allclose(factored(matrix).solve(right[:, 1]), solution[:, 1], rtol=1e-10)
     assert factored(csc_array((0, 0))).solve(np.zeros(0)).shape == (0,)
 
 

@@ -11,7 +11,7 @@ from forficula.statics.net.energy import fold_angle_derivatives, fold_angles
 def sides(angle, left=(0.3, 1.0), right=(0.6, 0.8)):
     """Return a crease along x whose left panel is turned up by an angle, with heights and offsets of the corners."""
     up = (left[0], left[1] * np.cos(angle), left[1] * np.sin(angle))
-    return np.array([[(1.5, 0, 0), up, (right[0], -right[1], 0)]])
+    return np.array([(1.5, 0, 0), up, (right[0], -right[1], 0)]).T[:, :, None]
 
 
 @pytest.mark.parametrize("angle", [-3.1, -1.0, 0.0, 1e-9, 0.7, 3.1])
@@ -29,21 +29,21 @@ def test_a_panel_that_passes_through_contact_goes_on_without_a_jump():
 @settings(deadline=None, max_examples=40)
 @given(st.integers(0, 10**6))
 def test_slope_and_curvature_are_those_of_the_angle(seed):
-    current = np.random.default_rng(seed).standard_normal((1, 3, 3))
+    current = np.random.default_rng(seed).standard_normal((3, 3, 1))
     near, step = fold_angles(current, np.zeros(1)), 1e-6
     slope, curvature = fold_angle_derivatives(current)
     scale = np.abs(curvature).max()
     for side, axis in np.ndindex(3, 3):
-        off = np.zeros((1, 3, 3))
-        off[0, side, axis] = step
+        off = np.zeros((3, 3, 1))
+        off[axis, side] = step
         rise = (fold_angles(current + off, near) - fold_angles(current - off, near)) / (2 * step)
-        assert slope[0, side, axis] == pytest.approx(rise[0], rel=1e-4, abs=1e-6 * scale)
+        assert slope[axis, side, 0] == pytest.approx(rise[0], rel=1e-4, abs=1e-6 * scale)
         rises = (fold_angle_derivatives(current + off)[0] - fold_angle_derivatives(current - off)[0]) / (2 * step)
-        np.testing.assert_allclose(curvature[0, side, :, axis], rises[0], atol=1e-4 * scale)
+        np.testing.assert_allclose(curvature[axis, :, side, :, 0], rises[:, :, 0], atol=1e-4 * scale)
 
 
 @pytest.mark.parametrize("angle", [0.0, 1e-12, np.pi, np.pi - 1e-9])
 def test_nothing_is_singular_at_flat_and_at_contact(angle):
     slope, curvature = fold_angle_derivatives(sides(angle))
-    assert slope[0, 1] == pytest.approx((0, -np.sin(angle), np.cos(angle)), abs=1e-12)
+    assert slope[:, 1, 0] == pytest.approx((0, -np.sin(angle), np.cos(angle)), abs=1e-12)
     assert np.all(np.isfinite(curvature))

@@ -32,6 +32,23 @@ def test_a_path_ends_after_its_increments_at_its_stop_and_at_the_first_event():
     assert len(load_path(NET, built_shape(NET), PUSH, events=1).events) == 1
 
 
+def test_a_path_without_events_has_the_same_points():
+    path = load_path(NET, built_shape(NET), PUSH, increments=60)
+    plain = load_path(NET, built_shape(NET), PUSH, increments=60, locate_events=False)
+    assert {event.kind for event in path.events} == {"limit"}
+    assert plain.events == ()
+    assert [point.factor for point in plain.points] == [point.factor for point in path.points]
+
+
+def test_the_limit_is_where_the_load_is_largest():
+    (event,) = load_path(NET, built_shape(NET), PUSH, events=1).events
+    # the force of two bars of stiffness k and length L at a height h: 2 k (L / l - 1) h with l^2 = 1 + h^2
+    heights = np.linspace(0, 0.3, 100_001)
+    forces = 2e3 * (np.hypot(1, 0.3) / np.hypot(1, heights) - 1) * heights
+    assert event.point.factor == pytest.approx(forces.max(), rel=1e-8)
+    assert event.point.shape.positions[1, 2] == pytest.approx(heights[np.argmax(forces)], abs=1e-5)
+
+
 def test_a_path_back_from_a_state_under_load_leads_to_the_state_without():
     present = load_path(NET, built_shape(NET), PUSH, target=8.0).points[-1]
     back = load_path(NET, present.shape, PUSH, factor=8.0, target=0.0, rising=False)

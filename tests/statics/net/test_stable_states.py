@@ -11,11 +11,12 @@ from forficula.errors import InputError
 from forficula.material.law.tendon_law import ElasticLaw
 from forficula.statics.net.collapse import collapse, holding_torque
 from forficula.statics.net.energy import built_shape, expand, shape_at
+from forficula.statics.net.factor import as_dense
 from forficula.statics.net.load import crease_torques
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Tendons
-from forficula.statics.net.saddle import find_saddle
-from forficula.statics.net.stable_states import find_stable_states, same_shape
+from forficula.statics.net.saddle import Saddle, find_saddle
+from forficula.statics.net.stable_states import by_energy, find_stable_states, same_shape
 from tests.statics.net.nets import miura, sheet
 
 STIFFNESS, PULL, REST = 0.2, 2.0, 1.2  # N m/rad, N/m, m
@@ -80,6 +81,24 @@ def test_the_saddle_is_the_top_between_them(search):
     assert saddle.barriers == pytest.approx([top - state.energy for state in states.states], rel=1e-4)
 
 
+def test_a_saddle_that_is_known_is_not_descended_from_again(search, monkeypatch):
+    net, states = search
+    known = list[Saddle]()
+    first = find_saddle(net, *states.states, known=known)
+    assert [saddle.rest for saddle in known] == [first.rest]
+    monkeypatch.setattr("forficula.statics.net.saddle.minimum", None)  # it would be called for a descent
+    again = find_saddle(net, *states.states[::-1], known=known)
+    assert len(known) == 1
+    assert again.joins
+    assert again.barriers == first.barriers[::-1]
+
+
+def test_states_of_equal_energy_keep_their_order():
+    assert by_energy([2.0, 1.0 + 1e-12, 3.0, 1.0]) == [1, 3, 0, 2]
+    assert by_energy([0.0, 0.0]) == [0, 1]
+    assert by_energy([]) == []
+
+
 def test_the_torque_that_holds_is_the_steepest_slope(search):
     net, states = search
     valley = max(states.states, key=lambda state: state.shape.angles[0])
@@ -106,7 +125,7 @@ def test_a_free_sheet_has_states_that_saddles_join():
     assert saddle is not None
     assert saddle.joins
     assert min(saddle.barriers) > 0
-    values = np.linalg.eigvalsh(expand(net, saddle.rest.shape).free.toarray())
+    values = np.linalg.eigvalsh(as_dense(expand(net, saddle.rest.shape).free))
     assert np.count_nonzero(values < -1e-6) == 1
     assert np.abs(expand(net, saddle.rest.shape).slope).max() < 1e-6
 

@@ -118,6 +118,16 @@ class CreaseLaw:
             slope = slope + np.where(stopped != 0, self.stop_stiffness, 0.0)
         return np.asarray(spring), np.asarray(slope)
 
+    def expansion(self, angle: Array) -> tuple[Array, Array, Array]:
+        """Compute the results of `energy`, `moment` and `slope` together, in the shape of `angle` (rad)."""
+        within = (np.maximum(self.lock_below, self.lower) <= angle) & (angle <= np.minimum(self.lock_above, self.upper))
+        if not within.all():
+            return (self.energy(angle), *self.moment_and_slope(angle))
+        turned = angle - self.rest_angle
+        moment = np.asarray(self.stiffness * turned)
+        slope = np.asarray(self.stiffness, dtype=np.float64)
+        return moment * turned / 2, moment, slope if slope.shape == angle.shape else np.broadcast_to(slope, angle.shape)
+
     def _locked(self, angle: Array) -> tuple[Array, Array, Array]:
         """Return the angle clipped to the linear range, the share of the locking range that is used, and this range.
 

@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
-from scipy.sparse import bsr_array, csc_array
+from scipy.sparse import bsr_array
 
 from forficula.arrays import Array
+from forficula.statics.net.factor import Matrix
 from forficula.statics.net.layout import Layout, layout_of
 from forficula.statics.net.load import Load
 from forficula.statics.net.net import Net, NetShape, Triangles
 
-# energy, gradient by side, Hessian by pair of sides
+# energy, gradient by side, (3, side), Hessian by pair of sides, (9, pair)
 Piece = tuple[float, Array, Array]
 
 _SHORTEST = 1e-12  # of the net's size; a shorter side has no direction
+_SIGNS = np.array([[1.0], [-1.0]])  # of the angle of a panel on the left and on the right of a crease
+_CYCLE = np.array([0, 1, 2, 0, 1])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -28,16 +33,25 @@ class Expansion:
         energy: stored energy minus the work of the load from the shape as built, J.
         slope: gradient of the potential by the nodes' coordinates, N, (node, 3); for held coordinates, the forces that
             supports exert.
-        curvature: Hessian by all coordinates, N/m.
+        blocks: blocks of the Hessian by all coordinates, N/m, (block, 9).
         free: Hessian by the free coordinates, N/m.
+        turning: gradient of the angles by the sides of their creases, 1/m, (3, side, crease).
+        layout: of the net.
     """
 
     shape: NetShape
     stored: float
     energy: float
     slope: Array
-    curvature: bsr_array
-    free: csc_array
+    blocks: Array
+    free: Matrix
+    turning: Array
+    layout: Layout
+
+    @cached_property
+    def curvature(self) -> bsr_array:
+        """Return the Hessian by all coordinates, N/m."""
+        return self.layout.whole(self.blocks)
 
 
 def shape_at(net: Net, positions: Array, near: Array | None = None) -> NetShape:
@@ -59,7 +73,7 @@ def built_shape(net: Net) -> NetShape:
 
 
 def expand(net: Net, shape: NetShape, load: Load | None = None, factor: float = 0.0) -> Expansion:
-    """Compute energy, gradient and sparse Hessian of the potential in closed form, for all elements at once.
+    """Compute energy, gradient and Hessian of the potential in closed form, for all elements at once.
 
     Args:
         net: the net with its laws.
@@ -67,23 +81,56 @@ def expand(net: Net, shape: NetShape, load: Load | None = None, factor: float = 
         load: acting load; None for none.
         factor: of the load.
     """
+    sides = sides_of(net, shape.positions)
+    return _expanded(net, shape, sides, _frames(sides[2]), load, factor)
+
+
+def expand_at(net: Net, positions: Array, near: Array, load: Load | None = None, factor: float = 0.0) -> Expansion:
+    """Compute the expansion about a shape that is given as for `shape_at`, in less time than both together."""
+    sides = sides_of(net, positions)
+    frames = _frames(sides[2])
+    shape = NetShape(positions=positions, angles=_turned(frames, near))
+    return _expanded(net, shape, sides, frames, load, factor)
+
+
+def _expanded(
+    net: Net,
+    shape: NetShape,
+    sides: tuple[Array, Array, Array, Array],
+    frames: _Frames,
+    load: Load | None,
+    factor: float,
+) -> Expansion:
     layout = layout_of(net)
-    springs, tendons, creases, triangles = sides_of(net, shape.positions)
-    shortest = _SHORTEST * net.size
-    pieces = [_bars(net, springs, shortest), _pulls(net, tendons, shortest)]
+    springs, tendons, creases, triangles = sides
     torques = None if load is None else factor * load.torques
-    pieces.append(_folds(net, creases, shape.angles, torques))
+    shares = _shares(creases, frames)
+    turning = _slopes(frames, shares)
+    pieces = [
+        _straight(net, springs, tendons),
+        _folds(net, frames, shares, turning, shape.angles, torques),
+    ]
     if net.membranes is not None:
         pieces.append(_stretched(net.membranes, triangles))
-    stored = sum(piece[0] for piece in pieces) - float(np.sum(layout.weight * shape.positions))
-    slope = layout.on_nodes @ np.concatenate([piece[1].reshape(-1, 3) for piece in pieces]) - layout.weight
+    stored = sum(piece[0] for piece in pieces)
+    forces = layout.on_nodes @ np.concatenate([piece[1] for piece in pieces], axis=1).T
+    if net.gravity:
+        stored -= float(np.sum(layout.weight * shape.positions))
+        forces -= layout.weight
     energy = stored
     if load is not None:
-        slope = slope - factor * load.forces
+        forces -= factor * load.forces
         energy = stored - factor * _work(net, shape, load)
-    whole = layout.whole(np.concatenate([piece[2].reshape(-1, 3, 3) for piece in pieces]))
+    blocks = layout.gather @ np.concatenate([piece[2] for piece in pieces], axis=1).T
     return Expansion(
-        shape=shape, stored=stored, energy=energy, slope=slope, curvature=whole, free=layout.free_part(whole)
+        shape=shape,
+        stored=stored,
+        energy=energy,
+        slope=forces,
+        blocks=blocks,
+        free=layout.free_part(blocks),
+        turning=turning,
+        layout=layout,
     )
 
 
@@ -96,46 +143,50 @@ def stored_by_part(net: Net, shape: NetShape, further: Array | float = 0.0) -> t
         further: changes of the rest angles of valleys, rad, (crease,).
     """
     springs, tendons, _, triangles = sides_of(net, shape.positions)
-    shortest = _SHORTEST * net.size
     return (
-        _bars(net, springs, shortest)[0],
+        float(net.springs.stiffness @ (_length(springs) - net.springs.rest_length) ** 2) / 2,
         np.asarray(net.creases.law.energy(shape.angles, further)),
-        _pulls(net, tendons, shortest)[0],
+        float(np.sum(net.tendons.law.energy(_length(tendons)))),
         0.0 if net.membranes is None else _stretched(net.membranes, triangles)[0],
         -float(np.sum(layout_of(net).weight * shape.positions)),
     )
 
 
 def angle_slopes(net: Net, shape: NetShape) -> tuple[Array, Layout]:
-    """Return gradients of the creases' angles by their sides, 1/m, (crease, 3, 3), and the layout of the sides."""
-    return fold_angle_slopes(sides_of(net, shape.positions)[2]), layout_of(net)
+    """Return gradients of the creases' angles by their sides, 1/m, (3, side, crease), and the layout of the sides."""
+    creases = sides_of(net, shape.positions)[2]
+    frames = _frames(creases)
+    return _slopes(frames, _shares(creases, frames)), layout_of(net)
 
 
-def load_slope(net: Net, shape: NetShape, load: Load) -> Array:
-    """Return the forces on the nodes from forces and torques of a load in a shape, N, (node, 3)."""
+def load_slope(net: Net, shape: NetShape, load: Load, turning: Array | None = None) -> Array:
+    """Return the forces on the nodes from forces and torques of a load in a shape, N, (node, 3).
+
+    Args:
+        net: the net.
+        shape: any shape.
+        load: forces and torques.
+        turning: gradient of the angles in the shape, from an expansion; None to compute it.
+    """
     if not load.torques.any():
         return load.forces + 0.0  # the sum has no negative zeros
-    slopes, layout = angle_slopes(net, shape)
+    layout = layout_of(net)
+    turning = angle_slopes(net, shape)[0] if turning is None else turning
     springs, tendons, creases, _ = layout.counts
-    sides = np.zeros((layout.sides.shape[0], 3))
+    sides = np.zeros((3, layout.sides.shape[0]))
     begin = springs + tendons
-    sides[begin : begin + 3 * creases] = (load.torques[:, None, None] * slopes).reshape(-1, 3)
-    return np.asarray(layout.on_nodes @ sides + load.forces)
+    sides[:, begin : begin + 3 * creases] = (load.torques * turning).reshape(3, -1)
+    return np.asarray(layout.on_nodes @ sides.T + load.forces)
 
 
 def sides_of(net: Net, positions: Array) -> tuple[Array, Array, Array, Array]:
-    """Return sides of springs and tendons, m, (side, 3), of creases, (crease, 3, 3), triangles, (triangle, 2, 3)."""
+    """Return sides of springs and tendons, (3, side), of creases, (3, side, crease), of triangles, (3, side), m."""
     layout = layout_of(net)
     springs, tendons, creases, _ = layout.counts
-    sides = layout.sides @ positions
+    sides = np.ascontiguousarray((layout.sides @ positions).T)
     bent = springs + tendons
     flat = bent + 3 * creases
-    return (
-        sides[:springs],
-        sides[springs:bent],
-        sides[bent:flat].reshape(-1, 3, 3),
-        sides[flat:].reshape(-1, 2, 3),
-    )
+    return sides[:, :springs], sides[:, springs:bent], sides[:, bent:flat].reshape(3, 3, -1), sides[:, flat:]
 
 
 def _work(net: Net, shape: NetShape, load: Load) -> float:
@@ -143,45 +194,42 @@ def _work(net: Net, shape: NetShape, load: Load) -> float:
 
 
 def _length(sides: Array) -> Array:
-    return np.asarray(np.linalg.norm(sides, axis=-1))
+    return np.asarray(np.sqrt(np.einsum("is,is->s", sides, sides)))
 
 
-def _bars(net: Net, sides: Array, shortest: float) -> Piece:
+def _straight(net: Net, springs: Array, tendons: Array) -> Piece:
+    """Return the piece of bars and tendons."""
+    shortest = _SHORTEST * net.size
     stiffness, rest_length = net.springs.stiffness, net.springs.rest_length
-    apart = _length(sides)
+    apart = _length(springs)
     length, rise = np.maximum(apart, shortest), apart - rest_length
+    pull = stiffness * rise
+    energy = float(pull @ rise) / 2
+    per_length = np.where(rest_length > 0, pull / length, stiffness)
+    sides = springs
+    if tendons.shape[1]:
+        span = _length(tendons)
+        energies, force, slope = net.tendons.law.expansion(span)
+        energy += float(np.sum(energies))
+        known = np.maximum(span, shortest)
+        sides = np.concatenate((springs, tendons), axis=1)
+        length, stiffness = np.concatenate((length, known)), np.concatenate((stiffness, slope))
+        per_length = np.concatenate((per_length, force / known))
     # the Hessian of a pull F at a length L along n is F' n n^T + F / L (1 - n n^T)
-    per_length = np.where(rest_length > 0, stiffness * rise / length, stiffness)
-    blocks = _stretch_hessian(sides / length[:, None], stiffness, per_length)
-    return float(stiffness @ rise**2) / 2, per_length[:, None] * sides, blocks
+    unit = sides / length
+    blocks = np.empty((3, 3, len(length)))
+    np.multiply(unit[:, None], (stiffness - per_length) * unit, out=blocks)
+    blocks.reshape(9, -1)[::4] += per_length
+    return energy, per_length * sides, blocks.reshape(9, -1)
 
 
-def _pulls(net: Net, sides: Array, shortest: float) -> Piece:
-    length = _length(sides)
-    energy, force, stiffness = net.tendons.law.expansion(length)
-    known = np.maximum(length, shortest)
-    per_length = force / known
-    return (
-        float(np.sum(energy)),
-        per_length[:, None] * sides,
-        _stretch_hessian(sides / known[:, None], stiffness, per_length),
-    )
-
-
-def _stretch_hessian(unit: Array, stiffness: Array, per_length: Array) -> Array:
-    outer = unit[:, :, None] * unit[:, None, :]
-    return np.asarray((stiffness - per_length)[:, None, None] * outer + per_length[:, None, None] * np.eye(3))
-
-
-def _folds(net: Net, sides: Array, angles: Array, torques: Array | None) -> Piece:
-    law = net.creases.law
-    slope, curvature = fold_angle_derivatives(sides)
-    moment, stiffness = law.moment_and_slope(angles)
+def _folds(net: Net, frames: _Frames, shares: Array, slope: Array, angles: Array, torques: Array | None) -> Piece:
+    energy, moment, stiffness = net.creases.law.expansion(angles)
     acting = moment if torques is None else moment - torques
-    blocks = acting[:, None, None, None, None] * curvature
-    rising = stiffness[:, None, None] * slope
-    blocks += rising[:, :, None, :, None] * slope[:, None, :, None, :]
-    return float(np.sum(law.energy(angles))), acting[:, None, None] * slope, blocks
+    blocks = np.empty((3, 3, 3, 3, len(angles)))
+    np.multiply((stiffness * slope)[:, None, :, None], slope[None, :, None, :], out=blocks)
+    _add_curvature(blocks, frames, shares, slope, acting)
+    return float(np.sum(energy)), (acting * slope).reshape(3, -1), blocks.reshape(9, -1)
 
 
 def membrane_stresses(net: Net, shape: NetShape) -> Array:
@@ -189,7 +237,7 @@ def membrane_stresses(net: Net, shape: NetShape) -> Array:
     if net.membranes is None:
         return np.zeros((0, 2))
     plane, area = _flat(net.membranes.built)
-    stress = _membrane_stress(net.membranes, sides_of(net, shape.positions)[3], plane, area)[3]
+    stress = _membrane_stress(net.membranes, _by_triangle(sides_of(net, shape.positions)[3]), plane, area)[3]
     volume = (area * net.membranes.thickness)[:, None]
     return np.asarray(np.linalg.eigvalsh(stress)[:, ::-1] / volume)
 
@@ -210,7 +258,7 @@ def _membrane_stress(
 def _stretched(membranes: Triangles, sides: Array) -> Piece:
     """Return the piece of triangles of a St Venant-Kirchhoff material (e.g. Bonet and Wood 2008, section 6.5)."""
     shape, area = _flat(membranes.built)
-    stiff, gradient, strain, stress = _membrane_stress(membranes, sides, shape, area)
+    stiff, gradient, strain, stress = _membrane_stress(membranes, _by_triangle(sides), shape, area)
     ratio = np.broadcast_to(membranes.poisson_ratio, len(area))[:, None, None]
     energy = float(np.sum(stress * strain)) / 2
     slope = np.einsum("txm,tmn,tsn->tsx", gradient, stress, shape)
@@ -222,7 +270,13 @@ def _stretched(membranes: Triangles, sides: Array) -> Piece:
         np.einsum("tsy,trx->tsrxy", turned, turned) + inner[:, :, :, None, None] * outer[:, None, None]
     ) + ratio[..., None, None] * np.einsum("tsx,try->tsrxy", turned, turned)
     geometric = np.einsum("tsm,tmn,trn->tsr", shape, stress, shape)[..., None, None] * np.eye(3)
-    return energy, slope, stiff[..., None, None] * linear + geometric
+    blocks = stiff[..., None, None] * linear + geometric
+    return energy, slope.reshape(-1, 3).T, blocks.reshape(-1, 9).T
+
+
+def _by_triangle(sides: Array) -> Array:
+    """Return sides of triangles, (3, 2 x triangle), triangle by triangle, (triangle, 2, 3)."""
+    return sides.T.reshape(-1, 2, 3)
 
 
 def _flat(built: Array) -> tuple[Array, Array]:
@@ -244,87 +298,115 @@ def fold_angles(sides: Array, near: Array) -> Array:
     """Compute fold angles: 0 flat, valleys positive, without a jump at +-pi.
 
     Args:
-        sides: vectors from tail to head, from the tail to the left corner, and to the right corner, m, (crease, 3, 3):
-            side by side. For an open crease, the first is the mean of the vectors of its two panels.
+        sides: vectors from tail to head, from the tail to the left corner, and to the right corner, m, (3, side,
+            crease): by coordinate. For an open crease, the first is the mean of the vectors of its two panels.
         near: reference angles, rad, (crease,): each result is within pi of its reference.
 
     Returns:
         Angles, rad, (crease,).
     """
-    along, left, right = np.moveaxis(sides, 1, 0)
-    left_normal, right_normal = _cross(along, left), _cross(along, right)
-    sine = _dot(along, _cross(left_normal, right_normal)) / np.linalg.norm(along, axis=1)
-    angles = np.arctan2(sine, -_dot(left_normal, right_normal))
-    return np.asarray(angles + 2 * np.pi * np.round((near - angles) / (2 * np.pi)))
+    return _turned(_frames(sides), near)
 
 
 def fold_angle_derivatives(sides: Array) -> tuple[Array, Array]:
     """Compute gradient and Hessian of fold angles by their sides.
 
+    Args:
+        sides: as for `fold_angles`, (3, side, crease).
+
+    Returns:
+        Gradient by coordinate and side, 1/m, (3, side, crease), and Hessian by pairs of coordinates, then of sides,
+        1/m^2, (3, 3, side, side, crease).
+    """
+    frames, curvature = _frames(sides), np.zeros((3, 3, 3, 3, sides.shape[2]))
+    shares = _shares(sides, frames)
+    slope = _slopes(frames, shares)
+    _add_curvature(curvature, frames, shares, slope, np.ones(sides.shape[2]))
+    return slope, curvature
+
+
+class _Frames(NamedTuple):
+    """Unit vectors at creases and at the panels on their left and right.
+
+    Attributes:
+        along: along each crease, (3, crease).
+        length: of each crease, m, (crease,).
+        normal: to each panel, (3, panel, crease).
+        across: in each panel, normal x along, (3, panel, crease).
+        height: of the corner of each panel above the crease, m, (panel, crease).
+    """
+
+    along: Array
+    length: Array
+    normal: Array
+    across: Array
+    height: Array
+
+
+def _frames(sides: Array) -> _Frames:
+    length = _length(sides[:, 0])
+    cycled = sides[_CYCLE]
+    along = cycled[:, :1] / length
+    normal = _cross(along, cycled[:, 1:])
+    height = np.sqrt(np.einsum("ipc,ipc->pc", normal, normal))
+    normal = normal / height
+    return _Frames(along[:3, 0], length, normal, _cross(normal[_CYCLE], along), height)
+
+
+def _turned(frames: _Frames, near: Array) -> Array:
+    """Return the fold angles, rad, (crease,), within pi of references."""
+    right = frames.normal[:, 1]
+    sine = np.einsum("ic,ic->c", frames.across[:, 0], right)
+    angles = np.arctan2(-sine, -np.einsum("ic,ic->c", frames.normal[:, 0], right))
+    return np.asarray(angles + 2 * np.pi * np.round((near - angles) / (2 * np.pi)))
+
+
+def _slopes(frames: _Frames, shares: Array) -> Array:
+    """Compute the gradient of fold angles by their sides, 1/m, (3, side, crease).
+
     With e along the crease, u to a corner at the height h above it, n the unit normal of its panel and t = n x e / |e|,
     the gradient by u is n / h. The gradients by e follow from invariance under rotation and sliding (Bridson, Marino
     and Fedkiw 2003, doi 10.2312/SCA03/028-036; Hessian as in Tamstorf and Grinspun 2013,
     doi 10.1016/j.gmod.2013.07.001, here by sides instead of corners). No angle is singular.
-
-    Args:
-        sides: as for `fold_angles`, (crease, 3, 3).
-
-    Returns:
-        Gradient by side, 1/m, (crease, 3, 3), and Hessian by pairs of sides, then by their coordinates, 1/m^2,
-        (crease, 3, 3, 3, 3).
     """
-    count = len(sides)
-    slope = np.zeros_like(sides)
-    curvature = np.zeros((count, 3, 3, 3, 3))
-    length = np.linalg.norm(sides[:, 0], axis=1)
-    along = sides[:, 0] / length[:, None]
-    # all left corners, then all right corners, which have opposite signs
-    corner, twice, length = np.concatenate([sides[:, 1], sides[:, 2]]), np.tile(along, (2, 1)), np.tile(length, 2)
-    normal = _cross(twice, corner)
-    height = np.linalg.norm(normal, axis=1)
-    normal = normal / height[:, None]
-    across = _cross(normal, twice)
-    share = _dot(corner, twice) / length
-    mixed = _outer_product(normal, across)
-    mixed = mixed + np.swapaxes(mixed, 1, 2)
-    lifted = _outer_product(twice, normal)
-    bent = -mixed / (height**2)[:, None, None]
-    tilted = -share[:, None, None] * bent - lifted / (length * height)[:, None, None]
-    by_corner, by_along = normal / height[:, None], (share / height)[:, None] * normal
-    both = (lifted + np.swapaxes(lifted, 1, 2)) * (share / (height * length))[:, None, None]
-    twisted = (share**2)[:, None, None] * bent + both - mixed / (2 * length**2)[:, None, None]
-    for side, sign, rows in ((1, 1.0, slice(None, count)), (2, -1.0, slice(count, None))):
-        slope[:, side] = sign * by_corner[rows]
-        slope[:, 0] -= sign * by_along[rows]
-        curvature[:, side, side] = sign * bent[rows]
-        curvature[:, side, 0] = sign * tilted[rows]
-        curvature[:, 0, side] = sign * np.swapaxes(tilted[rows], 1, 2)
-        curvature[:, 0, 0] += sign * twisted[rows]
-    return slope, curvature
-
-
-def fold_angle_slopes(sides: Array) -> Array:
-    """Compute the gradient of fold angles by their sides, 1/m, (crease, 3, 3), as `fold_angle_derivatives` does."""
-    slope, length = np.zeros_like(sides), np.linalg.norm(sides[:, 0], axis=1)
-    along = sides[:, 0] / length[:, None]
-    for side, sign in ((1, 1.0), (2, -1.0)):
-        normal = _cross(along, sides[:, side])
-        by_corner = sign * normal / _dot(normal, normal)[:, None]
-        slope[:, side] = by_corner
-        slope[:, 0] -= (_dot(sides[:, side], along) / length)[:, None] * by_corner
+    slope = np.empty((3, 3, len(frames.length)))
+    np.multiply(frames.normal, _SIGNS / frames.height, out=slope[:, 1:])
+    by_along = shares * slope[:, 1:]
+    np.add(by_along[:, 0], by_along[:, 1], out=slope[:, 0])
+    slope[:, 0] *= -1
     return slope
 
 
-def _dot(a: Array, b: Array) -> Array:
-    return np.asarray(np.einsum("ni,ni->n", a, b))
+def _shares(sides: Array, frames: _Frames) -> Array:
+    """Return the positions of corners along their creases, divided by the creases' lengths, (panel, crease)."""
+    return np.asarray(np.einsum("ipc,ic->pc", sides[:, 1:], frames.along) / frames.length)
 
 
-def _outer_product(a: Array, b: Array) -> Array:
-    return a[:, :, None] * b[:, None, :]
+def _add_curvature(blocks: Array, frames: _Frames, shares: Array, slope: Array, factor: Array) -> None:
+    """Add the Hessian of fold angles, times a factor, to blocks of pairs of coordinates, then of sides.
+
+    Args:
+        blocks: changed in place, (3, 3, side, side, crease).
+        frames: of the creases.
+        shares: positions of corners along their creases, (panel, crease).
+        slope: gradient of the angles, 1/m, (3, side, crease).
+        factor: for each crease, (crease,).
+    """
+    along, length, _, across, height = frames
+    by_corner = factor * slope[:, 1:]
+    bent = by_corner[:, None] * (across / height)
+    bent = bent + bent.swapaxes(0, 1)
+    lifted = (along / length)[:, None, None] * by_corner
+    tilted = shares * bent - lifted
+    pairs = blocks.reshape(3, 3, 9, -1)
+    pairs[:, :, 4::4] -= bent
+    pairs[:, :, 3::3] += tilted
+    pairs[:, :, 1:3] += tilted.swapaxes(0, 1)
+    twisted = shares * (lifted + lifted.swapaxes(0, 1)) - (shares**2 + (height / length) ** 2 / 2) * bent
+    pairs[:, :, 0] += twisted[:, :, 0]
+    pairs[:, :, 0] += twisted[:, :, 1]
 
 
 def _cross(a: Array, b: Array) -> Array:
-    (ax, ay, az), (bx, by, bz) = a.T, b.T
-    crossed = np.empty((len(a), 3))
-    crossed[:, 0], crossed[:, 1], crossed[:, 2] = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-    return crossed
+    """Return the cross product of vectors whose first two coordinates follow the third one again, (5, ...)."""
+    return np.asarray(a[1:4] * b[2:5] - a[2:5] * b[1:4])

@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeAlias
 
 import numpy as np
-from scipy.linalg.lapack import dpbtrf, dpbtrs
+from scipy.linalg.lapack import dpbtrf, dpbtrs, dsytrf, dsytrs
 from scipy.sparse import csc_array, csr_array, eye_array
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 from forficula.arrays import Array, Indices
 
-_DENSE = 100  # rows up to which all eigenvalues are computed
+Matrix: TypeAlias = csc_array | Array  # symmetric
+
+DENSE = 100  # rows up to which a Hessian is dense, and up to which all eigenvalues are computed
 _FEW = 100  # rows up to which SuperLU is as fast as the band
 _WIDEST = 600  # diagonals of the lower triangle up to which a matrix is factorised as a band
 _NUDGE = 1e-13  # of the largest entry: shift of an exactly singular matrix
@@ -33,29 +36,69 @@ class Factorisation:
     solve: Callable[[Array], Array]
 
 
-def factored(matrix: csc_array, shift: float = 0.0) -> Factorisation:
+def factored(matrix: Matrix, shift: float = 0.0) -> Factorisation:
     """Factorise a symmetric matrix plus a multiple of the identity.
 
-    A large positive definite matrix is factorised as a band by Cholesky's method, which is several times as fast as
+    A dense matrix is factorised by the method of Bunch and Kaufman (1977, doi 10.1090/S0025-5718-1977-0428694-0). A
+    large positive definite matrix is factorised as a band by Cholesky's method, which is several times as fast as
     SuperLU. Any other matrix is factorised by SuperLU: its pivots stay on the diagonal (minimum degree order, symmetric
     mode, no threshold), so that their signs give the inertia of the matrix (Sylvester's law).
     """
     if not matrix.shape[0]:
         return Factorisation(index=0, solve=np.copy)
-    banded = _cholesky(matrix, shift) if matrix.shape[0] > _FEW else None
+    dense = isinstance(matrix, np.ndarray)
+    banded = None if dense or matrix.shape[0] <= _FEW else _cholesky(matrix, shift)
     if banded is not None:
         return banded
-    scale = float(np.abs(matrix.data).max(initial=0.0)) or 1.0
-    for nudge in (0.0, _NUDGE * scale, -10 * _NUDGE * scale, 100 * _NUDGE * scale):
-        by = shift + nudge
-        shifted = matrix + by * eye_array(matrix.shape[0], format="csc") if by else matrix
-        try:
-            parts = splu(shifted, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-        except RuntimeError:  # exactly singular
-            continue
-        if np.array_equal(parts.perm_r, parts.perm_c):
-            return Factorisation(index=int(np.count_nonzero(parts.U.diagonal() < 0)), solve=parts.solve)
+    for nudge in (0.0, _NUDGE, -10 * _NUDGE, 100 * _NUDGE):
+        by = shift + nudge * (largest_entry(matrix) or 1.0) if nudge else shift
+        parts = _pivoted(matrix, by) if dense else _on_diagonal(matrix, by)
+        if parts is not None:
+            return parts
     raise ArithmeticError("a curvature that no shift makes regular")
+
+
+def largest_entry(matrix: Matrix) -> float:
+    """Return the largest magnitude of an entry; 0 for an empty matrix."""
+    entries = matrix if isinstance(matrix, np.ndarray) else matrix.data
+    return float(max(entries.max(initial=0.0), -entries.min(initial=0.0)))
+
+
+def as_dense(matrix: Matrix) -> Array:
+    """Return a matrix with all its entries."""
+    return matrix if isinstance(matrix, np.ndarray) else matrix.toarray()
+
+
+def _pivoted(matrix: Array, shift: float) -> Factorisation | None:
+    """Factorise a dense matrix plus a multiple of the identity; None if it is exactly singular."""
+    size = len(matrix)
+    shifted = matrix.copy()
+    if shift:
+        shifted.reshape(-1)[:: size + 1] += shift
+    # the transpose has the order of LAPACK
+    parts, pivots, failed = dsytrf(shifted.T, lower=1, overwrite_a=1)
+    if failed:
+        return None
+    # every pivot of two rows has one negative eigenvalue
+    single = pivots > 0
+    index = np.count_nonzero(parts.diagonal()[single] < 0) + np.count_nonzero(~single) // 2
+
+    def solve(right: Array) -> Array:
+        return np.asarray(dsytrs(parts, pivots, right, lower=1)[0]).reshape(right.shape)
+
+    return Factorisation(index=int(index), solve=solve)
+
+
+def _on_diagonal(matrix: csc_array, shift: float) -> Factorisation | None:
+    """Factorise a sparse matrix plus a multiple of the identity; None if a pivot has left the diagonal."""
+    shifted = matrix + shift * eye_array(matrix.shape[0], format="csc") if shift else matrix
+    try:
+        parts = splu(shifted, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+    except RuntimeError:  # exactly singular
+        return None
+    if not np.array_equal(parts.perm_r, parts.perm_c):
+        return None
+    return Factorisation(index=int(np.count_nonzero(parts.U.diagonal() < 0)), solve=parts.solve)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -115,7 +158,7 @@ def _cholesky(matrix: csc_array, shift: float) -> Factorisation | None:
     return Factorisation(index=0, solve=solve)
 
 
-def softest(matrix: csc_array, count: int, about: float = 0.0) -> tuple[Array, Array]:
+def softest(matrix: Matrix, count: int, about: float = 0.0) -> tuple[Array, Array]:
     """Compute the eigenvalues nearest to a number, in ascending order, and their eigenvectors in columns.
 
     The method is that of Lanczos on the inverse (Ericsson and Ruhe 1980, doi 10.1090/S0025-5718-1980-0583502-2).
@@ -126,8 +169,8 @@ def softest(matrix: csc_array, count: int, about: float = 0.0) -> tuple[Array, A
         about: the number.
     """
     size = matrix.shape[0]
-    if size <= max(_DENSE, count + 1):
-        values, vectors = np.linalg.eigh(matrix.toarray())
+    if size <= max(DENSE, count + 1):
+        values, vectors = np.linalg.eigh(as_dense(matrix))
         near = np.sort(np.argsort(np.abs(values - about))[:count])
         return values[near], vectors[:, near]
     parts = factored(matrix, -about)
@@ -138,9 +181,9 @@ def softest(matrix: csc_array, count: int, about: float = 0.0) -> tuple[Array, A
     return values[order], vectors[:, order]
 
 
-def lowest(matrix: csc_array) -> Array:
+def lowest(matrix: Matrix) -> Array:
     """Compute the eigenvector of the lowest eigenvalue of a matrix with exactly one negative eigenvalue."""
-    shift = _NUDGE * float(np.abs(matrix.data).max())
+    shift = _NUDGE * largest_entry(matrix)
     while factored(matrix, shift).index:
         shift *= 2
     return softest(matrix, 1, -shift)[1][:, 0]

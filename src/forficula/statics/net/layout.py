@@ -9,7 +9,10 @@ import numpy as np
 from scipy.sparse import bsr_array, csc_array, csr_array, vstack
 
 from forficula.arrays import Array, Indices
+from forficula.statics.net.factor import DENSE, Matrix
 from forficula.statics.net.net import Net
+
+_SMALL = 20_000  # entries up to which a matrix multiplies faster as a dense one
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -17,10 +20,12 @@ class Layout:
     """The fixed sparsity pattern of a net's gradient and Hessian.
 
     Sides are vectors between points: one for a spring or a tendon; three for a crease, namely along the crease (the
-    mean if it is open) and from its tails to its left and right corners; two for a triangle.
+    mean if it is open) and from its tails to its left and right corners; two for a triangle. Small matrices are dense,
+    because their products are then several times as fast.
 
     Attributes:
-        sides: weights of the nodes, (side, node), springs first, then tendons, creases, triangles.
+        sides: weights of the nodes, (side, node): of springs, then of tendons, of all first, second and third sides of
+            creases, and of both sides of every triangle.
         counts: of springs, tendons, creases and triangles.
         gather: weights with which 3 x 3 blocks of pairs of sides add up to blocks of pairs of nodes, (block, pair).
         columns: column of each block, (block,).
@@ -32,9 +37,9 @@ class Layout:
         weight: forces of gravity, N, (node, 3).
     """
 
-    sides: csr_array
+    sides: csr_array | Array
     counts: tuple[int, int, int, int]
-    gather: csr_array
+    gather: csr_array | Array
     columns: Indices
     rows: Indices
     free: Indices
@@ -44,21 +49,30 @@ class Layout:
     weight: Array
 
     @cached_property
-    def on_nodes(self) -> csc_array:
+    def on_nodes(self) -> csr_array | Array:
         """Return the matrix that turns forces along sides into forces on nodes, (node, side)."""
-        return csc_array(self.sides.T)
+        return self.sides.T if isinstance(self.sides, np.ndarray) else csr_array(self.sides.T)
+
+    @cached_property
+    def _dense_places(self) -> Indices:
+        """Return the position of each entry of the free part in the flattened dense matrix, (entry,)."""
+        columns = np.repeat(np.arange(len(self.free)), np.diff(self.free_starts))
+        return np.asarray(self.free_rows * len(self.free) + columns, dtype=np.int64)
 
     def whole(self, blocks: Array) -> bsr_array:
-        """Return the Hessian by all coordinates from the blocks of pairs of sides, (pair, 3, 3)."""
-        data = (self.gather @ blocks.reshape(-1, 9)).reshape(-1, 3, 3)
+        """Return the Hessian by all coordinates from its blocks, (block, 9)."""
         size = 3 * (len(self.rows) - 1)
-        return bsr_array((data, self.columns, self.rows), shape=(size, size))
+        return bsr_array((blocks.reshape(-1, 3, 3), self.columns, self.rows), shape=(size, size))
 
-    def free_part(self, whole: bsr_array) -> csc_array:
-        """Return the Hessian by the free coordinates."""
+    def free_part(self, blocks: Array) -> Matrix:
+        """Return the Hessian by the free coordinates from the blocks by all coordinates, (block, 9)."""
         size = len(self.free)
-        data = whole.data.reshape(-1)[self.taken]
-        return csc_array((data, self.free_rows, self.free_starts), shape=(size, size))
+        data = blocks.reshape(-1)[self.taken]
+        if size > DENSE:
+            return csc_array((data, self.free_rows, self.free_starts), shape=(size, size))
+        dense = np.zeros(size * size)
+        dense[self._dense_places] = data
+        return dense.reshape(size, size)
 
 
 @lru_cache(maxsize=8)
@@ -77,9 +91,9 @@ def layout_of(net: Net) -> Layout:
     weight = np.zeros_like(net.nodes)
     weight[:, 2] = -net.gravity * np.asarray(net.mass_matrix.sum(axis=1)).ravel()
     return Layout(
-        sides=sides,
+        sides=_dense_if_small(sides),
         counts=counts,
-        gather=gather,
+        gather=_dense_if_small(gather),
         columns=columns,
         rows=rows,
         free=free,
@@ -95,13 +109,17 @@ def _sides(net: Net) -> csr_array:
     tail, head, left, far_tail, far_head, right = net.creases.points.T
     parts = [_end_differences(points, net.springs.points), _end_differences(points, net.tendons.points)]
     along = 0.5 * (points[head] - points[tail] + points[far_head] - points[far_tail])
-    parts.append(_interleaved([along, points[left] - points[tail], points[right] - points[far_tail]]))
+    parts += [along, points[left] - points[tail], points[right] - points[far_tail]]
     if net.membranes is not None:
         a, b, c = net.membranes.points.T
         parts.append(_interleaved([points[b] - points[a], points[c] - points[a]]))
     sides = csr_array(vstack(parts))
     sides.eliminate_zeros()
     return sides
+
+
+def _dense_if_small(matrix: csr_array) -> csr_array | Array:
+    return matrix.toarray() if matrix.shape[0] * matrix.shape[1] <= _SMALL else matrix
 
 
 def _end_differences(points: csr_array, ends: Indices) -> csr_array:
@@ -116,14 +134,20 @@ def _interleaved(parts: list[csr_array]) -> csr_array:
 
 
 def _pairs(counts: tuple[int, int, int, int]) -> tuple[Indices, Indices]:
-    """Return pairs of sides of the same element, in the order of the blocks of the Hessian."""
-    firsts, seconds, start = [], [], 0
-    for count, sides in zip(counts, (1, 1, 3, 2), strict=True):
-        begin = start + sides * np.arange(count)[:, None, None] + np.zeros((1, sides, sides), dtype=np.int64)
-        firsts.append((begin + np.arange(sides)[None, :, None]).ravel())
-        seconds.append((begin + np.arange(sides)[None, None, :]).ravel())
-        start += sides * count
-    return np.concatenate(firsts), np.concatenate(seconds)
+    """Return pairs of sides of the same element, in the order of the blocks of the Hessian.
+
+    A pair of first, second or third sides of creases comes after the same pair of the crease before.
+    """
+    straight, creases, triangles = counts[0] + counts[1], counts[2], counts[3]
+    single = np.arange(straight)
+    by_crease = straight + np.arange(3 * creases).reshape(3, creases)
+    firsts = np.broadcast_to(by_crease[:, None], (3, 3, creases))
+    seconds = np.broadcast_to(by_crease[None], (3, 3, creases))
+    by_triangle = straight + 3 * creases + np.arange(2 * triangles).reshape(triangles, 2)
+    ones = np.broadcast_to(by_triangle[:, :, None], (triangles, 2, 2))
+    others = np.broadcast_to(by_triangle[:, None], (triangles, 2, 2))
+    first = np.concatenate([single, firsts.ravel(), ones.ravel()])
+    return first, np.concatenate([single, seconds.ravel(), others.ravel()])
 
 
 def _block_weights(sides: csr_array, first: Indices, second: Indices) -> tuple[csr_array, Indices, Indices]:

@@ -37,6 +37,12 @@ def no_load(net: Net) -> Load:
     )
 
 
+def same_load(one: Load, other: Load) -> bool:
+    """Return whether two loads on the same net are equal."""
+    pairs = ((one.forces, other.forces), (one.torques, other.torques), (one.displacements, other.displacements))
+    return all(np.array_equal(*pair) for pair in pairs)
+
+
 def check_load(net: Net, load: Load) -> None:
     """Reject a load that does not fit a net.
 

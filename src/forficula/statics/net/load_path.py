@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.net.energy import Expansion, expand, load_slope, shape_at
+from forficula.statics.net.energy import Expansion, expand, expand_at, load_slope, shape_at
 from forficula.statics.net.factor import Factorisation, factored, softest
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, NetShape
@@ -25,6 +26,7 @@ _SHORTEST = 1e-5  # shortest increment, as a share of the first one
 _CORNER = 1e-2  # increment, as a share of the first one, below which a corner is searched for
 _ALIGNED = 0.9  # cosine of the tangents before and after a corner
 _HALVINGS = 16  # of an increment, to locate an event
+_ITERATIONS = 3  # of a vector towards the softest mode
 _SAME = 1e-3  # as a share of the increment: two events at this distance are one
 
 
@@ -107,6 +109,7 @@ def load_path(
     target: float | None = None,
     stop: Callable[[PathPoint], bool] | None = None,
     events: int | None = None,
+    locate_events: bool = True,
     rising: bool = True,
     direction: Array | None = None,
     watch: Callable[[PathPoint], None] = lambda _: None,
@@ -129,6 +132,7 @@ def load_path(
             ends when it returns to this factor.
         stop: ends the path after the first point for which it returns True.
         events: ends the path after this number of limits and bifurcations; None for any number.
+        locate_events: whether to locate limits and bifurcations, which may take longer than the path itself.
         rising: whether the factor rises at first.
         direction: in which the path leaves its start, (node, 3). The mode of a bifurcation, or its opposite, leads
             onto the other path. None for the direction given by the load.
@@ -166,7 +170,9 @@ def load_path(
         if not branching and length > _CORNER * longest and _bent(current, following, length):
             length /= 2
             continue
-        new = [] if branching else _events_between(net, load, current, following, length, len(points) - 1)
+        new = list[PathEvent]()
+        if locate_events and not branching:
+            new = _events_between(net, load, current, following, length, len(points) - 1)
         passed = target is not None and _crosses(current.point.factor, following.point.factor, target)
         if target is not None and passed:
             following = _point_at_factor(net, load, current, following, length, target)
@@ -208,19 +214,19 @@ def _settled(net: Net, load: Load, start: NetShape, factor: float) -> Expansion 
         moved = np.abs(step).max(initial=0.0)
         if not moved <= 0.1 * net.size:
             break
-        current = expand(net, _moved(net, current.shape, step), load, factor)
+        current = _moved(net, current.shape, step, load, factor)
         if moved <= _HOME * net.size / 100:
             return current
     return None
 
 
-def _moved(net: Net, shape: NetShape, step: Array) -> NetShape:
-    return shape_at(net, shape.positions + step, shape.angles)
+def _moved(net: Net, shape: NetShape, step: Array, load: Load, factor: float) -> Expansion:
+    return expand_at(net, shape.positions + step, shape.angles, load, factor)
 
 
 def _tangent(net: Net, load: Load, current: Expansion, parts: Factorisation) -> Array:
     """Return the derivative of displacements by the load factor, m, (node, 3)."""
-    push = load_slope(net, current.shape, load)
+    push = load_slope(net, current.shape, load, current.turning)
     if np.any(load.displacements):
         push = push - (current.curvature @ load.displacements.ravel()).reshape(-1, 3)
     tangent = load.displacements.copy()
@@ -253,7 +259,7 @@ def _station(
 def _increment(net: Net, load: Load, current: _PathPoint, length: float) -> _PathPoint | None:
     """Find the next point of the path at about the given length; None if Newton's method does not converge."""
     factor = current.point.factor + length * current.pace
-    guess = _moved(net, current.point.shape, length * current.direction)
+    guess = _moved(net, current.point.shape, length * current.direction, load, factor)
     corrected = _corrected(net, load, guess, factor, current.direction, length)
     if corrected is None:
         return None
@@ -262,7 +268,7 @@ def _increment(net: Net, load: Load, current: _PathPoint, length: float) -> _Pat
 
 
 def _corrected(
-    net: Net, load: Load, guess: NetShape, factor: float, direction: Array, length: float
+    net: Net, load: Load, guess: Expansion, factor: float, direction: Array, length: float
 ) -> tuple[Expansion, float, int] | None:
     """Find the equilibrium in the plane through a guess that is normal to a direction.
 
@@ -270,7 +276,7 @@ def _corrected(
         The equilibrium, its load factor and the number of corrections; None if Newton's method does not converge, or
         leaves the neighbourhood of the guess.
     """
-    following = expand(net, guess, load, factor)
+    following = guess
     aside = np.zeros_like(net.nodes)
     for corrections in range(_CORRECTIONS):
         if not np.all(np.isfinite(following.slope)):
@@ -285,7 +291,7 @@ def _corrected(
         if not np.linalg.norm(aside) <= _ASTRAY * length:
             return None
         factor += change
-        following = expand(net, _moved(net, following.shape, step), load, factor)
+        following = _moved(net, following.shape, step, load, factor)
         if moved <= _HOME * length:
             # the energy is infinite beyond the contact of locking panels, where no path leads
             return (following, factor, corrections) if np.isfinite(following.stored) else None
@@ -308,7 +314,7 @@ def intermediate_point(
     net, _ = supported(net, load)
     chord = after.shape.positions - before.shape.positions
     length = float(np.linalg.norm(chord))
-    guess = shape_at(net, positions, before.shape.angles)
+    guess = expand_at(net, positions, before.shape.angles, load, factor)
     corrected = _corrected(net, load, guess, factor, chord / length, length)
     if corrected is None:
         return None
@@ -326,7 +332,7 @@ def intermediate_point(
 def _pass_kink(net: Net, load: Load, current: _PathPoint, length: float) -> tuple[_PathPoint, _PathPoint | None]:
     """Pass a kink of a law, such as a tendon that goes slack, at which the tangent turns abruptly."""
     factor = current.point.factor + length * current.pace
-    over = expand(net, _moved(net, current.point.shape, length * current.direction), load, factor)
+    over = _moved(net, current.point.shape, length * current.direction, load, factor)
     tangent = _tangent(net, load, over, factored(over.free))
     for pace in (1 / np.linalg.norm(tangent), -1 / np.linalg.norm(tangent)):
         turned = replace(current, direction=pace * tangent, pace=float(pace))
@@ -341,26 +347,43 @@ def _events_between(
     net: Net, load: Load, current: _PathPoint, following: _PathPoint, length: float, after: int
 ) -> list[PathEvent]:
     """Return the events within an increment, in order."""
+    brackets = list[_Bracket]()
+    limit, indices = following.point.rising != current.point.rising, (current.point.index, following.point.index)
+    if limit:
+        brackets.append(
+            _bracket(
+                net,
+                load,
+                (current, following),
+                length,
+                passed=lambda station: station.point.rising != current.point.rising,
+                measure=lambda station: station.pace,
+            )
+        )
+    # at a limit the index changes as well
+    if indices[0] != indices[1] and not any(bracket.indices == indices for bracket in brackets):
+        mode = _softest_mode(net, following)
+        bracket = _bracket(
+            net,
+            load,
+            (current, following),
+            length,
+            passed=lambda station: station.point.index != indices[0],
+            measure=lambda station: 1 / float(mode @ station.parts.solve(mode)),
+        )
+        if not any(abs(bracket.place - other.place) <= _SAME * length for other in brackets):
+            brackets.append(bracket)
     events = list[tuple[float, PathEvent]]()
-    places = list[float]()
-    if following.point.rising != current.point.rising:
-        places.append(_halved(net, load, current, length, lambda point: point.rising != current.point.rising))
-    if following.point.index != current.point.index:
-        at = _halved(net, load, current, length, lambda point: point.index != current.point.index)
-        if not any(abs(at - place) <= _SAME * length for place in places):
-            places.append(at)
-    for number, place in enumerate(places):
+    for number, bracket in enumerate(brackets):
         # an increment may not converge exactly where stiffness is lost, but one just short of it does
-        short = place - length / 2**_HALVINGS
-        point = (_increment(net, load, current, place) or _increment(net, load, current, short) or following).point
+        point = (bracket.after or (following if bracket.before is current else bracket.before)).point
         mode = np.zeros_like(net.nodes)
         mode[net.free] = softest(expand(net, point.shape, load, point.factor).free, 1)[1][:, 0]
-        limit = number == 0 and following.point.rising != current.point.rising
         events.append(
             (
-                place,
+                bracket.place,
                 PathEvent(
-                    kind="limit" if limit else "bifurcation",
+                    kind="limit" if limit and number == 0 else "bifurcation",
                     after=after,
                     point=point,
                     mode=mode / mode.flat[np.argmax(np.abs(mode))],
@@ -370,16 +393,82 @@ def _events_between(
     return [event for _, event in sorted(events, key=lambda entry: entry[0])]
 
 
-def _halved(net: Net, load: Load, current: _PathPoint, length: float, passed: Callable[[PathPoint], bool]) -> float:
-    """Return the length at which an event has passed, by halving the increment."""
-    low, high = 0.0, length
-    for _ in range(_HALVINGS):
-        middle = _increment(net, load, current, (low + high) / 2)
-        if middle is not None and not passed(middle.point):
-            low = (low + high) / 2
+def _softest_mode(net: Net, station: _PathPoint) -> Array:
+    """Return about the direction of free coordinates that is the softest at a point, by inverse iteration."""
+    mode = np.random.default_rng(0).standard_normal(np.count_nonzero(net.free))
+    for _ in range(_ITERATIONS):
+        mode = station.parts.solve(mode)
+        mode = mode / np.linalg.norm(mode)
+    return mode
+
+
+class _Bracket(NamedTuple):
+    """Short part of an increment that contains an event.
+
+    Attributes:
+        before: point just before the event.
+        after: point just after the event; None if no increment converges there.
+        place: length at which the event has passed.
+    """
+
+    before: _PathPoint
+    after: _PathPoint | None
+    place: float
+
+    @property
+    def indices(self) -> tuple[int, int] | None:
+        """Return the indices before and after the event; None if no increment converges after the event."""
+        return None if self.after is None else (self.before.point.index, self.after.point.index)
+
+
+def _bracket(
+    net: Net,
+    load: Load,
+    ends: tuple[_PathPoint, _PathPoint],
+    length: float,
+    *,
+    passed: Callable[[_PathPoint], bool],
+    measure: Callable[[_PathPoint], float],
+) -> _Bracket:
+    """Locate an event within an increment, on a grid of 2^`_HALVINGS` equal parts.
+
+    The method is regula falsi with halved weights (Dowell and Jarratt 1971, doi 10.1007/BF01934364). Every third step
+    halves the bracket, which converges for any function. If an increment does not converge, halving starts again.
+
+    Args:
+        net: supported.
+        load: at a factor of 1.
+        ends: points before and after the increment.
+        length: of the increment.
+        passed: whether a point is beyond the event.
+        measure: number whose sign changes at the event without a jump.
+    """
+    whole = 2**_HALVINGS
+    stations: dict[int, _PathPoint | None] = {0: ends[0], whole: ends[1]}
+    low, high, last, number, interpolates = 0, whole, 0, 0, True
+    below, above = abs(measure(ends[0])), abs(measure(ends[1]))
+    while high - low > 1:
+        middle = (low + high) // 2
+        if interpolates and number % 3 < 2 and 0 < below + above < np.inf:
+            zero = low + (high - low) * below / (below + above)
+            # rounded away from the nearer end, so that both ends approach the zero
+            zero = math.ceil(zero) if zero < middle else math.floor(zero)
+            middle = min(max(zero, low + 1), high - 1)
+        number += 1
+        if middle not in stations:
+            stations[middle] = _increment(net, load, ends[0], length * middle / whole)
+        station = stations[middle]
+        if station is None and interpolates:
+            low, high, interpolates = 0, whole, False
+        elif station is None or passed(station):
+            below = below / 2 if last > 0 else below
+            high, last, above = middle, 1, math.inf if station is None else abs(measure(station))
         else:
-            high = (low + high) / 2
-    return high
+            above = above / 2 if last < 0 else above
+            low, last, below = middle, -1, abs(measure(station))
+    before = stations[low]
+    assert before is not None
+    return _Bracket(before=before, after=stations[high], place=length * high / whole)
 
 
 def _point_at_factor(

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.statics.net.energy import Expansion, expand, shape_at
-from forficula.statics.net.factor import Factorisation, factored
+from forficula.statics.net.energy import Expansion, expand, expand_at
+from forficula.statics.net.factor import Factorisation, factored, largest_entry
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.supports import supported
@@ -100,8 +100,8 @@ def minimum(
                 break
             shift = _raised(shift, stiffest)
         else:
-            near = bool(np.abs(taken.positions - current.shape.positions).max() <= _HOME * net.size)
-            current = expand(net, taken, load, factor)
+            near = bool(np.abs(taken.shape.positions - current.shape.positions).max() <= _HOME * net.size)
+            current = taken
             # while a shift remains, the shape is a minimum only if no force is left
             pushed = np.abs(current.slope[net.free]).max(initial=0.0) > _PUSH * _HOME * net.size * stiffest
             settled = near and (shift <= _SMALLEST_SHIFT * stiffest or not pushed)
@@ -126,15 +126,13 @@ def stationary(net: Net, start: NetShape, load: Load | None = None, factor: floa
         step = -factored(current.free).solve(current.slope[net.free])
         most = np.abs(step).max(initial=0.0)
         settled = bool(most <= _HOME * net.size)
-        current = expand(
-            net, _moved(net, current.shape, step * min(1.0, 0.05 * net.size / max(most, 1e-300))), load, factor
-        )
+        current = _moved(net, current.shape, step * min(1.0, 0.05 * net.size / max(most, 1e-300)), load, factor)
         steps += 1
     return _rest(net, current, pins, steps, settled)
 
 
 def _rest(net: Net, current: Expansion, pins: tuple[tuple[int, int], ...], steps: int, settled: bool) -> NetRest:
-    near = _NEUTRAL * float(np.abs(current.free.data).max(initial=0.0))
+    near = _NEUTRAL * largest_entry(current.free)
     index = factored(current.free, near).index
     return NetRest(
         shape=current.shape,
@@ -152,28 +150,28 @@ def _raised(shift: float, stiffest: float) -> float:
     return max(10 * shift, _SMALLEST_SHIFT * stiffest)
 
 
-def _moved(net: Net, shape: NetShape, step: Array) -> NetShape:
+def _moved(net: Net, shape: NetShape, step: Array, load: Load | None, factor: float) -> Expansion:
     positions = shape.positions.copy()
     positions[net.free] += step
-    return shape_at(net, positions, shape.angles)
+    return expand_at(net, positions, shape.angles, load, factor)
 
 
 def _proximal_step(
     net: Net, current: Expansion, parts: Factorisation, shift: float, load: Load | None, factor: float, longest: float
-) -> tuple[NetShape | None, int]:
-    """Return a shape of less energy, None if the step fails, and the number of corrections."""
+) -> tuple[Expansion | None, int]:
+    """Return the expansion about a shape of less energy, None if the step fails, and the number of corrections."""
     down = -current.slope[net.free]
     step = parts.solve(down)
     promise, steepest = float(down @ step) / 2, np.abs(down).max(initial=0.0)
     for corrections in range(_CORRECTIONS):
         if not np.abs(step).max(initial=0.0) <= longest:
             return None, corrections
-        following = expand(net, _moved(net, current.shape, step), load, factor)
+        following = _moved(net, current.shape, step, load, factor)
         slope = following.slope[net.free]
         gain = current.energy - following.energy - shift / 2 * float(step @ step)
         rounded = abs(gain) <= _rounding(net, current) and np.abs(slope).max(initial=0.0) <= 2 * steepest
         if gain >= 0.1 * promise or rounded:
-            return following.shape, corrections
+            return following, corrections
         if not np.all(np.isfinite(slope)):
             return None, corrections
         step = step - factored(following.free, shift).solve(slope + shift * step)
@@ -182,5 +180,5 @@ def _proximal_step(
 
 def _rounding(net: Net, current: Expansion) -> float:
     """Return the difference of energies that counts as rounding."""
-    stiffest = float(np.abs(current.free.data).max(initial=0.0))
+    stiffest = largest_entry(current.free)
     return _ROUNDING * (abs(current.energy) + abs(current.stored) + stiffest * _HOME * net.size**2)

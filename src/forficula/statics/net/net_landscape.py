@@ -19,8 +19,8 @@ from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import net_of, own_angles, panels, start_shape
 from forficula.statics.net.net_state import NetState, mobility, net_state, rounded_energy, stored_parts
 from forficula.statics.net.panel_crossing import panels_cross
-from forficula.statics.net.saddle import find_saddle
-from forficula.statics.net.stable_states import StableStates, find_stable_states, same_shape
+from forficula.statics.net.saddle import Saddle, find_saddle
+from forficula.statics.net.stable_states import StableStates, by_energy, find_stable_states, same_shape
 from forficula.structure import Structure, drive_of, first_state, goal_of, state_of
 
 Progress = Callable[[str], None]
@@ -191,11 +191,13 @@ def _joined(
         The search and the listed states, with these states, by rising energy; and the passes.
     """
     states, passes, tried = list(listed), dict[tuple[int, int], Pass](), set[tuple[int, int]]()
+    saddles = list[Saddle]()
     while pairs := _neighbours(states, passes.keys(), tried):
         count = len(states)
         for start, end in pairs:
             tried.add((start, end))
-            saddle = find_saddle(net, states[start].rest, states[end].rest, increments=_INCREMENTS, tries=_PATHS)
+            ends = states[start].rest, states[end].rest
+            saddle = find_saddle(net, *ends, increments=_INCREMENTS, tries=_PATHS, known=saddles)
             if saddle is None:
                 continue
             for rest in saddle.ends:
@@ -204,14 +206,14 @@ def _joined(
             one, other = (_state_number(net, states, rest) for rest in saddle.ends)
             if one is not None and other is not None and one != other:
                 barriers = saddle.barriers if one < other else saddle.barriers[::-1]
-                ends = min(one, other), max(one, other)
-                passes[ends] = Pass(ends=ends, barriers=barriers, energy=saddle.rest.energy, shape=saddle.rest.shape)
+                pair = min(one, other), max(one, other)
+                passes[pair] = Pass(ends=pair, barriers=barriers, energy=saddle.rest.energy, shape=saddle.rest.shape)
         if len(states) == count:
             break
-    order = sorted(range(len(states)), key=lambda number: states[number].energy)
+    order = by_energy([state.energy for state in states])
     added = states[len(listed) :]
     rests = [*zip(search.states, search.counts, strict=True), *((state.rest, 0) for state in added)]
-    rests.sort(key=lambda pair: pair[0].energy)
+    rests = [rests[number] for number in by_energy([rest.energy for rest, _ in rests])]
     search = replace(search, states=tuple(rest for rest, _ in rests), counts=tuple(hits for _, hits in rests))
     return search, [states[number] for number in order], _renumbered(passes.values(), order)
 

@@ -13,7 +13,7 @@ from forficula.errors import InputError
 from forficula.quantities import show_value
 from forficula.statics.net.collapse import Collapse, collapse
 from forficula.statics.net.energy import membrane_stresses, sides_of, stored_by_part
-from forficula.statics.net.load import Load, acceleration, pressure
+from forficula.statics.net.load import Load, acceleration, pressure, same_load
 from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.minimum import NetRest
 from forficula.statics.net.modes import natural_modes
@@ -195,9 +195,12 @@ def _unstretched(net: Net) -> Net:
 
 def _tried_loads(structure: Structure, net: Net, rest: NetRest) -> list[Withstood]:
     """Return every load that is tried, without those that would move the net as a rigid body."""
-    result = []
+    result, tried = [], list[tuple[Load, Collapse | None]]()
     for words, unit, load in _loads(structure, net, rest.shape):
-        lost = _loss_under(net, rest, load)
+        # several drives may exert the same force
+        same = next((number for number, (other, _) in enumerate(tried) if same_load(other, load)), None)
+        lost = _loss_under(net, rest, load) if same is None else tried[same][1]
+        tried.append((load, lost))
         if lost is not None:
             result.append(Withstood(load=words, unit=unit, value=float(lost.factor), kind=lost.kind))
     return result
@@ -276,8 +279,8 @@ class Strength:
 def strength(net: Net, shape: NetShape) -> Strength:
     """Compute strains, forces and moments of all parts of a net in a shape."""
     bars, tendons, _, _ = sides_of(net, shape.positions)
-    rest, length = net.springs.rest_length, np.linalg.norm(bars, axis=1)
-    law, span = net.tendons.law, np.linalg.norm(tendons, axis=1)
+    rest, length = net.springs.rest_length, np.linalg.norm(bars, axis=0)
+    law, span = net.tendons.law, np.linalg.norm(tendons, axis=0)
     longer = np.maximum(span - law.rest_length, 0.0)
     return Strength(
         strains=np.divide(length - rest, rest, out=np.zeros_like(rest), where=rest > 0),

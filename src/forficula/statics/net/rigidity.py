@@ -45,16 +45,15 @@ def rigidity_matrix(net: Net, shape: NetShape, stiff: Flags) -> csr_array:
     """
     slopes, layout = angle_slopes(net, shape)
     bars, tendons = layout.counts[:2]
-    sides = layout.sides @ shape.positions
+    sides = layout.sides[:bars] @ shape.positions
     long = np.flatnonzero(net.springs.rest_length > 0)
     along = sides[long] / np.linalg.norm(sides[long], axis=1)[:, None]
-    by_side = kron(layout.sides, eye_array(3), format="csr")
+    by_side = kron(csr_array(layout.sides), eye_array(3), format="csr")
     lengths = _rows(along.reshape(-1, 3), 3 * long[:, None] + np.arange(3), by_side.shape[0])
     turning = np.flatnonzero(stiff)
-    begin = 3 * (bars + tendons)
-    angles = _rows(
-        net.size * slopes[turning].reshape(-1, 9), begin + 9 * turning[:, None] + np.arange(9), by_side.shape[0]
-    )
+    sides_of_crease = bars + tendons + turning[:, None] + slopes.shape[2] * np.arange(3)
+    columns = (3 * sides_of_crease[:, :, None] + np.arange(3)).reshape(-1, 9)
+    angles = _rows(net.size * slopes[:, :, turning].T.reshape(-1, 9), columns, by_side.shape[0])
     return csr_array((vstack((lengths, angles), format="csr") @ by_side)[:, net.free.ravel()])
 
 

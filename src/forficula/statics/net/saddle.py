@@ -51,6 +51,7 @@ def find_saddle(
     increments: int = 300,
     tries: int = 6,
     seed: int = 0,
+    known: list[Saddle] | None = None,
 ) -> Saddle | None:
     """Follow a load from one state towards the other until it is zero again, then apply Newton's method.
 
@@ -68,11 +69,13 @@ def find_saddle(
         increments: of each path.
         tries: number of paths.
         seed: of the random weights.
+        known: saddles of the net, whose descents are not computed again; every other saddle found is added.
 
     Returns:
         The first saddle found that joins both states; otherwise one with other ends; None if no saddle was found.
     """
     random, other = np.random.default_rng(seed), None
+    known = [] if known is None else known
     for number in range(tries):
         start, end = (first, second) if number % 2 == 0 else (second, first)
         towards = _load_towards(net, start, end) if load is None else load
@@ -81,11 +84,14 @@ def find_saddle(
         if number > 1:
             towards = replace(towards, torques=towards.torques * random.uniform(0.0, 2.0, len(towards.torques)))
             towards = replace(towards, forces=towards.forces * random.uniform(0.0, 2.0, towards.forces.shape))
-        path = load_path(net, start.shape, towards, step=step, increments=increments, target=0.0)
+        path = load_path(net, start.shape, towards, step=step, increments=increments, target=0.0, locate_events=False)
         if path.ended != "target":
             continue
-        result = _saddle_at(net, path, first, second)
-        if result is not None and result.joins:
+        result = _saddle_at(net, path, known)
+        if result is None:
+            continue
+        result = _between(net, result, first, second)
+        if result.joins:
             return result
         other = other or result
     return other
@@ -99,18 +105,28 @@ def _load_towards(net: Net, start: NetRest, end: NetRest) -> Load:
     return replace(no_load(net), forces=np.where(net.free, direction * net.springs.stiffness.max(), 0.0))
 
 
-def _saddle_at(net: Net, path: LoadPath, first: NetRest, second: NetRest) -> Saddle | None:
+def _saddle_at(net: Net, path: LoadPath, known: list[Saddle]) -> Saddle | None:
     """Find the saddle near the end of a path; None if it ends at another kind of stationary point."""
     rest = stationary(net, path.points[-1].shape)
     if not rest.settled or rest.index != 1 or rest.neutral:
         return None
+    same = next((saddle for saddle in known if same_shape(net, saddle.rest.shape, rest.shape)), None)
+    if same is not None:
+        return replace(same, path=path)
     held, _ = supported(net)
     off = np.zeros_like(net.nodes)
     off[held.free] = lowest(expand(held, rest.shape).free)
     off *= _OFF * net.size / np.abs(off).max()
     sides = [shape_at(net, rest.shape.positions + sign * off, rest.shape.angles) for sign in (1, -1)]
     one, another = (minimum(net, side, longest_step=_STEP * net.size) for side in sides)
+    known.append(Saddle(rest=rest, ends=(one, another), joins=False, path=path))
+    return known[-1]
+
+
+def _between(net: Net, saddle: Saddle, first: NetRest, second: NetRest) -> Saddle:
+    """Return a saddle with the requested start state first, and whether it joins the requested states."""
+    one, another = saddle.ends
     if same_shape(net, another.shape, first.shape) or same_shape(net, one.shape, second.shape):
         one, another = another, one
     joins = same_shape(net, one.shape, first.shape) and same_shape(net, another.shape, second.shape)
-    return Saddle(rest=rest, ends=(one, another), joins=joins, path=path)
+    return replace(saddle, ends=(one, another), joins=joins)

@@ -19,6 +19,7 @@ _PUSH = (0.05, 0.6)  # range of the largest displacement, of the net's size
 _FOLD = 1.5  # largest multiple of its angle, of either sign, to which a crease is folded temporarily
 _STIFFER = 2.0  # largest power of ten by which creases are stiffer during that folding
 _SAME = 1e-4  # of the net's size
+_EQUAL = 1e-9  # difference of energies, divided by the largest energy, of states of equal energy
 _SAME_ANGLE = 0.1  # rad; distinguishes states with panels on opposite sides of each other
 
 
@@ -72,7 +73,7 @@ def find_stable_states(net: Net, starts: Sequence[NetShape], *, tries: int = 40,
         else:
             states.append(rest)
             counts.append(1)
-    order = sorted(range(len(states)), key=lambda number: states[number].energy)
+    order = by_energy([state.energy for state in states])
     return StableStates(
         states=tuple(states[number] for number in order),
         counts=tuple(counts[number] for number in order),
@@ -80,6 +81,17 @@ def find_stable_states(net: Net, starts: Sequence[NetShape], *, tries: int = 40,
         failed=failed,
         seed=seed,
     )
+
+
+def by_energy(energies: Sequence[float]) -> list[int]:
+    """Return the numbers of states by rising energy; states of equal energy, as mirror images, keep their order."""
+    order = sorted(range(len(energies)), key=lambda number: energies[number])
+    close = _EQUAL * max((abs(energy) for energy in energies), default=0.0)
+    ranks, rank = dict[int, int](), 0
+    for place, number in enumerate(order):
+        rank += energies[number] - energies[order[max(place - 1, 0)]] > close
+        ranks[number] = rank
+    return sorted(order, key=lambda number: (ranks[number], number))
 
 
 def same_shape(net: Net, one: NetShape, other: NetShape) -> bool:

@@ -114,7 +114,15 @@ def drive_course(
     factor = slow.snaps[-1].factor if last is None else last.factor
     through = None
     if slow.snaps and through_snaps:
-        through = load_path(net, start.shape, load, target=factor, step=FINE * net.size, increments=2 * INCREMENTS)
+        through = load_path(
+            net,
+            start.shape,
+            load,
+            target=factor,
+            step=FINE * net.size,
+            increments=2 * INCREMENTS,
+            locate_events=False,
+        )
     reached = None if goal is None else _first_at(structure, net, goal, slow.points)
     if reached is None and slow.ended == "stop":
         reached = factor
