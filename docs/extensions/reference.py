@@ -21,7 +21,7 @@ from sphinx.util.typing import OptionSpec
 
 from forficula.cli import app as cli
 from forficula.design.files.key_table import KeyFact, key_facts
-from forficula.design.files.kinds import KINDS
+from forficula.design.files.kinds import KEYED, KINDS
 from forficula.design.section import Section
 from forficula.errors import InputError
 from forficula.goals.goal_file import GoalFile
@@ -43,12 +43,12 @@ _TYPES = {"string": "text", "boolean": "yes or no", "integer": "whole number", "
 
 def facts_of(kind: str) -> list[KeyFact]:
     """Return the keys of a kind of design, or of a study, goal or observations file."""
-    return key_facts("", {**KINDS, **_FILES}[kind])
+    return key_facts("", {**KEYED, **_FILES}[kind])
 
 
 def known_key(key: str) -> str | None:
     """Return the page that lists a key of any design or of a study; None for an unknown key."""
-    for page, kinds in ((_DESIGN_PAGE, list(KINDS)), (_STUDY_PAGE, ["study"])):
+    for page, kinds in ((_DESIGN_PAGE, list(KEYED)), (_STUDY_PAGE, ["study"])):
         for kind in kinds:
             if any(fact.key == key or fact.key.startswith(f"{key}.") for fact in facts_of(kind)):
                 return page
@@ -118,7 +118,7 @@ class KeyRole(SphinxRole):
         page = known_key(self.text)
         if page is None:
             raise InputError(f"{self.text}: unknown key, {self.get_location()}")
-        kinds = (kind for kind in (*KINDS, "study") if any(fact.key == self.text for fact in facts_of(kind)))
+        kinds = (kind for kind in (*KEYED, "study") if any(fact.key == self.text for fact in facts_of(kind)))
         kind = next(kinds, None)
         up = "../" * self.env.docname.count("/")
         anchor = "" if kind is None else f"#{kind}-{_anchor(self.text)}"

@@ -86,9 +86,9 @@ def _model(kind: str, *, study: bool, goal: bool, observations: bool) -> type[Se
         from forficula.goals.identify.observations_file import ObservationsFile
 
         return ObservationsFile
-    from forficula.design.files.kinds import KINDS
+    from forficula.design.files.kinds import KEYED
 
-    return KINDS[kind]
+    return KEYED[kind]
 
 
 def open_design(

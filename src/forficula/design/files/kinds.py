@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import get_args
 
-from forficula.design.assembly.assembly import assembly_class, part_names
+from forficula.design.assembly.assembly import AssemblyDesign, assembly_class, part_names
 from forficula.design.design import Design
 from forficula.design.families.fold_file import FoldFileDesign
 from forficula.design.families.kresling import KreslingDesign
@@ -41,6 +41,8 @@ def _kind(design: type[Design]) -> str:
 
 
 KINDS: Mapping[str, type[Design]] = {_kind(design): design for design in _DESIGNS}
+# kinds with tables of keys: those of patterns, and assemblies, whose parts have the keys of their own kinds
+KEYED: Mapping[str, type[Design]] = {**KINDS, "assembly": AssemblyDesign}
 # base of a new design whose kind has no named design; the new file has another pattern
 OTHER_REFERENCE = "miura-sheet"
 
