@@ -102,6 +102,17 @@ def crease_angles(flaps: Flaps, angles: Array) -> Array:
     return _own(flaps.senses * _angle((_SIDES @ places).reshape(*places.shape[:2], 18)), flaps.middles)
 
 
+def folded_energy(flaps: Flaps, angles: Array, further: Array) -> Array:
+    """Compute the energy of the creases' springs, J, (case,).
+
+    Args:
+        flaps: of the structure.
+        angles: of all joints, in their own senses, rad, (case, joint).
+        further: changes of the rest angles, rad, (case, crease).
+    """
+    return np.asarray(flaps.law.energy(crease_angles(flaps, angles), further).sum(axis=1))
+
+
 def crease_energy(flaps: Flaps, angles: Array, torques: Array | None = None) -> Expansion:
     """Compute the energy of the creases' springs, minus the work of torques on the creases.
 

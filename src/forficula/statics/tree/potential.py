@@ -20,7 +20,7 @@ from forficula.material import ElasticLaw
 from forficula.statics.tree.couplings import Ties, Twists, ties_of, twist_energy, twists_of
 from forficula.statics.tree.elements import Expansion
 from forficula.statics.tree.equilibrium import Cases, Equilibria, Follow, descend
-from forficula.statics.tree.flaps import Flaps, crease_angles, crease_energy, flaps_of
+from forficula.statics.tree.flaps import Flaps, crease_angles, crease_energy, flaps_of, folded_energy
 from forficula.statics.tree.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.tree.lines import Lines, largest_pull, line_energy, lines_of
 from forficula.statics.tree.pose import Carried, Span, Tree, carried_points, places_of, pose, pulled, span, tree_of
@@ -87,6 +87,11 @@ class Ensemble:
     def size(self) -> int:
         """Return the number of joints."""
         return len(self.lower)
+
+    @property
+    def coupled(self) -> bool:
+        """Return whether springs between points, creases between flaps or closures couple the joints."""
+        return any(part is not None for part in (self.springs, self.flaps, self.pins))
 
     def only(self, cases: Indices) -> Ensemble:
         """Select cases by index; repeats are allowed."""
@@ -245,12 +250,13 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
     return energy, slope, curvature
 
 
-def stored_energy(structures: Ensemble, angles: Array) -> dict[str, Array]:
+def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0) -> dict[str, Array]:
     """Compute the energy by the part that stores it, without parts that a structure does not have.
 
     Args:
         structures: side by side.
         angles: rad, (case, hinge).
+        further: changes of the rest angles of all hinges of the structure, rad, (case, hinge).
 
     Returns:
         Energies, J, (case,), of "tendons", "springs" of joints, "creases" between flaps, springs between points by the
@@ -258,14 +264,16 @@ def stored_energy(structures: Ensemble, angles: Array) -> dict[str, Array]:
         limits, and "weight", which is 0 if all centres are at z = 0.
     """
     parts: dict[str, Array] = {}
+    changes = np.broadcast_to(further, (len(angles), len(structures.structure.hinges)))
     if structures.structure.tendons:
         parts["tendons"] = structures.tendons.energy(angles[:, structures.crossed]).sum(axis=1)
         if structures.lines is not None:
             parts["tendons"] = parts["tendons"] + line_energy(structures.lines, angles)[0]
     if structures.stiffness.any():
-        parts["springs"] = np.sum(structures.stiffness * (angles - structures.rest_angles) ** 2, axis=1) / 2
+        turned = angles - structures.rest_angles - changes[:, : structures.size]
+        parts["springs"] = np.sum(structures.stiffness * turned**2, axis=1) / 2
     if structures.flaps is not None:
-        parts["creases"] = crease_energy(structures.flaps, angles)[0]
+        parts["creases"] = folded_energy(structures.flaps, angles, changes[:, structures.size :])
     if structures.springs is not None:
         parts[springs_name(structures.structure)] = spring_energy(structures.springs, angles)[0]
     if structures.twists is not None:
