@@ -45,6 +45,11 @@ class Flaps:
     middles: Array
     law: CreaseLaw
 
+    @property
+    def sprung(self) -> bool:
+        """Return whether a crease has a spring or a compliant stop."""
+        return bool(np.any(self.law.stiffness) or np.any(self.law.stop_stiffness))
+
 
 def flaps_of(structure: Structure, tree: Tree) -> Flaps | None:
     """Return the creases between flaps of a structure; None if there are none.

@@ -272,7 +272,7 @@ def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0)
     if structures.stiffness.any():
         turned = angles - structures.rest_angles - changes[:, : structures.size]
         parts["springs"] = np.sum(structures.stiffness * turned**2, axis=1) / 2
-    if structures.flaps is not None:
+    if structures.flaps is not None and structures.flaps.sprung:
         parts["creases"] = folded_energy(structures.flaps, angles, changes[:, structures.size :])
     if structures.springs is not None:
         parts[springs_name(structures.structure)] = spring_energy(structures.springs, angles)[0]
