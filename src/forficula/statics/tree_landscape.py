@@ -112,8 +112,8 @@ def _protocol(
         followed = kinds <= {"torque", "rest-angle"}
         if not followed and structures.coupled:
             remarks.append(
-                f'the effects of "{transition.name}" and of later transitions are not computed: the statics of bodies on'
-                f" joints in a tree cannot follow the {' and '.join(sorted(kinds))} of its drive; a run can follow it"
+                f'the effects of "{transition.name}" and of later transitions are not computed: the statics of bodies'
+                f" on joints in a tree cannot follow the {' and '.join(sorted(kinds))} of its drive, a run can"
             )
             break
         slow, span, after = None, None, before

@@ -1,9 +1,9 @@
 """Creases between flaps of bodies in a tree: their angles and energy by the angles of the joints.
 
 A flap is a triangle that one body carries, so the angle of a crease depends on the directions of both bodies only. With
-the unit normals m and n of the left and the right flap, the unit vectors e and f along the crease on both, and the sides
-s = m x e and t = n x f, the angle is atan2(y, m . n) with y = (s . n - m . t) / sqrt(2 + 2 e . f). It is the angle of
-`forficula.structure.flap_angles`.
+the unit normals m and n of the left and the right flap, the unit vectors e and f along the crease on both, and the
+sides s = m x e and t = n x f, the angle is atan2(y, m . n) with y = (s . n - m . t) / sqrt(2 + 2 e . f). It is the
+angle of `forficula.structure.flap_angles`.
 """
 
 from __future__ import annotations
@@ -104,7 +104,7 @@ def crease_angles(flaps: Flaps, angles: Array) -> Array:
     """
     tree, carried = flaps.laid.tree, flaps.laid.carried
     places = np.moveaxis(places_of(carried, pose(tree, angles)), 0, -1).reshape(len(angles), -1, 8, 3)
-    return _own(flaps.senses * _angle((_SIDES @ places).reshape(*places.shape[:2], 18)), flaps.middles)
+    return _unwrapped(flaps.senses * _angle((_SIDES @ places).reshape(*places.shape[:2], 18)), flaps.middles)
 
 
 def folded_energy(flaps: Flaps, angles: Array, further: Array) -> Array:
@@ -130,26 +130,24 @@ def crease_energy(flaps: Flaps, angles: Array, torques: Array | None = None) -> 
         Energy, J, (case,); gradient, N m, (case, joint), and Hessian, N m/rad, (case, joint, joint), by the angles.
     """
     acting = np.zeros((len(angles), len(flaps.senses))) if torques is None else torques
-    return stretched(
-        flaps.laid, angles, [partial(_folded, flaps, group.pieces, acting) for group in flaps.laid.groups]
-    )
+    return stretched(flaps.laid, angles, [partial(_folded, flaps, group.pieces, acting) for group in flaps.laid.groups])
 
 
 def _folded(flaps: Flaps, pieces: Span, torques: Array, sides: Array) -> Expansion:
     """Compute the energy of some creases from their directions, (case, crease, 6, 3)."""
     senses, law = flaps.senses[pieces], flaps.law.some(np.arange(len(flaps.senses))[pieces])
     angle, slope, curvature = _angle_expansion(sides.reshape(*sides.shape[:2], 18))
-    own = _own(senses * angle, flaps.middles[pieces])
-    moment, stiffness = law.moment_and_slope(own)
+    folded = _unwrapped(senses * angle, flaps.middles[pieces])
+    moment, stiffness = law.moment_and_slope(folded)
     acting = torques[:, pieces]
-    energy = np.sum(law.energy(own) - acting * own, axis=1)
+    energy = np.sum(law.energy(folded) - acting * folded, axis=1)
     along = senses * (moment - acting)
     hessian = stiffness[..., None, None] * slope[..., :, None] * slope[..., None, :]
     hessian += along[..., None, None] * curvature
     return energy, (along[..., None] * slope).reshape(sides.shape), hessian[:, :, None]
 
 
-def _own(angle: Array, middle: Array) -> Array:
+def _unwrapped(angle: Array, middle: Array) -> Array:
     """Return angles within half a turn of their middles, rad."""
     return np.asarray(angle - 2 * np.pi * np.round((angle - middle) / (2 * np.pi)))
 
@@ -197,8 +195,8 @@ def _angle_expansion(sides: Array) -> Expansion:
         block = sign * first[product][..., None, None] * _UNIT
         curvature[..., one, other] += block
         curvature[..., other, one] += block
-    for one in range(3):
-        for other in range(3):
-            outer = slopes[one][..., :, None] * slopes[other][..., None, :]
-            curvature += second[one][other][..., None, None] * outer
+    for first_number, row in enumerate(second):
+        for second_number, factor in enumerate(row):
+            outer = slopes[first_number][..., :, None] * slopes[second_number][..., None, :]
+            curvature += factor[..., None, None] * outer
     return np.arctan2(s, c), np.asarray(slope), curvature

@@ -1,7 +1,7 @@
 """Kinematics of a tree of bodies: poses from hinge angles, and positions, velocities and forces of carried points.
 
-The hinges of a tree are the joints of its structure. Creases between flaps are no hinges of the tree, because the angles
-of the joints determine their angles.
+The hinges of a tree are the joints of its structure. Creases between flaps are no hinges of the tree, because the
+angles of the joints determine their angles.
 """
 
 from __future__ import annotations

@@ -255,7 +255,7 @@ def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0)
 
     Args:
         structures: side by side.
-        angles: rad, (case, hinge).
+        angles: of the joints, rad, (case, joint); angles of creases may follow and are ignored.
         further: changes of the rest angles of all hinges of the structure, rad, (case, hinge).
 
     Returns:
@@ -264,6 +264,7 @@ def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0)
         limits, and "weight", which is 0 if all centres are at z = 0.
     """
     parts: dict[str, Array] = {}
+    angles = angles[:, : structures.size]
     changes = np.broadcast_to(further, (len(angles), len(structures.structure.hinges)))
     if structures.structure.tendons:
         parts["tendons"] = structures.tendons.energy(angles[:, structures.crossed]).sum(axis=1)
@@ -293,7 +294,9 @@ def _optional_parts(structures: Ensemble, angles: Array, torques: Array) -> list
     The part of the creases includes the work of the torques of motors, (case, motor), on creases.
     """
     parts = [] if structures.lines is None else [line_energy(structures.lines, angles)]
-    parts += [spring_energy(springs, angles) for springs in (structures.springs, structures.pins) if springs is not None]
+    parts += [
+        spring_energy(springs, angles) for springs in (structures.springs, structures.pins) if springs is not None
+    ]
     if structures.flaps is not None:
         parts.append(crease_energy(structures.flaps, angles, torques @ structures.crease_drives))
     if structures.twists is not None:

@@ -16,7 +16,9 @@ _STATIONS = 24  # positions between two states
 _STIFFER = 10.0  # stiffness that holds a position, relative to the stiffest direction
 _STEPS, _LONGEST = 300, 0.05  # steps of the search for a saddle, and the longest step, rad
 _QUIET = 1e-7  # torque at a saddle that counts as zero, as a share of the largest torque of the stiffest part
-_SHIFT = 5e-3  # random shift of the start of a search, which leaves symmetric shapes with several unstable directions, rad
+_SHIFT = (
+    5e-3  # random shift of the start of a search, which leaves symmetric shapes with several unstable directions, rad
+)
 _SEED = 31  # of random shifts
 _OFF = 0.01  # push off a saddle, rad
 _SHORT = 0.02  # longest step downhill from a saddle, rad
