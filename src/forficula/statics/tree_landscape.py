@@ -184,12 +184,9 @@ def _state_passes(structures: Ensemble, states: Sequence[Rest]) -> tuple[tuple[P
         energy = max(saddle.energy, first.energy, second.energy)
         angles = hinge_angles(structures, saddle.position[None])[0]
         barriers = (energy - first.energy, energy - second.energy)
-        passes.append(Pass(ends=(number, number + 1), barriers=barriers, energy=energy, angles=angles))
-        if saddle.between:
-            remarks.append(
-                f'the path from "{first.name}" to "{second.name}" leads through {saddle.between} further stable'
-                f" state{'s' * (saddle.between > 1)}; its barrier is that of the highest saddle"
-            )
+        passes.append(
+            Pass(ends=(number, number + 1), barriers=barriers, energy=energy, angles=angles, between=saddle.between)
+        )
     return tuple(passes), tuple(remarks)
 
 
