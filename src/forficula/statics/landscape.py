@@ -78,8 +78,6 @@ class Pass:
         shape: of a net at the saddle; None for a tree.
         angles: of all hinges of a tree at the saddle, in their own senses, rad, (hinge,); None for a net, and for a
             tree whose saddles are in its fold path.
-        between: number of further stable states on the path between both states of a tree, whose highest saddle this
-            is.
     """
 
     ends: tuple[int, int]
@@ -87,7 +85,6 @@ class Pass:
     energy: float
     shape: NetShape | None = None
     angles: Array | None = None
-    between: int = 0
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -262,7 +262,6 @@ def _tree_saddles(landscape: EnergyLandscape) -> list[dict[str, Any]]:
             "energy": WithUnit(saddle.energy, "J"),
             "barriers": WithUnit(saddle.barriers, "J"),
             "angles": WithUnit(saddle.angles, "rad"),
-            "further_states_on_the_path": saddle.between,
         }
         for saddle in landscape.passes
         if saddle.angles is not None

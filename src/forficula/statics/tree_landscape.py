@@ -62,9 +62,9 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     hinges = crossed_hinges(structure, points)
     path = None if structure.rigid_fold is None else fold_path(structures, points)
     start = start_state(structures)
-    rests, courses, torque_remarks = _protocol(structures, start, hinges)
+    rests, courses, slow_paths, torque_remarks = _protocol(structures, start, hinges)
     stable = stable_rests(rests)
-    passes, missing = _state_passes(structures, stable) if path is None else (_passes(path), ())
+    passes, missing = _state_passes(structures, rests, slow_paths) if path is None else (_passes(path), ())
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -94,8 +94,10 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
 
 def _protocol(
     structures: Ensemble, start: Equilibria, hinges: Sequence[CrossedHinge]
-) -> tuple[tuple[Rest, ...], tuple[LeastTorque, ...], tuple[str, ...]]:
+) -> tuple[tuple[Rest, ...], tuple[LeastTorque, ...], tuple[Array, ...], tuple[str, ...]]:
     """Compute where a structure rests after each transition, the least torques of transitions, and remarks on them.
+
+    The shapes through which each transition leads, (step, joint), come before the remarks; none for an unknown path.
 
     Args:
         structures: only the first case is used.
@@ -104,7 +106,7 @@ def _protocol(
     """
     structure = structures.structure
     rests = [_rest(structures, first_state(structure, [state.name for state in structure.states]), start)]
-    courses, remarks = list[LeastTorque](), list[str]()
+    courses, paths, remarks = list[LeastTorque](), list[Array](), list[str]()
     before, held = start, True
     for transition in structure.transitions:
         drive, largest = drive_of(structure, transition.drive), largest_torque(structures, transition, hinges)
@@ -132,8 +134,11 @@ def _protocol(
                 torques = np.where(np.isnan(shifted.torque), np.inf, shifted.torque)
                 span = float(torques.min()), float(torques.max())
             after = state_after(structures, transition, slow.torque, slow.position)
+            paths.append(slow.paths[0].position)
             if led:
                 rests.append(_rest(structures, transition.state, after, rests))
+        else:
+            paths.append(np.zeros((0, structures.size)))
         # torques in N m are reported, and nothing else
         measured = kinds <= {"torque"}
         if not measured:
@@ -156,7 +161,7 @@ def _protocol(
                 f" {' and a '.join(sorted(kinds - {'torque'})).replace('-', ' ')}"
             )
         before, held = after, bool(at_goal(structures, after.position, goal_of(structure, transition.released))[0])
-    return tuple(rests), tuple(courses), tuple(remarks)
+    return tuple(rests), tuple(courses), tuple(paths), tuple(remarks)
 
 
 def _passes(path: FoldPath) -> tuple[Pass, ...]:
@@ -170,24 +175,53 @@ def _passes(path: FoldPath) -> tuple[Pass, ...]:
     return tuple(passes)
 
 
-def _state_passes(structures: Ensemble, states: Sequence[Rest]) -> tuple[tuple[Pass, ...], tuple[str, ...]]:
-    """Return the passes between states that follow one another in the protocol, and remarks on those not found."""
+def _state_passes(
+    structures: Ensemble, rests: Sequence[Rest], paths: Sequence[Array]
+) -> tuple[tuple[Pass, ...], tuple[str, ...]]:
+    """Return the passes between states that follow one another in the protocol, and remarks on those not found.
+
+    Args:
+        structures: only the first case is used.
+        rests: where the structure rests, at the start and after every transition.
+        paths: shapes through which the transitions lead, rad, (step, joint) each.
+    """
+    states = stable_rests(rests)
     if structures.size == 1:
         return _hinge_passes(structures, states), ()
+    numbers = _state_numbers(rests)
+    between: dict[tuple[int, int], list[Array]] = {}
+    for first, second, path in zip(numbers, numbers[1:], paths, strict=False):
+        if first is not None and second is not None and first != second:
+            low, high = sorted((first, second))
+            between.setdefault((low, high), []).append(path if first == low else path[::-1])
     passes, remarks = list[Pass](), list[str]()
-    for number, (first, second) in enumerate(pairwise(states)):
-        ends = (first.angles[: structures.size], second.angles[: structures.size])
-        saddle = saddle_between(structures, *ends)
+    for (low, high), led in between.items():
+        one, other = states[low], states[high]
+        saddle = saddle_between(structures, one.angles[: structures.size], other.angles[: structures.size], led)
         if saddle is None:
-            remarks.append(f'no saddle was found between the states "{first.name}" and "{second.name}"')
+            remarks.append(f'no saddle was found between the states "{one.name}" and "{other.name}"')
             continue
-        energy = max(saddle.energy, first.energy, second.energy)
-        angles = hinge_angles(structures, saddle.position[None])[0]
-        barriers = (energy - first.energy, energy - second.energy)
+        energy = max(saddle.energy, one.energy, other.energy)
         passes.append(
-            Pass(ends=(number, number + 1), barriers=barriers, energy=energy, angles=angles, between=saddle.between)
+            Pass(
+                ends=(low, high),
+                barriers=(energy - one.energy, energy - other.energy),
+                energy=energy,
+                angles=hinge_angles(structures, saddle.position[None])[0],
+            )
         )
     return tuple(passes), tuple(remarks)
+
+
+def _state_numbers(rests: Sequence[Rest]) -> list[int | None]:
+    """Return the number of the stable state in which the structure rests each time; None if it is not stable."""
+    numbers, count, named = list[int | None](), 0, dict[str, int | None]()
+    for rest in rests:
+        number = named.get(rest.same_as) if rest.same_as else count if rest.stable else None
+        count += number == count
+        named.setdefault(rest.name, number)
+        numbers.append(number)
+    return numbers
 
 
 def _hinge_passes(structures: Ensemble, states: Sequence[Rest]) -> tuple[Pass, ...]:
