@@ -139,11 +139,20 @@ def test_results_that_need_a_single_folding_path_are_left_out_or_rejected(landsc
     json.dumps(summary, allow_nan=False)
 
 
-def test_states_of_several_hinges_are_their_rests_and_a_barrier_between_them_is_not_claimed(landscape):
+def test_the_path_between_states_leads_over_the_saddles_of_single_hinges(landscape):
+    """Nothing couples the hinges: the first folds alone over the barrier of one hinge, then the second."""
     assert [state.name for state in landscape.states] == ["flat", "closed"]
     assert landscape.states == (landscape.rests[0], landscape.rests[1])
-    with pytest.raises(InputError, match=r'no saddle .* from "flat" to "closed"; one hinge folds alone .* 53.17 µJ'):
-        landscape.barrier("flat", "closed")
+    assert landscape.barrier("flat", "closed") == pytest.approx(landscape.easiest_barrier, rel=1e-5)
+    (saddle,) = landscape.passes
+    top = -landscape.tendons[0].barrier_angle
+    # one hinge at its top, the other still flat
+    assert sorted(saddle.angles) == pytest.approx(sorted([landscape.rests[0].angles[0], top]), abs=1e-4)
+
+
+def test_a_barrier_to_a_state_that_does_not_exist_is_not_claimed(landscape):
+    with pytest.raises(InputError, match=r'need a stable state of the structure \(flat, closed\), got "halfway"'):
+        landscape.barrier("flat", "halfway")
 
 
 LEFT = {"from": "facet 0 at 0.5, 0.5", "to": "facet 1 at 0.4, 0.5", "rest_length": "5 cm"}

@@ -44,8 +44,9 @@ class Rest:
         name: of the named state, such as "flat", or the protocol's name for having missed it.
         angles: of all hinges, in their own senses, rad, (hinge,).
         energy: J.
-        stored: energy by the part that stores it: "tendons", "springs", "couplings", "membranes" with length limits,
-            "weight"; parts that the structure does not have are left out.
+        stored: energy by the part that stores it: "tendons", "springs" of joints, "creases" between flaps, springs
+            between points ("bars", or "openings" of creases between plates), "couplings", "closures", "membranes" with
+            length limits, "weight"; parts that the structure does not have are left out.
         stable: whether it came to rest and no small push drives it away.
         within: whether it is within the bounds of the state.
         same_as: name of the first earlier state that rests at the same angles; empty if there is none.
@@ -74,13 +75,16 @@ class Pass:
         ends: numbers of the states.
         barriers: energies to climb from either end, J.
         energy: of the saddle, J.
-        shape: of a net at the saddle; None for a tree, whose saddles are in its fold path.
+        shape: of a net at the saddle; None for a tree.
+        angles: of all hinges of a tree at the saddle, in their own senses, rad, (hinge,); None for a net, and for a
+            tree whose saddles are in its fold path.
     """
 
     ends: tuple[int, int]
     barriers: tuple[float, float]
     energy: float
     shape: NetShape | None = None
+    angles: Array | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -135,7 +139,8 @@ class EnergyLandscape(Result):
         rests: where it rests when released from the start of the protocol, and after each transition.
         states: stable states: along the single folding path from its start to its end, or of a net by rising energy;
             for a tree without a single folding path, the different stable ones of the rests.
-        passes: between neighbouring states; of a tree without a single folding path only if it has one hinge.
+        passes: between neighbouring states; of a tree without a single folding path between states that its protocol
+            reaches one after another, over the highest saddle on a path that may lead through further states.
         courses: effects of slowly growing drives: of the protocol's transitions, and for nets of all other drives.
         remarks: sentences on missing results and on limits of the others.
         hinges: every hinge that one tendon lies across, by tendon, with the hinge's spring.

@@ -104,6 +104,7 @@ class LandscapeSummary:
         inertial_help: a snap after which inertia may make a transition with less than the least slow torque.
         tips: stiffness of the tips.
         remarks: sentences on missing results and on limits of the others.
+        saddles: of a tree without a single folding path, between states that its protocol reaches one after another.
         net: states, saddles and courses of sliding points and of plates in loops.
         design_hash: hash of all values of the design.
         simulation: snap of one hinge in a run, beside its prediction; null without a run.
@@ -124,6 +125,7 @@ class LandscapeSummary:
     inertial_help: Mapping[str, InertialHelp | None]
     tips: TipStiffness | None
     remarks: Sequence[str]
+    saddles: Annotated[Sequence[Mapping[str, Any]] | None, Written.IF_KNOWN]
     net: Annotated[Mapping[str, Any] | None, Written.IF_KNOWN]
     design_hash: str
     simulation: Mapping[str, Any] | None = None
@@ -156,6 +158,7 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
         inertial_help={torque.name: torque.inertial_help for torque in torques},
         tips=landscape.tips,
         remarks=landscape.remarks,
+        saddles=_tree_saddles(landscape) or None,
         net=None if landscape.net is None else _net(landscape, landscape.net),
         design_hash=landscape.design.hash,
     )
@@ -250,6 +253,19 @@ def _fold(landscape: EnergyLandscape, path: FoldPath) -> CurveSummary:
             **{name: WithUnit(torque, "N m") for name, torque in torques.items()},
         },
     )
+
+
+def _tree_saddles(landscape: EnergyLandscape) -> list[dict[str, Any]]:
+    return [
+        {
+            "between": [landscape.states[end].name for end in saddle.ends],
+            "energy": WithUnit(saddle.energy, "J"),
+            "barriers": WithUnit(saddle.barriers, "J"),
+            "angles": WithUnit(saddle.angles, "rad"),
+        }
+        for saddle in landscape.passes
+        if saddle.angles is not None
+    ]
 
 
 def _net(landscape: EnergyLandscape, survey: NetSurvey) -> dict[str, Any]:

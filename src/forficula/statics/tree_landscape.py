@@ -25,16 +25,26 @@ from forficula.statics.tree.partial_folds import (
     single_hinge_barriers,
     soft_stiffness,
 )
-from forficula.statics.tree.potential import Ensemble, ensemble, potential, slight_energy, stored_energy
+from forficula.statics.tree.potential import (
+    Ensemble,
+    ensemble,
+    hinge_angles,
+    largest_gap,
+    potential,
+    slight_energy,
+    stored_energy,
+)
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
     at_goal,
+    drive_kinds,
     largest_torque,
     least_slow_torque,
     start_state,
     state_after,
     state_beyond,
 )
+from forficula.statics.tree.saddle import saddle_between
 from forficula.statics.tree.tip_stiffness import tip_stiffness
 from forficula.structure import Structure, Transition, drive_of, first_state, goal_of, state_of
 
@@ -52,14 +62,15 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     hinges = crossed_hinges(structure, points)
     path = None if structure.rigid_fold is None else fold_path(structures, points)
     start = start_state(structures)
-    rests, courses, torque_remarks = _protocol(structures, start, hinges)
+    rests, courses, slow_paths, torque_remarks = _protocol(structures, start, hinges)
     stable = stable_rests(rests)
+    passes, missing = _state_passes(structures, rests, slow_paths) if path is None else (_passes(path), ())
     return EnergyLandscape(
         design=design,
         structure=structure,
         rests=rests,
         states=stable if path is None else fold_states(structure, path),
-        passes=_hinge_passes(structures, stable) if path is None else _passes(path),
+        passes=passes,
         courses=courses,
         remarks=(
             *structure.remarks,
@@ -69,6 +80,8 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             *(() if path is None else path.remarks),
             *_start_remarks(structure, start.position[0]),
             *torque_remarks,
+            *missing,
+            *_coupling_remarks(structures, hinges, rests),
         ),
         hinges=hinges,
         fold_path=path,
@@ -81,8 +94,10 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
 
 def _protocol(
     structures: Ensemble, start: Equilibria, hinges: Sequence[CrossedHinge]
-) -> tuple[tuple[Rest, ...], tuple[LeastTorque, ...], tuple[str, ...]]:
+) -> tuple[tuple[Rest, ...], tuple[LeastTorque, ...], tuple[Array, ...], tuple[str, ...]]:
     """Compute where a structure rests after each transition, the least torques of transitions, and remarks on them.
+
+    The shapes through which each transition leads, (step, joint), come before the remarks; none for an unknown path.
 
     Args:
         structures: only the first case is used.
@@ -91,14 +106,26 @@ def _protocol(
     """
     structure = structures.structure
     rests = [_rest(structures, first_state(structure, [state.name for state in structure.states]), start)]
-    courses, remarks = list[LeastTorque](), list[str]()
+    courses, paths, remarks = list[LeastTorque](), list[Array](), list[str]()
     before, held = start, True
     for transition in structure.transitions:
-        largest = largest_torque(structures, transition, hinges)
-        slow, span, after = None, None, state_beyond(structures, transition)
-        rests.append(_rest(structures, transition.state, after, rests))
+        drive, largest = drive_of(structure, transition.drive), largest_torque(structures, transition, hinges)
+        kinds = drive_kinds(structure, drive)
+        followed = kinds <= {"torque", "rest-angle"}
+        if not followed and structures.coupled:
+            remarks.append(
+                f'the effects of "{transition.name}" and of later transitions are not computed: the statics of bodies'
+                f" on joints in a tree cannot follow the {' and '.join(sorted(kinds))} of its drive, a run can"
+            )
+            break
+        slow, span, after = None, None, before
+        # joints that springs couple cannot all be at their stops: such a structure rests where the drive leads it
+        led = structures.coupled and held
+        if not led:
+            after = state_beyond(structures, transition)
+            rests.append(_rest(structures, transition.state, after, rests))
         # no transition starts from a state in which the structure does not rest
-        if held:
+        if held and followed:
             several = structures.repeated(len(_KICKS))
             begins = np.tile(before.position, (len(_KICKS), 1))
             shifted = least_slow_torque(several, begins, transition, largest, recorded=True, kicks=_KICKS)
@@ -107,19 +134,34 @@ def _protocol(
                 torques = np.where(np.isnan(shifted.torque), np.inf, shifted.torque)
                 span = float(torques.min()), float(torques.max())
             after = state_after(structures, transition, slow.torque, slow.position)
+            paths.append(slow.paths[0].position)
+            if led:
+                rests.append(_rest(structures, transition.state, after, rests))
+        else:
+            paths.append(np.zeros((0, structures.size)))
+        # torques in N m are reported, and nothing else
+        measured = kinds <= {"torque"}
+        if not measured:
+            slow, span = None, None
         helped = _inertial_help(structures, transition, slow)
         courses.append(
             LeastTorque(
                 name=transition.name,
-                drive=drive_of(structure, transition.drive),
+                drive=drive,
                 least=None if slow is None or math.isnan(slow.torque[0]) else float(slow.torque[0]),
                 span=span,
                 inertial_help=helped,
             )
         )
-        remarks += slow_remarks(structure, transition, largest, slow, span, helped)
+        if measured:
+            remarks += slow_remarks(structure, transition, largest, slow, span, helped)
+        else:
+            remarks.append(
+                f'the least slowly growing drive of "{transition.name}" is not computed, because it is no torque but a'
+                f" {' and a '.join(sorted(kinds - {'torque'})).replace('-', ' ')}"
+            )
         before, held = after, bool(at_goal(structures, after.position, goal_of(structure, transition.released))[0])
-    return tuple(rests), tuple(courses), tuple(remarks)
+    return tuple(rests), tuple(courses), tuple(paths), tuple(remarks)
 
 
 def _passes(path: FoldPath) -> tuple[Pass, ...]:
@@ -131,6 +173,55 @@ def _passes(path: FoldPath) -> tuple[Pass, ...]:
         barriers = (top - path.states[low].energy, top - path.states[high].energy)
         passes.append(Pass(ends=(number, number + 1), barriers=barriers, energy=top))
     return tuple(passes)
+
+
+def _state_passes(
+    structures: Ensemble, rests: Sequence[Rest], paths: Sequence[Array]
+) -> tuple[tuple[Pass, ...], tuple[str, ...]]:
+    """Return the passes between states that follow one another in the protocol, and remarks on those not found.
+
+    Args:
+        structures: only the first case is used.
+        rests: where the structure rests, at the start and after every transition.
+        paths: shapes through which the transitions lead, rad, (step, joint) each.
+    """
+    states = stable_rests(rests)
+    if structures.size == 1:
+        return _hinge_passes(structures, states), ()
+    numbers = _state_numbers(rests)
+    between: dict[tuple[int, int], list[Array]] = {}
+    for first, second, path in zip(numbers, numbers[1:], paths, strict=False):
+        if first is not None and second is not None and first != second:
+            low, high = sorted((first, second))
+            between.setdefault((low, high), []).append(path if first == low else path[::-1])
+    passes, remarks = list[Pass](), list[str]()
+    for (low, high), led in between.items():
+        one, other = states[low], states[high]
+        saddle = saddle_between(structures, one.angles[: structures.size], other.angles[: structures.size], led)
+        if saddle is None:
+            remarks.append(f'no saddle was found between the states "{one.name}" and "{other.name}"')
+            continue
+        energy = max(saddle.energy, one.energy, other.energy)
+        passes.append(
+            Pass(
+                ends=(low, high),
+                barriers=(energy - one.energy, energy - other.energy),
+                energy=energy,
+                angles=hinge_angles(structures, saddle.position[None])[0],
+            )
+        )
+    return tuple(passes), tuple(remarks)
+
+
+def _state_numbers(rests: Sequence[Rest]) -> list[int | None]:
+    """Return the number of the stable state in which the structure rests each time; None if it is not stable."""
+    numbers, count, named = list[int | None](), 0, dict[str, int | None]()
+    for rest in rests:
+        number = named.get(rest.same_as) if rest.same_as else count if rest.stable else None
+        count += number == count
+        named.setdefault(rest.name, number)
+        numbers.append(number)
+    return numbers
 
 
 def _hinge_passes(structures: Ensemble, states: Sequence[Rest]) -> tuple[Pass, ...]:
@@ -161,7 +252,7 @@ def _hinge_passes(structures: Ensemble, states: Sequence[Rest]) -> tuple[Pass, .
 
 
 def _rest(structures: Ensemble, name: str, equilibria: Equilibria, earlier: Sequence[Rest] = ()) -> Rest:
-    state, position = state_of(structures.structure, name), equilibria.position[0]
+    state = state_of(structures.structure, name)
     goal = None if state is None else goal_of(structures.structure, state.goal)
     within = goal is None or bool(at_goal(structures, equilibria.position[:1], goal)[0])
     slight = slight_energy(structures)
@@ -169,14 +260,15 @@ def _rest(structures: Ensemble, name: str, equilibria: Equilibria, earlier: Sequ
     def known(energy: Array) -> float:
         return float(energy[0]) if abs(energy[0]) > slight else 0.0
 
+    angles = hinge_angles(structures, equilibria.position[:1])[0]
     return Rest(
         name=name if within or state is None else state.missed,
-        angles=position,
+        angles=angles,
         energy=known(equilibria.energy),
         stored={part: known(energy) for part, energy in stored_energy(structures, equilibria.position[:1]).items()},
         stable=bool(equilibria.rests[0] and equilibria.stiffness[0] > -soft_stiffness(structures)),
         within=within,
-        same_as=next((rest.name for rest in earlier if np.all(np.abs(rest.angles - position) <= _SAME)), ""),
+        same_as=next((rest.name for rest in earlier if np.all(np.abs(rest.angles - angles) <= _SAME)), ""),
     )
 
 
@@ -221,6 +313,23 @@ def _shared_remarks(structure: Structure) -> tuple[str, ...]:
     across = [tendon.label or tendon.name for tendon in structure.tendons if tendon.crossing is None]
     if across and of:
         remarks.append(f"the landscapes of single hinges leave out tendons across several hinges: {', '.join(across)}")
+    return tuple(remarks)
+
+
+def _coupling_remarks(structures: Ensemble, hinges: Sequence[CrossedHinge], rests: Sequence[Rest]) -> tuple[str, ...]:
+    """Return remarks on springs between points, creases between flaps and closures."""
+    remarks = list[str]()
+    if structures.coupled and hinges:
+        remarks.append(
+            "the landscapes of single hinges leave out springs between points, creases between flaps and closures"
+        )
+    if structures.pins is not None:
+        angles = np.array([rest.angles[: structures.size] for rest in rests])
+        gap = largest_gap(structures, angles)
+        remarks.append(
+            "stiff pins close the loops of bodies; in the states where the structure rests they open by up to"
+            f" {show_value(gap, 'm')}"
+        )
     return tuple(remarks)
 
 

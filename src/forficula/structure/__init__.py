@@ -60,6 +60,7 @@ from forficula.structure.tree import (
     crossing_tendons,
     drawn_points,
     hinges_between,
+    joint_count,
     outer_ends,
     tendon_arms,
 )
@@ -127,6 +128,7 @@ __all__ = [
     "hinges_between",
     "hinges_of",
     "inertia_about",
+    "joint_count",
     "mass_of",
     "measure_of",
     "measure_stops",

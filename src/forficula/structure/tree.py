@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.errors import InputError
 from forficula.structure.parts import GROUND, Tendon
 from forficula.structure.structure import Structure
 
@@ -16,6 +17,20 @@ def ancestry(structure: Structure, body: int) -> tuple[int, ...]:
         chain.append(body)
         body = structure.bodies[body].parent
     return tuple(chain)
+
+
+def joint_count(structure: Structure) -> int:
+    """Return the number of joints, which are the first hinges of a structure; creases between flaps follow them.
+
+    Raises:
+        InputError: a joint follows a crease.
+    """
+    jointed = [hinge.flaps is None for hinge in structure.hinges]
+    count = sum(jointed)
+    if not all(jointed[:count]):
+        late = next(hinge.name for hinge in structure.hinges[count:] if hinge.flaps is None)
+        raise InputError(f"{structure.name}: need joints before creases between flaps, got the joint {late} after one")
+    return count
 
 
 def hinges_between(structure: Structure, one: int, other: int) -> tuple[int, ...]:

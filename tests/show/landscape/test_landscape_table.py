@@ -107,7 +107,7 @@ def test_no_barrier_leads_from_a_state_in_which_the_wing_does_not_rest(surveyed)
 def test_plates_are_listed_with_their_equilibria_and_torques(surveyed, letter_run):
     text = printed(surveyed("plates"), letter_run)
     assert text.startswith(
-        "letter-fold: bistable (flat, closed); barrier 53.17 µJ to fold one hinge from flat; a hinge"
+        "letter-fold: bistable (flat, closed); barrier 53.17 µJ from flat to closed, 61.13 mJ back; a hinge"
     )
     assert "4 of 4 combinations of folded hinges are stable" in " ".join(text.split())
     assert "fold angle −3.0°" in line(text, "structure, flat")

@@ -3,11 +3,13 @@
 import numpy as np
 import pytest
 
-from forficula.design import load_design
+from forficula.design import load_design, with_values
+from forficula.dynamics import compile_model, simulate
 from forficula.show.page.data.shape_mesh import fixed_rods, shape_mesh
 from forficula.show.page.parts.efforts import crease_ends, efforts_data, efforts_of
 from forficula.structure import built_points, structure_of
 from forficula.structure.sheets.flaps import flap_angles
+from tests.statics.test_tree_springs import FOUR_DESIGN
 
 
 def test_arrows_of_torques_follow_the_axes_of_their_hinges(short_run):
@@ -26,6 +28,19 @@ def test_arrows_of_torques_follow_the_axes_of_their_hinges(short_run):
         assert turn.pivot == pytest.approx(root, abs=1e-9)
         assert np.ptp(np.sum(turn.axis * (tip - root), axis=1)) < 1e-9
         assert np.ptp(tip - root, axis=0).max() > 0.1
+
+
+def test_the_torque_on_a_joint_has_an_arrow_although_another_crease_opens():
+    stage = {"name": "push", "drive": "trigger", "until": "time", "time_limit": 5e-3}
+    quick = {"protocol.timestep": 5e-5, "crease.damping": 1e-4, "protocol.stages": [stage]}
+    (record,) = simulate([compile_model(with_values(FOUR_DESIGN, quick))])
+    (turn,) = efforts_of(record, np.arange(len(record.time))).turns
+    names = [point.name for point in record.structure.points]
+    (tip,) = (number for number, name in enumerate(names) if name == "facet2_vertex3")
+    along = record.series["point_position"][-1, tip]
+    # crease 2 runs from the vertex at the origin to vertex 3
+    assert np.cross(turn.axis[-1], along) == pytest.approx(np.zeros(3), abs=1e-6)
+    assert turn.pivot[-1] == pytest.approx(along / 2, abs=1e-6)
 
 
 def test_a_page_has_drives_in_the_units_of_its_other_numbers(letter_run):

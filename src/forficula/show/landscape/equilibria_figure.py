@@ -29,7 +29,17 @@ from forficula.show.style import (
 from forficula.statics import EnergyLandscape, Rest
 from forficula.structure import Measure, read_angles
 
-_COLOURS = {"tendons": BLUE, "springs": GREEN, "couplings": SKY, "membranes": ORANGE, "weight": PURPLE}
+_COLOURS = {
+    "tendons": BLUE,
+    "springs": GREEN,
+    "creases": BLACK,
+    "openings": VERMILION,
+    "bars": VERMILION,
+    "couplings": SKY,
+    "closures": "0.6",
+    "membranes": ORANGE,
+    "weight": PURPLE,
+}
 _MARKS = (("o", BLUE), ("s", VERMILION), ("^", GREEN), ("D", PURPLE), ("v", SKY))
 _WIDTH = 0.62  # width of a bar
 _NAMED = 6  # largest number of hinges that are named below their angles

@@ -19,7 +19,16 @@ from forficula.statics import EnergyLandscape, Rest
 from forficula.statics.landscape import AT_START
 from forficula.statics.net.driven.net_course import Course
 from forficula.statics.net.net_state import Withstood
-from forficula.structure import Measure, Structure, Transition, drive_of, drive_unit, measure_of, read_angles
+from forficula.structure import (
+    Measure,
+    Structure,
+    Transition,
+    drive_of,
+    drive_unit,
+    measure_of,
+    read_angles,
+    springs_name,
+)
 
 _KINDS = {"stop": "s", "minimum": "o", "neutral": "o"}
 _NAMES = {
@@ -73,6 +82,7 @@ def energy_storing_parts(structure: Structure) -> str:
     parts = (
         ("tendons", bool(structure.tendons)),
         ("springs", any(hinge.stiffness for hinge in structure.hinges)),
+        (springs_name(structure), bool(structure.springs)),
         ("couplings", any(not coupling.rigid for coupling in structure.couplings)),
         ("weight", bool(structure.gravity)),
     )

@@ -9,7 +9,7 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.statics.tree.elements import Expansion
-from forficula.structure import Coupling, Structure, coupling_rows
+from forficula.structure import Coupling, Structure, coupling_rows, joint_count
 
 _ROUNDING = 1e-9  # relative tolerance of a coupling's ratio
 
@@ -79,11 +79,27 @@ def twists_of(structure: Structure) -> Twists | None:
     elastic = [number for number, coupling in enumerate(structure.couplings) if not coupling.rigid]
     if not elastic:
         return None
+    joints = _coupled_joints(structure)
     return Twists(
-        rows=coupling_rows(structure)[elastic],
-        built=np.array([hinge.built for hinge in structure.hinges]),
+        rows=coupling_rows(structure)[elastic, :joints],
+        built=np.array([joint.built for joint in structure.hinges[:joints]]),
         stiffness=np.array([structure.couplings[number].stiffness for number in elastic]),
     )
+
+
+def _coupled_joints(structure: Structure) -> int:
+    """Return the number of joints.
+
+    Raises:
+        InputError: a coupling acts on a crease between flaps.
+    """
+    joints = joint_count(structure)
+    for coupling in structure.couplings:
+        for number in coupling.hinges:
+            if number >= joints:
+                name = structure.hinges[number].name
+                raise InputError(f"{coupling.name}: need couplings between joints, got the crease {name}, which opens")
+    return joints
 
 
 def twist_energy(twists: Twists, angles: Array) -> Expansion:
@@ -103,7 +119,7 @@ def ties_of(structure: Structure) -> Ties | None:
     rigid = [coupling for coupling in structure.couplings if coupling.rigid]
     if not rigid:
         return None
-    built = np.array([hinge.built for hinge in structure.hinges])
+    built = np.array([joint.built for joint in structure.hinges[: _coupled_joints(structure)]])
     leader, ratio = np.arange(len(built)), np.ones(len(built))
     for coupling in rigid:
         first, second = coupling.hinges

@@ -14,7 +14,7 @@ from forficula.errors import InputError
 from forficula.quantities import show_value
 from forficula.statics.tree.equilibrium import Equilibria, PathState, states_along
 from forficula.statics.tree.pose import span
-from forficula.statics.tree.potential import Ensemble, rest
+from forficula.statics.tree.potential import Ensemble, hinge_angles, rest
 from forficula.statics.tree.sheet import sheet_energy
 from forficula.structure import RigidFold, Structure, drive_of, goal_of, state_of
 
@@ -161,7 +161,7 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
     return FoldPath(
         pleat_angle=pleat,
         ring_angle=ring,
-        angles=result.position,
+        angles=hinge_angles(many, result.position),
         tendon_energy=result.energy - sheet,
         sheet_energy=sheet,
         moment=-slope,

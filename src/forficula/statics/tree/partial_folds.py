@@ -159,6 +159,7 @@ def _places(structures: Ensemble, folding: Sequence[int], flat: Array) -> _Place
     folded = np.clip(top - senses * _START, lower, upper)
     opened = np.where(np.isfinite(stops), stops, top + senses * _START)
     alone = (structures.stiffness == 0) & (structures.crossings.sum(axis=0) <= 1) & (structures.lines is None)
+    alone = alone & (not structures.coupled)
     shared = ~alone[list(folding)]
     for number in np.flatnonzero(shared).tolist():
         between, folded[number], opened[number] = _sides(structures, folding[number], senses[number], flat)
@@ -239,6 +240,8 @@ def _independent(structure: Structure, folding: Sequence[int]) -> list[tuple[flo
     energies = dict.fromkeys(folding, (0.0, 0.0))
     if not structure.tendons or any(structure.hinges[hinge].stiffness for hinge in folding):
         return None
+    if structure.springs or structure.closures or any(hinge.flaps for hinge in structure.hinges):
+        return None
     for tendon in structure.tendons:
         if tendon.crossing is None or tendon.crossing.hinge not in energies:
             return None
@@ -262,6 +265,8 @@ def soft_stiffness(structures: Ensemble) -> float:
     if structures.lines is not None:
         tops.append(largest_pull(structures.lines, structures.structure))
     springs = float(structures.stiffness.max(initial=0.0))
+    if structures.flaps is not None:
+        springs = max(springs, float(np.max(structures.flaps.law.stiffness)))
     return _ROUNDING * max(sheet_torque(structures.structure), springs, *tops, 0.0)
 
 

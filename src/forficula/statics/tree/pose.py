@@ -1,4 +1,8 @@
-"""Kinematics of a tree of bodies: poses from hinge angles, and positions, velocities and forces of carried points."""
+"""Kinematics of a tree of bodies: poses from hinge angles, and positions, velocities and forces of carried points.
+
+The hinges of a tree are the joints of its structure. Creases between flaps are no hinges of the tree, because the
+angles of the joints determine their angles.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array, Indices
-from forficula.structure import GROUND, Structure
+from forficula.structure import GROUND, Structure, joint_count
 
 # indices of parts, as a slice if they are evenly spaced, because numpy then needs no copy
 Span = slice | Indices
@@ -120,8 +124,9 @@ def span(numbers: Sequence[int] | Indices) -> Span:
 
 def tree_of(structure: Structure) -> Tree:
     """Return the tree of a structure."""
+    joints = structure.hinges[: joint_count(structure)]
     hinges_of: list[list[int]] = [[] for _ in structure.bodies]
-    for number, hinge in enumerate(structure.hinges):
+    for number, hinge in enumerate(joints):
         hinges_of[hinge.body].append(number)
     chains: list[tuple[int, ...]] = []
     depths: list[int] = []
@@ -131,7 +136,7 @@ def tree_of(structure: Structure) -> Tree:
         chains.append((*(() if grounded else chains[body.parent]), *hinges_of[number]))
         depths.append(0 if grounded else depths[body.parent] + 1)
         groups.setdefault((depths[number], len(hinges_of[number])), []).append(number)
-    axes = np.array([hinge.sense * hinge.axis for hinge in structure.hinges]).reshape(-1, 3)
+    axes = np.array([hinge.sense * hinge.axis for hinge in joints]).reshape(-1, 3)
     spins = np.cross(np.eye(3), axes[:, None, :])
     outer = np.zeros((len(axes), len(axes)))
     for chain in chains:
@@ -140,9 +145,9 @@ def tree_of(structure: Structure) -> Tree:
     return Tree(
         levels=tuple(_level(structure, groups[key], hinges_of) for key in sorted(groups)),
         chains=tuple(chains),
-        carriers=np.array([hinge.body for hinge in structure.hinges], dtype=np.int64),
+        carriers=np.array([hinge.body for hinge in joints], dtype=np.int64),
         axes=axes,
-        built=np.array([hinge.built for hinge in structure.hinges]),
+        built=np.array([hinge.built for hinge in joints]),
         spins=spins,
         squares=spins @ spins,
         outer=outer,
@@ -181,7 +186,7 @@ def pose(tree: Tree, angles: Array) -> Pose:
 
     Args:
         tree: of bodies.
-        angles: of all hinges, in their own senses, rad, (case, hinge).
+        angles: of all hinges, in their own senses, rad, (case, hinge); angles of creases may follow and are ignored.
     """
     cases, count = len(angles), len(tree.chains) + 1
     turns = _turned(tree, angles)
@@ -257,6 +262,6 @@ def pulled(tree: Tree, carried: Carried, at: Pose, places: Array, forces: Array)
 
 def _turned(tree: Tree, angles: Array) -> Array:
     """Return the rotations about the hinges (Rodrigues' formula), (case, hinge, 3, 3)."""
-    turned = angles - tree.built
+    turned = angles[:, : tree.size] - tree.built
     sine, half = np.sin(turned)[..., None, None], np.sin(turned / 2)[..., None, None]
     return np.asarray(_UNIT + sine * tree.spins + 2 * half**2 * tree.squares)

@@ -1,6 +1,7 @@
 """Potential of a tree structure: all stored energies minus the work of acting torques.
 
-Coordinates are the angles of the structure's hinges, in its order, each in its own sense.
+Coordinates are the angles of the structure's joints, in its order, each in its own sense. Creases between flaps follow
+the joints in the structure. Their angles depend on those of the joints, see `hinge_angles`.
 """
 
 from __future__ import annotations
@@ -19,11 +20,13 @@ from forficula.material import ElasticLaw
 from forficula.statics.tree.couplings import Ties, Twists, ties_of, twist_energy, twists_of
 from forficula.statics.tree.elements import Expansion
 from forficula.statics.tree.equilibrium import Cases, Equilibria, Follow, descend
+from forficula.statics.tree.flaps import Flaps, crease_angles, crease_energy, flaps_of, folded_energy
 from forficula.statics.tree.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.tree.lines import Lines, largest_pull, line_energy, lines_of
 from forficula.statics.tree.pose import Carried, Span, Tree, carried_points, places_of, pose, pulled, span, tree_of
 from forficula.statics.tree.sheet import Sheet, sheet_energy, sheet_of
-from forficula.structure import Structure, mass_of, static_keys, structure_of
+from forficula.statics.tree.springs import Springs, closure_gap, pins_of, spring_energy, springs_of
+from forficula.structure import Motor, Structure, joint_count, mass_of, springs_name, static_keys, structure_of
 
 # Steps in which a structure is followed: shorter ones end in the same equilibria.
 _LONGEST_STEP = 0.1  # rad
@@ -38,6 +41,9 @@ class Ensemble:
         structure: of the first case; its tendons are those of the first case only.
         sheet: membranes and length limits.
         lines: tendons across several hinges; None if there are none.
+        springs: springs between points; None if there are none.
+        flaps: creases between flaps; None if there are none.
+        pins: of closures; None if there are none.
         weight: of the bodies; None without gravity.
         twists: elastic couplings between joints; None if there are none.
         ties: groups of joints that rigid couplings tie together; None if there are none.
@@ -46,8 +52,10 @@ class Ensemble:
         tendons: the hinges of these tendons as one object whose functions take angles (case, tendon).
         stiffness: of the hinges' springs, N m/rad, (hinge,).
         rest_angles: of the hinges' springs, rad, (hinge,).
-        motors: numbers of the hinges of every motor.
-        drives: weights with which torques of motors add up to torques on hinges, (motor, hinge).
+        motors: numbers of the joints of every motor.
+        gains: torque on each of these joints per setting of every motor, (joint,); None if all are 1.
+        drives: weights with which settings of motors add up to torques on joints, (motor, hinge).
+        crease_drives: weights with which settings of motors add up to torques on creases, (motor, crease).
         lower: least angles, rad, (hinge,).
         upper: largest angles, rad, (hinge,).
         cases: number of cases.
@@ -56,6 +64,9 @@ class Ensemble:
     structure: Structure
     sheet: Sheet
     lines: Lines | None
+    springs: Springs | None
+    flaps: Flaps | None
+    pins: Springs | None
     weight: Weight | None
     twists: Twists | None
     ties: Ties | None
@@ -65,15 +76,22 @@ class Ensemble:
     stiffness: Array
     rest_angles: Array
     motors: tuple[Span, ...]
+    gains: tuple[Array | None, ...]
     drives: Array
+    crease_drives: Array
     lower: Array
     upper: Array
     cases: int
 
     @property
     def size(self) -> int:
-        """Return the number of hinges."""
+        """Return the number of joints."""
         return len(self.lower)
+
+    @property
+    def coupled(self) -> bool:
+        """Return whether springs between points, creases between flaps or closures couple the joints."""
+        return any(part is not None for part in (self.springs, self.flaps, self.pins))
 
     def only(self, cases: Indices) -> Ensemble:
         """Select cases by index; repeats are allowed."""
@@ -106,34 +124,83 @@ def ensemble(structures: Sequence[Structure]) -> Ensemble:
     """Lay out structures that differ only in their tendons; all other values are taken from the first one.
 
     Raises:
-        InputError: the tendons of another structure lie across other hinges.
+        InputError: the tendons of another structure lie across other hinges, or bodies move without joints.
     """
-    first, size = structures[0], len(structures[0].hinges)
-    crossed = _crossed(first)
+    first, size = structures[0], joint_count(structures[0])
+    _check_bodies(first)
+    joints, crossed = first.hinges[:size], _crossed(first)
     for other in structures[1:]:
-        if len(other.hinges) != size or _crossed(other) != crossed:
+        if len(other.hinges) != len(first.hinges) or _crossed(other) != crossed:
             raise InputError(f"{other.name}: need structures that differ in their tendons' laws and places only")
     tree = tree_of(first)
-    unit = np.eye(size)
-    drives = np.array([unit[list(motor.hinges)].sum(axis=0) for motor in first.motors]).reshape(-1, size)
+    drives = _drive_weights(first)
     return Ensemble(
         structure=first,
         sheet=sheet_of(first, tree),
         lines=lines_of(structures, tree),
+        springs=springs_of(first, tree),
+        flaps=flaps_of(first, tree),
+        pins=pins_of(first, tree, _stiffest(first)),
         weight=weight_of(first, tree),
         twists=twists_of(first),
         ties=ties_of(first),
         crossed=span(crossed),
-        crossings=unit[crossed],
+        crossings=np.eye(size)[crossed],
         tendons=stacked_hinges([hinges_in_own_senses(structure) for structure in structures]),
-        stiffness=np.array([hinge.stiffness for hinge in first.hinges]),
-        rest_angles=np.array([hinge.rest_angle for hinge in first.hinges]),
-        motors=tuple(span(motor.hinges) for motor in first.motors),
-        drives=drives,
-        lower=np.array([hinge.lower for hinge in first.hinges]),
-        upper=np.array([hinge.upper for hinge in first.hinges]),
+        stiffness=np.array([hinge.stiffness for hinge in joints]),
+        rest_angles=np.array([hinge.rest_angle for hinge in joints]),
+        motors=tuple(span([hinge for hinge in motor.hinges if hinge < size]) for motor in first.motors),
+        gains=tuple(_gains(motor, weights, size) for motor, weights in zip(first.motors, drives, strict=True)),
+        drives=drives[:, :size],
+        crease_drives=drives[:, size:],
+        lower=np.array([hinge.lower for hinge in joints]),
+        upper=np.array([hinge.upper for hinge in joints]),
         cases=len(structures),
     )
+
+
+def _check_bodies(structure: Structure) -> None:
+    """Check that joints make all moves of the bodies.
+
+    Raises:
+        InputError: a body slides or turns freely.
+    """
+    loose = [body.name for body in structure.bodies if body.slides or body.turns]
+    if loose:
+        raise InputError(
+            f"{structure.name}: need bodies that only joints move, because the structure has joints in a tree, got"
+            f" {', '.join(loose[:3])}{' and others' * (len(loose) > 3)}, which slide or turn freely; hold them by a"
+            " support or join them to other bodies"
+        )
+
+
+def _drive_weights(structure: Structure) -> Array:
+    """Return weights with which settings of motors add up to torques on hinges, (motor, hinge).
+
+    A change of a spring's rest angle is equivalent to the torque stiffness x angle. A force or a displacement of points
+    has the weight 0: see `forficula.statics.tree.quasi_static.torque_drive`.
+    """
+    weights = np.zeros((len(structure.motors), len(structure.hinges)))
+    stiffness = np.array([hinge.stiffness for hinge in structure.hinges])
+    for row, motor in zip(weights, structure.motors, strict=True):
+        hinges = list(motor.hinges)
+        per_setting = stiffness[hinges] if motor.kind == "rest-angle" else np.ones(len(hinges))
+        np.add.at(row, hinges, per_setting * (np.array(motor.gains) if motor.gains else 1.0))
+    return weights
+
+
+def _gains(motor: Motor, weights: Array, size: int) -> Array | None:
+    gains = weights[[hinge for hinge in motor.hinges if hinge < size]]
+    return None if np.all(gains == 1) else gains
+
+
+def _stiffest(structure: Structure) -> float:
+    """Return the largest torque of a joint, a crease, a spring, a tendon or a membrane per angle, N m/rad."""
+    stretching = [spring.stiffness for spring in structure.springs]
+    stretching += [float(tendon.law.elastic.stiffness(tendon.longest)) for tendon in structure.tendons]
+    turning = [hinge.stiffness for hinge in structure.hinges]
+    torques = [*turning, *(stiffness * structure.span**2 for stiffness in stretching), sheet_torque(structure)]
+    return max(torques) or 1.0
 
 
 def _crossed(structure: Structure) -> list[int]:
@@ -159,17 +226,18 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
     Returns:
         Energy, J, (case,); gradient, N m, (case, hinge); Hessian, N m/rad, (case, hinge, hinge).
     """
+    torques = np.asarray(torques)
+    if torques.shape != (len(angles), len(structures.motors)):
+        torques = np.broadcast_to(torques, (len(angles), len(structures.motors)))
     energy, slope, curvature = sheet_energy(structures.sheet, angles)
-    for part in _optional_parts(structures, angles):
+    for part in _optional_parts(structures, angles, torques):
         energy, slope, curvature = energy + part[0], slope + part[1], curvature + part[2]
     tendons, crossing = structures.tendons, angles[:, structures.crossed]
     tendon_energy, moment, stiffness = tendons.expansion(crossing)
     stored = tendon_energy.sum(axis=1)
-    torques = np.asarray(torques)
-    if torques.shape != (len(angles), len(structures.motors)):
-        torques = np.broadcast_to(torques, (len(angles), len(structures.motors)))
-    for motor, hinges in enumerate(structures.motors):
-        stored = stored - torques[:, motor] * angles[:, hinges].sum(axis=1)
+    for motor, (joints, gains) in enumerate(zip(structures.motors, structures.gains, strict=True)):
+        turned = angles[:, joints] if gains is None else gains * angles[:, joints]
+        stored = stored - torques[:, motor] * turned.sum(axis=1)
     energy += stored
     slope += -(torques @ structures.drives) - moment @ structures.crossings
     diagonal = np.arange(structures.size)
@@ -182,26 +250,37 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
     return energy, slope, curvature
 
 
-def stored_energy(structures: Ensemble, angles: Array) -> dict[str, Array]:
+def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0) -> dict[str, Array]:
     """Compute the energy by the part that stores it, without parts that a structure does not have.
 
     Args:
         structures: side by side.
-        angles: rad, (case, hinge).
+        angles: of the joints, rad, (case, joint); angles of creases may follow and are ignored.
+        further: changes of the rest angles of all hinges of the structure, rad, (case, hinge).
 
     Returns:
-        Energies, J, (case,), of "tendons", "springs" of hinges, elastic "couplings", "membranes" with length limits,
-        and "weight", which is 0 if all centres are at z = 0.
+        Energies, J, (case,), of "tendons", "springs" of joints, "creases" between flaps, springs between points by the
+        name of `springs_name`, elastic "couplings", "closures", which are stretched slightly, "membranes" with length
+        limits, and "weight", which is 0 if all centres are at z = 0.
     """
     parts: dict[str, Array] = {}
+    angles = angles[:, : structures.size]
+    changes = np.broadcast_to(further, (len(angles), len(structures.structure.hinges)))
     if structures.structure.tendons:
         parts["tendons"] = structures.tendons.energy(angles[:, structures.crossed]).sum(axis=1)
         if structures.lines is not None:
             parts["tendons"] = parts["tendons"] + line_energy(structures.lines, angles)[0]
     if structures.stiffness.any():
-        parts["springs"] = np.sum(structures.stiffness * (angles - structures.rest_angles) ** 2, axis=1) / 2
+        turned = angles - structures.rest_angles - changes[:, : structures.size]
+        parts["springs"] = np.sum(structures.stiffness * turned**2, axis=1) / 2
+    if structures.flaps is not None and structures.flaps.sprung:
+        parts["creases"] = folded_energy(structures.flaps, angles, changes[:, structures.size :])
+    if structures.springs is not None:
+        parts[springs_name(structures.structure)] = spring_energy(structures.springs, angles)[0]
     if structures.twists is not None:
         parts["couplings"] = twist_energy(structures.twists, angles)[0]
+    if structures.pins is not None:
+        parts["closures"] = spring_energy(structures.pins, angles)[0]
     if structures.structure.membranes or structures.structure.limits:
         parts["membranes"] = sheet_energy(structures.sheet, angles)[0]
     if structures.weight is not None:
@@ -209,9 +288,17 @@ def stored_energy(structures: Ensemble, angles: Array) -> dict[str, Array]:
     return parts
 
 
-def _optional_parts(structures: Ensemble, angles: Array) -> list[Expansion]:
-    """Compute the optional parts of the potential: tendons across several hinges, couplings, and weight."""
+def _optional_parts(structures: Ensemble, angles: Array, torques: Array) -> list[Expansion]:
+    """Compute the optional parts of the potential: tendons across several hinges, springs, creases and so on.
+
+    The part of the creases includes the work of the torques of motors, (case, motor), on creases.
+    """
     parts = [] if structures.lines is None else [line_energy(structures.lines, angles)]
+    parts += [
+        spring_energy(springs, angles) for springs in (structures.springs, structures.pins) if springs is not None
+    ]
+    if structures.flaps is not None:
+        parts.append(crease_energy(structures.flaps, angles, torques @ structures.crease_drives))
     if structures.twists is not None:
         parts.append(twist_energy(structures.twists, angles))
     return parts if structures.weight is None else [*parts, weight_energy(structures.weight, angles)]
@@ -282,8 +369,29 @@ def rest(
     return replace(result, position=position, slope=energy(position, np.arange(count))[1])
 
 
+def hinge_angles(structures: Ensemble, angles: Array) -> Array:
+    """Return the angles of all hinges of the structure, in their own senses, rad, (case, hinge).
+
+    Args:
+        structures: side by side.
+        angles: of the joints, rad, (case, joint).
+    """
+    if structures.flaps is None:
+        return angles
+    return np.concatenate([angles, crease_angles(structures.flaps, angles)], axis=1)
+
+
+def largest_gap(structures: Ensemble, angles: Array) -> float:
+    """Return the largest gap of closures in any case, m; 0 without closures."""
+    tree = structures.sheet.laid.tree
+    return float(closure_gap(structures.structure, tree, angles).max(initial=0.0))
+
+
 def torque_scale(structures: Ensemble) -> float:
-    """Return the order of magnitude of the torques of tendons, membranes, springs, or weight, N m."""
+    """Return the order of magnitude of the torques of tendons, membranes, joints, creases, or weight, N m.
+
+    Springs between points count only without these parts, because those of creases that open are much stiffer.
+    """
     tendons = structures.tendons
     quarter = -np.pi / 2 - np.asarray(tendons.offset_angle)
     scales = [float(np.abs(tendons.moment(quarter)).max(initial=0.0)), sheet_torque(structures.structure)]
@@ -292,6 +400,10 @@ def torque_scale(structures: Ensemble) -> float:
     scales.append(float(structures.stiffness.max(initial=0.0)))
     if structures.weight is not None:
         scales.append(float(structures.weight.forces.sum()) * structures.structure.span)
+    if structures.flaps is not None:
+        scales.append(float(np.max(structures.flaps.law.stiffness)))
+    if structures.springs is not None and not any(scales):
+        return float(structures.springs.stiffness.max()) * structures.structure.span**2
     return max(scales)
 
 
@@ -310,7 +422,8 @@ def sheet_torque(structure: Structure) -> float:
 
 def start_angles(structures: Ensemble) -> Array:
     """Return the angles at which the protocol starts the hinges, rad, (case, hinge)."""
-    return np.tile([hinge.start for hinge in structures.structure.hinges], (structures.cases, 1))
+    joints = structures.structure.hinges[: structures.size]
+    return np.tile([joint.start for joint in joints], (structures.cases, 1))
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -13,7 +13,7 @@ from forficula.errors import InputError
 from forficula.statics.tree.equilibrium import Equilibria
 from forficula.statics.tree.hinge_landscape import CrossedHinge
 from forficula.statics.tree.pose import carried_points, places_of, pose
-from forficula.statics.tree.potential import Ensemble, rest, start_angles
+from forficula.statics.tree.potential import Ensemble, hinge_angles, rest, start_angles
 from forficula.structure import (
     Drive,
     StageGoal,
@@ -82,14 +82,23 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
     Hinges that the goal bounds start at their stops on that side; hinges that the drive turns start at the stops to
     which it turns them. First the other hinges come to rest with these held, then all hinges are free.
 
+    If springs between points, creases between flaps or closures couple the joints, not all of them can be at their
+    stops. The structure is then released from where its full drive leads it from its first state.
+
     Raises:
-        InputError: neither goal nor drive determines the end of the transition.
+        InputError: neither goal nor drive determines the end of the transition, or the drive is no torque on coupled
+            joints.
     """
     built = structures.structure
     goal, drive = goal_of(built, transition.goal), drive_of(built, transition.drive)
+    if structures.coupled:
+        check_drive(built, drive)
+        pushed_on = rest(structures, start_state(structures).position, np.array(drive.strengths))
+        return rest(structures, pushed_on.position)
     start = np.zeros((structures.cases, structures.size))
     pushed = _by_unit(drive) @ structures.drives
-    (least, most), ends = hinge_bounds(built, goal), np.full(structures.size, np.nan)
+    least, most = (bounds[: structures.size] for bounds in hinge_bounds(built, goal))
+    ends = np.full(structures.size, np.nan)
     for towards, stops in ((pushed < 0, structures.lower), (pushed > 0, structures.upper)):
         ends[towards] = stops[towards]
     for bounded, bounds, stops in (
@@ -115,13 +124,19 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
     when released, are released from the stops instead, see `state_beyond`. With a slack tendon, hinges can rest
     anywhere in a range, and the next torque can lead along another path from either end of the range.
 
+    If springs between points, creases between flaps or closures couple the joints, structures are always released from
+    where the torque brought them.
+
     Args:
         structures: side by side.
         transition: with the state.
         torque: least torque that makes it, N m, (case,); nan if none does.
         position: angles under this torque, rad, (case, hinge).
     """
-    led, beyond = rest(structures, position), state_beyond(structures, transition)
+    led = rest(structures, position)
+    if structures.coupled:
+        return led
+    beyond = state_beyond(structures, transition)
     stays = np.isfinite(torque) & at_goal(structures, led.position, goal_of(structures.structure, transition.released))
     return Equilibria(
         position=np.where(stays[:, None], led.position, beyond.position),
@@ -135,7 +150,7 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
 def at_goal(structures: Ensemble, position: Array, goal: StageGoal) -> Flags:
     """Return whether every hinge and distance is within a goal's bounds, (case,)."""
     built = structures.structure
-    read = goal_coordinates(built, position, _distances(built, structures, position))
+    read = goal_coordinates(built, hinge_angles(structures, position), _distances(built, structures, position))
     return np.asarray(np.all((read >= goal.least) & (read <= goal.most), axis=1))
 
 
@@ -148,6 +163,25 @@ def _distances(structure: Structure, structures: Ensemble, position: Array) -> A
     carried = carried_points(tree, [point.body for point in points], np.array([point.place for point in points]))
     places = places_of(carried, pose(tree, position))
     return np.asarray(np.linalg.norm(places[:, :, 1::2] - places[:, :, ::2], axis=0))
+
+
+def check_drive(structure: Structure, drive: Drive) -> None:
+    """Check that a drive acts on hinges.
+
+    Raises:
+        InputError: the drive is a force or a displacement.
+    """
+    kinds = sorted(drive_kinds(structure, drive) & {"force", "displacement"})
+    if kinds:
+        raise InputError(
+            f"{structure.name}: need a drive of torques or rest angles, because the statics of bodies on joints in a"
+            f' tree cannot follow another one, got the {" and ".join(kinds)} "{drive.name}"; a run can follow it'
+        )
+
+
+def drive_kinds(structure: Structure, drive: Drive) -> set[str]:
+    """Return the kinds of the motors that a drive sets."""
+    return {motor.kind for motor, share in zip(structure.motors, drive.shares, strict=True) if share}
 
 
 def slow_transition(structures: Ensemble, start: Array, transition: Transition, torques: ArrayLike) -> SlowTransition:
@@ -163,6 +197,7 @@ def slow_transition(structures: Ensemble, start: Array, transition: Transition, 
         torques: rising sizes, N m, (step,); the sign is that of the drive.
     """
     goal, drive = goal_of(structures.structure, transition.goal), drive_of(structures.structure, transition.drive)
+    check_drive(structures.structure, drive)
     position, least = start.copy(), np.full(len(start), np.nan)
     steps = np.asarray(torques, dtype=np.float64)
     before = [] if crosses(structures, drive) else steps[0] / 2.0 ** np.arange(_LEAD_IN, 0, -1)
@@ -229,6 +264,9 @@ def least_slow_torque(
             separate because of them, the torque depends on small differences.
         watch: called with every step of recorded paths: torque, angles, (hinge,), and whether the structure rests.
         stop: ends the paths if it returns True.
+
+    Raises:
+        InputError: the drive is a force or a displacement.
     """
     goal = None if transition is None else goal_of(structures.structure, transition.goal)
 
@@ -240,6 +278,7 @@ def least_slow_torque(
     if drive is None:
         assert transition is not None
         drive = drive_of(structures.structure, transition.drive)
+    check_drive(structures.structure, drive)
     most = np.broadcast_to(np.asarray(most, dtype=np.float64), (len(start),))
     position, torque, step = start.copy(), np.full(len(start), begin), _FIRST_STEP * most
     least = np.where(arrives(start), begin, np.nan)

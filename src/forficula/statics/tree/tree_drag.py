@@ -68,7 +68,7 @@ def tree_drag(
     if not any(tree.chain(body) for body in bodies if body != GROUND):
         raise InputError("places: need a point that can move, got one that no hinge moves")
     if near is None:
-        near = _point(structures, 0.0, rest(structures, start_angles(structures)).position[0], resting=True)
+        near = _point(structures, drive, 0.0, rest(structures, start_angles(structures)).position[0], resting=True)
     pulled = _PulledTree(
         structures=structures,
         drive=drive,
@@ -83,8 +83,8 @@ def tree_drag(
     )
 
 
-def _point(structures: Ensemble, strength: float, angles: Array, *, resting: bool) -> QuasiStaticPoint:
-    return tree_points(structures, np.array([strength]), angles[None], np.array([resting], dtype=np.bool_))[0]
+def _point(structures: Ensemble, drive: Drive, strength: float, angles: Array, *, resting: bool) -> QuasiStaticPoint:
+    return tree_points(structures, drive, np.array([strength]), angles[None], np.array([resting], dtype=np.bool_))[0]
 
 
 def _torques(pulled: _PulledTree, near: QuasiStaticPoint) -> Array:
@@ -162,5 +162,5 @@ def _pulled(pulled: _PulledTree, near: QuasiStaticPoint, target: Array) -> Dragg
     )
     if not reached:
         held = held._replace(force=least_force(held.force, _compliance(pulled, held.shape[None], torques)))
-    point = _point(pulled.structures, near.strength, held.shape, resting=False)
+    point = _point(pulled.structures, pulled.drive, near.strength, held.shape, resting=False)
     return dragged_shape(structure, point, target, held, reached=reached)

@@ -18,10 +18,10 @@ from forficula.statics.growing_path import (
     nearest_point,
     path_of,
 )
-from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
+from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint, rest_changes
 from forficula.statics.tree.hinge_landscape import crossed_hinges
 from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
-from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, stored_energy
+from forficula.statics.tree.potential import Ensemble, ensemble, hinge_angles, potential, rest, stored_energy
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
     TorquePath,
@@ -131,7 +131,11 @@ def _followed(driven: _DrivenTree, start: Array, growing: GrowingPath, begin: fl
         recorded=True,
         watch=lambda torque, angles, resting: growing.add(
             lambda: tree_points(
-                driven.structures, np.array([driven.sign * torque]), angles[None], np.array([resting], dtype=np.bool_)
+                driven.structures,
+                driven.drive,
+                np.array([driven.sign * torque]),
+                angles[None],
+                np.array([resting], dtype=np.bool_),
             )[0]
         ),
         stop=lambda: growing.stopped,
@@ -210,7 +214,9 @@ def _points(
     ends = sorted({0, len(resting) - 1, *(end for snap in path.snaps for end in snap)})
     kept = kept_frames(time, positions, time[ends], most=_MOST_POINTS, tolerance=bound)
     numbers = {row: number for number, row in enumerate(kept.tolist())}
-    points = tree_points(driven.structures, driven.sign * path.torque[kept], path.position[kept], resting[kept])
+    points = tree_points(
+        driven.structures, driven.drive, driven.sign * path.torque[kept], path.position[kept], resting[kept]
+    )
     events = list[NumberedEvent]()
     for first, last in path.snaps:
         torque = float(path.torque[last])
@@ -227,22 +233,26 @@ def _points(
     return points, events, bound + float(interval_errors(positions)[~_snapping(path)].max(initial=0.0))
 
 
-def tree_points(structures: Ensemble, strength: Array, angles: Array, resting: Flags) -> list[QuasiStaticPoint]:
+def tree_points(
+    structures: Ensemble, drive: Drive, strength: Array, angles: Array, resting: Flags
+) -> list[QuasiStaticPoint]:
     """Return shapes of a tree as points of a quasi-static path.
 
     Args:
         structures: the tree as the only case.
-        strength: of the drive, N m, with its sign, (point,).
-        angles: of all hinges, rad, (point, hinge).
+        drive: the drive.
+        strength: of the drive, in its SI unit, with its sign, (point,).
+        angles: of all joints, rad, (point, joint).
         resting: whether the tree is at rest, (point,).
     """
-    energy = stored_energy(structures.repeated(len(strength)), angles)
-    positions = place_positions(structures.structure, angles)
+    further = strength[:, None] * rest_changes(structures.structure, drive)
+    energy = stored_energy(structures.repeated(len(strength)), angles, further)
+    positions, every = place_positions(structures.structure, angles), hinge_angles(structures, angles)
     return [
         QuasiStaticPoint(
             strength=float(strength[number]),
             resting=bool(resting[number]),
-            angles=angles[number],
+            angles=every[number],
             positions=positions[number],
             coordinates=angles[number],
             energy={part: float(values[number]) for part, values in energy.items()},
@@ -256,7 +266,7 @@ def place_positions(structure: Structure, angles: Array) -> Array:
 
     Args:
         structure: a tree.
-        angles: of all hinges, in their own senses, rad, (case, hinge).
+        angles: of all joints, in their own senses, rad, (case, joint); angles of creases may follow and are ignored.
     """
     tree = tree_of(structure)
     carried = carried_points(tree, *place_carriers(structure))

@@ -99,6 +99,13 @@ def total_energy(poses: LandscapePoses) -> Array:
 
 def _is_tied(structure: Structure) -> bool:
     """Return whether turning one hinge moves others, or its angle does not determine the positions of its bodies."""
-    ties = (structure.membranes, structure.facets, structure.closures, structure.couplings, structure.limits)
+    ties = (
+        structure.membranes,
+        structure.facets,
+        structure.closures,
+        structure.couplings,
+        structure.springs,
+        structure.limits,
+    )
     crease = any(hinge.flaps is not None for hinge in structure.hinges)
     return any(ties) or crease or any(body.slides for body in structure.bodies)

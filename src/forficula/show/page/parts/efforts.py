@@ -95,7 +95,7 @@ def efforts_of(record: Record, rows: Indices) -> Efforts:
     drives = tuple(drive_of(structure, name) for name in names)
     turns: list[Turn] = []
     pushes: list[Push] = []
-    joints = bool(structure.hinges) and all(hinge.flaps is None for hinge in structure.hinges)
+    joints = any(hinge.flaps is None for hinge in structure.hinges)
     at = pose(tree_of(structure), record.series["hinge_angle"][rows]) if joints else None
     for number, motor in enumerate(structure.motors):
         shares = [drive.shares[number] for drive in drives]
