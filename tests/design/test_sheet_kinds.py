@@ -1,5 +1,6 @@
 """Designs of sheets of every kind: writing, reading, scaling, and refusals of their sections."""
 
+import numpy as np
 import pytest
 
 from forficula.design import design_from_text, design_text, load_design, with_values, write_new_design
@@ -29,6 +30,18 @@ def test_a_sheet_of_every_kind_is_built_and_reads_back_to_the_bit(kind):
     assert [hinge.rest_angle for hinge in structure.hinges] == [hinge.start for hinge in structure.hinges]
     again = design_from_text(design_text(design))
     assert (again.hash, again.sheet.vertices_coords.tobytes()) == (design.hash, design.sheet.vertices_coords.tobytes())
+
+
+def test_the_sectors_of_a_vertex_are_scaled_to_their_sum():
+    design = load_design("bistable-clasp", {"pattern.sector_sum": "350 deg"})
+    ends = design.sheet.vertices_coords[1:] / np.linalg.norm(design.sheet.vertices_coords[1:], axis=1)[:, None]
+    sectors = np.degrees(np.arccos(np.einsum("ij,ij->i", ends, np.roll(ends, -1, axis=0))))
+    unscaled = np.degrees(load_design("bistable-clasp").pattern.sectors)
+    assert sectors == pytest.approx(unscaled * 350 / unscaled.sum())
+    again = design_from_text(design_text(design))
+    assert again.hash == design.hash
+    with pytest.raises(InputError, match=r"pattern\.sector_sum: need > 0, got 0 deg"):
+        load_design("bistable-clasp", {"pattern.sector_sum": "0 deg"})
 
 
 @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "earwig-fan"])

@@ -14,6 +14,7 @@ from forficula.show.folder.presentation import folder_drawings
 from forficula.show.landscape.barriers_figure import draw_barriers
 from forficula.show.landscape.landscape_table import landscape_table
 from forficula.show.landscape.net_pictures import _aligned
+from forficula.show.landscape.slow_paths_figure import draw_slow_paths
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from forficula.statics import energy_landscape
 from forficula.study.running.runs import run
@@ -76,6 +77,20 @@ def test_every_kind_of_line_of_a_path_is_in_the_legend(landscape):
     # panels have letters, and moments numbers
     assert [text.get_text() for axes in plots for text in axes.texts if text.get_weight() == "bold"] == ["A", "B"]
     assert {"1", "2"} <= {text.get_text() for text in plots[0].texts}
+
+
+def test_equilibria_at_a_stop_do_not_set_the_scale_of_the_strengths(landscape):
+    """A crease at a rigid stop withstands a million times the torque of the snap."""
+    course = landscape.courses[0]
+    last = course.through.points[-1]
+    points = (*course.through.points, dataclasses.replace(last, factor=1e6))
+    stopped = dataclasses.replace(course, through=dataclasses.replace(course.through, points=points))
+    figures = [
+        draw_slow_paths(dataclasses.replace(landscape, courses=(shown, *landscape.courses[1:])))
+        for shown in (course, stopped)
+    ]
+    limits = [figure.axes[0].get_ylim() for figure in figures]
+    assert limits[0] == pytest.approx(limits[1])
 
 
 def test_a_gap_without_a_saddle_is_named(landscape):
