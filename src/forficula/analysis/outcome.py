@@ -477,6 +477,7 @@ def _missed(record: Record, runs: list[_TransitionRun]) -> StageEnd | None:
             return run.driven
     last = record.stages[-1]
     has_goal = last.stage.wait or goal_of(record.structure, last.stage.until).kind == "bounds"
+    has_goal = has_goal or (last.stage.quasi_static and not last.at_rest)
     return last if last.goal_time is None and has_goal else None
 
 

@@ -47,7 +47,7 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "membrane_position": (("node", "axis"), "m", "position of the membrane's node"),
 }
 # variables of records with dry friction, contacts, springs in hinges, displacements, elastic couplings, measured
-# distances, Maxwell branches, tendons that yield or are clamped, and in air or water
+# distances, Maxwell branches, tendons that yield or are clamped, quasi-static stages, and in air or water
 OPTIONAL_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "friction_work": ((), "J", "work of the hinges' dry friction since the start"),
     "contact_work": ((), "J", "work of contacts, their friction and rigid couplings since the start"),
@@ -71,6 +71,11 @@ OPTIONAL_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
         "work saved by clamping tendons whose branches would push or act while slack",
     ),
     "tendon_pull": (("tendon",), "N", "pull of the tendon's spring and Maxwell branches"),
+    "settling_work": (
+        (),
+        "J",
+        "energy gained since the start where statics takes over from a motion in a quasi-static stage, ideally 0",
+    ),
     "waited": ((), "s", "time at rest since the start that was skipped without stepping, not part of time"),
 }
 # of the file; other formats are rejected

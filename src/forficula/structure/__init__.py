@@ -23,6 +23,7 @@ from forficula.structure.goals import (
 )
 from forficula.structure.mass import gathered_mass, inertia_about, mass_of
 from forficula.structure.motors_and_measures import Measure, Motor, RigidFold, StageGoal
+from forficula.structure.slow_stage import GrowingLoad, RestPath, RestShape, RestSolver
 from forficula.structure.parts import (
     GROUND,
     Bar,
@@ -90,6 +91,10 @@ __all__ = [
     "RigidFold",
     "Spring",
     "StageGoal",
+    "GrowingLoad",
+    "RestPath",
+    "RestShape",
+    "RestSolver",
     "Stops",
     "Structure",
     "Surface",

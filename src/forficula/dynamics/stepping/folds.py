@@ -122,7 +122,7 @@ def folds_of(engine: mujoco.MjModel, structure: Structure) -> Folds:
     for node, point in enumerate(points.tolist()):
         body = structure.bodies[structure.points[point].body]
         for axis in () if body.turns else body.slides:
-            slides[node, axis] = _address(engine, slide_name(body.name, axis))
+            slides[node, axis] = slide_address(engine, body.name, axis)
     return Folds(
         senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),
         joints=np.array(joints, dtype=np.int64),
@@ -140,6 +140,11 @@ def folds_of(engine: mujoco.MjModel, structure: Structure) -> Folds:
 def slide_name(body: str, axis: int) -> str:
     """Return the engine's name of the slide of a body along an axis, 0 to 2."""
     return f"{body}_{'xyz'[axis]}"
+
+
+def slide_address(engine: mujoco.MjModel, body: str, axis: int) -> int:
+    """Return the index of the slide of a body along an axis in the engine's positions."""
+    return _address(engine, slide_name(body, axis))
 
 
 def _address(engine: mujoco.MjModel, joint: str, of: str = "qposadr") -> int:

@@ -21,7 +21,9 @@ from forficula.dynamics.engine.crease_rows import CreaseRows, crease_rows, witho
 from forficula.dynamics.engine.drag import KINEMATICS, stacked_drag
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.plate_creases import PlateRows, plate_rows
+from forficula.dynamics.stepping.folds import slide_address
 from forficula.dynamics.stepping.steps import EngineState, Steps
+from forficula.structure import GROUND, built_points
 
 # the full state that a step depends on, and the part that a step changes: time, positions and velocities first
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
@@ -184,6 +186,35 @@ class Stepper:
         angle = folds.angles(data.qpos)
         angle[folds.creases] = without_jump(angle[folds.creases], self._angles[row])
         return EngineState(position=data.qpos.copy(), velocity=data.qvel.copy(), angle=angle, derived=derived)
+
+    def position_of(self, row: int, angles: Array, points: Array) -> Array:
+        """Return the positions of a structure's joints and slides, (position,), in a shape.
+
+        Args:
+            row: number of the structure.
+            angles: of all hinges in their own senses, rad, (hinge,).
+            points: positions of the points, m, (point, 3).
+        """
+        model = self._structures[row]
+        position, moved = start_position(model), points / model.units.length - built_points(model.in_units)
+        joints = model.folds.joints >= 0
+        position[model.folds.joints[joints]] = (model.folds.senses * angles)[joints]
+        for number, point in enumerate(model.in_units.points):
+            body = None if point.body == GROUND else model.in_units.bodies[point.body]
+            for axis in () if body is None or body.turns else body.slides:
+                assert body is not None
+                position[slide_address(model.engine, body.name, axis)] = moved[number, axis]
+        return position
+
+    def place(self, row: int, position: Array) -> EngineState:
+        """Put a structure at rest into a position, (position,); return its state."""
+        changed = self._state[row, self._moving]
+        engine = self._structures[row].engine
+        changed[1 : 1 + engine.nq], changed[1 + engine.nq : 1 + engine.nq + engine.nv] = position, 0.0
+        self._state[row, self._moving] = changed
+        state = self.state(row)
+        self._angles[row] = state.angle[self._structures[row].folds.creases]
+        return state
 
     def lengths(self, row: int) -> Array:
         """Return the lengths of the engine's tendons in a structure, (tendon,)."""

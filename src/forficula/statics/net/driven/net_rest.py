@@ -1,0 +1,107 @@
+"""Equilibria of a net under a load that grows evenly, for a quasi-static stage of a run."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from forficula.arrays import Array, Flags
+from forficula.errors import InputError
+from forficula.statics.net.driven.driven_net import goal_values
+from forficula.statics.net.energy import expand, shape_at
+from forficula.statics.net.load import Load
+from forficula.statics.net.minimum import minimum
+from forficula.statics.net.net import Net, NetShape
+from forficula.statics.net.net_of import motor_load, net_of, own_angles, point_positions, valley_angles
+from forficula.statics.rest_path import rest_path
+from forficula.structure import (
+    GrowingLoad,
+    RestPath,
+    RestShape,
+    Structure,
+    crease_law,
+    distance_to_goal,
+)
+
+_NEAR = 0.02  # of the net's size: largest displacement between two neighbouring equilibria
+
+
+def net_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) -> RestPath:
+    """Follow the equilibria of a net under a growing load; see `forficula.statics.rest_path.rest_path`."""
+    system = _LoadedNet(structure, load)
+    return rest_path(system, system.state(start), load)
+
+
+class _LoadedNet:
+    """A net of sliding points under a load; its states are the shapes of the net."""
+
+    def __init__(self, structure: Structure, load: GrowingLoad) -> None:
+        self._structure, self._load = structure, load
+        net = net_of(structure)
+        held = net.free.copy()
+        for motor, setting in zip(structure.motors, load.after, strict=True):
+            if motor.kind != "displacement" or motor.direction is None or not setting:
+                continue
+            axes = np.flatnonzero(motor.direction)
+            if len(axes) > 1:
+                raise InputError(
+                    f"drive.{motor.name}.direction: need x, y or z in a quasi-static stage, because statics holds"
+                    " points along these only"
+                )
+            held[list(motor.points), axes[0]] = False
+        self._net: Net = replace(net, free=held)
+        self._displaced = net.free & ~held
+        count = len(structure.hinges)
+        self._gains = np.zeros((len(structure.motors), count))
+        for number, motor in enumerate(structure.motors):
+            np.add.at(self._gains[number], list(motor.hinges), motor.gains or np.ones(len(motor.hinges)))
+        self._law = crease_law(structure, np.arange(count), rigid_stops=True)
+
+    @property
+    def prescribes(self) -> Flags:
+        return np.array([motor.kind in ("displacement", "rest-angle") for motor in self._structure.motors])
+
+    def state(self, start: RestShape) -> NetShape:
+        """Return the state of a shape."""
+        return shape_at(self._net, start.points, valley_angles(self._structure, start.angles))
+
+    def rest(self, share: float, near: NetShape, *, neutral: bool = False) -> NetShape | None:
+        load = self._motor_load(self._load.settings(share))
+        moved = self._load.built_on + self._motor_load(self._load.settings(share) - self._load.before).displacements
+        positions = np.where(self._displaced, moved, near.positions)
+        found = minimum(self._net, shape_at(self._net, positions, near.angles), load, 1.0)
+        far = np.abs(found.shape.positions - near.positions).max() > _NEAR * self._net.size
+        stiff = found.index == 0 and (neutral or found.neutral == 0)
+        return found.shape if found.settled and stiff and not far else None
+
+    def _motor_load(self, settings: Array) -> Load:
+        return motor_load(self._structure, self._net, tuple(settings.tolist()))
+
+    def middle(self, one: NetShape, other: NetShape) -> NetShape:
+        return shape_at(self._net, (one.positions + other.positions) / 2, one.angles)
+
+    def conjugates(self, state: NetShape, share: float) -> Array:
+        structure, settings = self._structure, self._load.settings(share)
+        angles = own_angles(structure, state)
+        slope = expand(self._net, state, self._motor_load(settings), 1.0).slope
+        further = np.where([motor.kind == "rest-angle" for motor in structure.motors], settings, 0.0) @ self._gains
+        moments = np.asarray(self._law.rest_moment(angles, further))
+        values = np.zeros(len(structure.motors))
+        for number, motor in enumerate(structure.motors):
+            if motor.kind == "torque":
+                values[number] = self._gains[number] @ angles
+            elif motor.kind == "rest-angle":
+                values[number] = -self._gains[number] @ moments
+            elif motor.direction is not None:
+                vectors = slope if motor.kind == "displacement" else state.positions - self._net.nodes
+                values[number] = np.sum(vectors[list(motor.points)] @ motor.direction)
+        return values
+
+    def short_of_goal(self, state: NetShape) -> float:
+        if self._load.goal.kind != "bounds":
+            return np.inf
+        return distance_to_goal(goal_values(self._structure, self._net, state), self._load.goal)
+
+    def shape(self, state: NetShape) -> RestShape:
+        return RestShape(angles=own_angles(self._structure, state), points=point_positions(self._net, state))
