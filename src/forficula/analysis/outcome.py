@@ -178,6 +178,9 @@ class StageOutcome:
         time: until the goal was reached, s; the duration of a stage without a goal; None if it missed its goal.
         work: of the motors over the stage, J.
         waited: time at rest that was skipped without stepping, s, not part of `time`; None if the stage did not wait.
+        motion: "quasi-static" if statics computed the stage; None if its motion was simulated.
+        share: share at the end to which the drive of a quasi-static stage has grown.
+        lost: shares at which a quasi-static stage lost its equilibrium, so that the structure moved to the next one.
     """
 
     name: Annotated[str, Written.NEVER]
@@ -187,6 +190,9 @@ class StageOutcome:
     time: Seconds | None
     work: Joules
     waited: Annotated[Seconds | None, Written.IF_KNOWN] = None
+    motion: Annotated[str | None, Written.IF_KNOWN] = None
+    share: Annotated[float | None, Written.IF_KNOWN] = None
+    lost: Annotated[tuple[float, ...] | None, Written.IF_KNOWN] = None
 
     @property
     def driven_by(self) -> Annotated[str | tuple[str, ...], Key("drive"), Written.FIRST]:
@@ -646,6 +652,9 @@ def _stage(record: Record, end: StageEnd, *, conclusive: bool) -> StageOutcome:
         time=None if moment is None else moment - end.start,
         work=_work(record, end),
         waited=end.waited or None,
+        motion=end.stage.motion,
+        share=end.share,
+        lost=end.lost if end.stage.quasi_static else None,
     )
 
 

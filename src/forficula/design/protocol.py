@@ -47,8 +47,8 @@ class StageSection(Section):
     motion: Annotated[
         Literal["quasi-static"] | None,
         Field(
-            description='"quasi-static": the drive grows evenly over the time limit, so slowly that the structure passes'
-            ' through equilibria, which statics computes; if not given, or "dynamic": the motion is simulated',
+            description='"quasi-static": the drive grows evenly over the time limit, so slowly that the structure'
+            ' passes through equilibria, which statics computes; if not given, or "dynamic": the motion is simulated',
             examples=["quasi-static"],
         ),
     ] = None

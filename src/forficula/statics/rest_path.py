@@ -8,7 +8,7 @@ from typing import Generic, Literal, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
-from forficula.arrays import Array
+from forficula.arrays import Array, Flags
 from forficula.structure import GrowingLoad, RestPath, RestShape
 
 State = TypeVar("State")
@@ -33,7 +33,7 @@ class LoadedSystem(Protocol[State]):
         """Return the mean of two states, from which their common neighbour is searched."""
         ...
 
-    def conjugates(self, state: State, share: float) -> Array:
+    def conjugates(self, share: float, state: State, /) -> Array:
         """Return the conjugate of every motor's setting, (motor,).
 
         For a torque or a force, it is the turn or the displacement along the motor. For a change of rest angles or a
@@ -42,7 +42,7 @@ class LoadedSystem(Protocol[State]):
         ...
 
     @property
-    def prescribes(self) -> Array:
+    def prescribes(self) -> Flags:
         """Return whether each motor sets a displacement or a rest angle instead of a torque or a force, (motor,)."""
         ...
 
@@ -89,7 +89,7 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
         states.append(state)
         ended = "goal" if reached else ended
         step, steady = min(2 * step, _STEP) if steady else step, True
-    conjugates = np.array([system.conjugates(state, share) for share, state in zip(shares, states, strict=True)])
+    conjugates = np.array([system.conjugates(share, state) for share, state in zip(shares, states, strict=True)])
     return RestPath(
         share=np.array(shares),
         shapes=tuple(system.shape(state) for state in states),
@@ -114,7 +114,7 @@ def _works(
     def middle(one: _Node[State], other: _Node[State]) -> _Node[State] | None:
         share = (one.share + other.share) / 2
         state = system.rest(share, system.middle(one.state, other.state))
-        return None if state is None else _Node(share, state, system.conjugates(state, share))
+        return None if state is None else _Node(share, state, system.conjugates(share, state))
 
     def small(error: Array) -> bool:
         return float(np.abs(rate * error).max(initial=0.0)) <= allowed

@@ -23,7 +23,6 @@ from forficula.structure.goals import (
 )
 from forficula.structure.mass import gathered_mass, inertia_about, mass_of
 from forficula.structure.motors_and_measures import Measure, Motor, RigidFold, StageGoal
-from forficula.structure.slow_stage import GrowingLoad, RestPath, RestShape, RestSolver
 from forficula.structure.parts import (
     GROUND,
     Bar,
@@ -50,6 +49,7 @@ from forficula.structure.protocol import with_protocol
 from forficula.structure.sheets.couplings import coupling_rows
 from forficula.structure.sheets.facets import facet_triangles, held_corners, hinge_groups, springs_name
 from forficula.structure.sheets.flaps import built_creases, crease_flaps, crease_law, crease_numbers, flap_angles
+from forficula.structure.slow_stage import GrowingLoad, RestPath, RestShape, RestSolver
 from forficula.structure.structure import Structure
 from forficula.structure.structure_warnings import structure_warnings
 from forficula.structure.tree import (
@@ -77,6 +77,7 @@ __all__ = [
     "Crossing",
     "Drive",
     "Facet",
+    "GrowingLoad",
     "Hinge",
     "LengthLimit",
     "Measure",
@@ -87,14 +88,13 @@ __all__ = [
     "Plate",
     "Point",
     "PointMass",
+    "RestPath",
+    "RestShape",
+    "RestSolver",
     "RestState",
     "RigidFold",
     "Spring",
     "StageGoal",
-    "GrowingLoad",
-    "RestPath",
-    "RestShape",
-    "RestSolver",
     "Stops",
     "Structure",
     "Surface",

@@ -67,7 +67,7 @@ class QuasiStaticStages:
         )
         path = self._solver(model.structure, shape, load)
         if path.ended == "away":
-            tracker.move_on(row, share)
+            tracker.rest_again(row)
             return
         steps, rows = _numbers(path, tracker.longest_stage(row))
         states = [stepper.place(row, _position(stepper, row, path.shapes[place])) for place in rows.values()]
@@ -92,7 +92,7 @@ class QuasiStaticStages:
         )
         last = float(path.share[-1])
         if path.ended == "lost":
-            tracker.move_on(row, min(last + _BEYOND, 1.0), steps)
+            tracker.lose(row, last, min(last + _BEYOND, 1.0), steps)
         else:
             tracker.end_at_rest(row, last, steps, final.position, at_goal=path.ended == "goal")
 

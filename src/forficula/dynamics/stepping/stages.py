@@ -71,6 +71,8 @@ class StageTracker:
         self._share = np.zeros(count)
         self._before = np.zeros((count, len(models[0].structure.motors)))
         self._carried = np.zeros_like(self._before)
+        # shares at which each structure has lost its equilibrium in the present stage
+        self._lost: list[list[float]] = [[] for _ in models]
         for row in np.flatnonzero(self._plan.quasi_static[:, 0]).tolist():
             self._begin_stage(row)
 
@@ -94,7 +96,7 @@ class StageTracker:
         """Return the torques at the end of the last stage of a structure, (motor,), as for `torques`."""
         end, model = self.ends[row][-1], self._models[row]
         if end.stage.quasi_static:
-            return self._carried[row]
+            return np.asarray(self._carried[row])
         total = np.zeros(len(model.structure.motors))
         for torques, rise in stage_torques(model, end.stage):
             total += (min((end.end - end.start) / rise, 1.0) if rise else 1.0) * np.array(torques)
@@ -241,12 +243,23 @@ class StageTracker:
         """Return the number of steps over which the drive of a structure's quasi-static stage grows."""
         return int(self._plan.limit[row, self.stage[row]])
 
-    def move_on(self, row: int, share: float, steps: int = 0) -> None:
-        """Let a structure move at a share of its quasi-static stage until it rests, after a number of steps at rest."""
-        if steps:
-            self._limit_start[row] = self.steps[row] + steps
+    def rest_again(self, row: int) -> None:
+        """Let a structure move on in its quasi-static stage until it rests at an equilibrium."""
+        self.at_rest[row] = False
+
+    def lose(self, row: int, share: float, beyond: float, steps: int) -> None:
+        """Let a structure move until it rests again, because it has lost its equilibrium in its quasi-static stage.
+
+        Args:
+            row: number of the structure.
+            share: share of the stage at which the equilibrium is lost.
+            beyond: share at which the structure moves.
+            steps: number of steps that the structure has rested.
+        """
         self.steps[row] += steps
-        self._share[row], self._settling[row], self.at_rest[row] = share, True, False
+        self._limit_start[row] = self.steps[row]
+        self._lost[row].append(share)
+        self._share[row], self.at_rest[row] = beyond, False
 
     def end_at_rest(self, row: int, share: float, steps: int, position: Array, *, at_goal: bool) -> None:
         """End the quasi-static stage of a structure at a share of the stage, after a number of steps at rest.
@@ -283,7 +296,7 @@ class StageTracker:
         displacement by a drive that no longer acts is released. After a motion, and at the start, they begin at 0.
         """
         self._settling[row] = self.at_rest[row] = False
-        self._share[row] = 0.0
+        self._share[row], self._lost[row] = 0.0, []
         if self.ended[row] or not self._plan.quasi_static[row, self.stage[row]]:
             return
         before = self.stage[row] - 1
@@ -339,6 +352,8 @@ class StageTracker:
                 at_rest=at_rest,
                 at_goal=at_goal,
                 waited=float(self.waited[row] - self._waited_before[row]),
+                share=float(self._share[row]) if stage.quasi_static else None,
+                lost=tuple(self._lost[row]),
             )
         )
         self._waited_before[row] = self.waited[row]

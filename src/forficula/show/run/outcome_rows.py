@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,7 +28,7 @@ from forficula.show.structure.labels import (
     shown_distances,
     title_of,
 )
-from forficula.structure import Measure, Structure, Transition, drive_of, hinge_groups, read_angles, springs_name
+from forficula.structure import Drive, Measure, Structure, Transition, drive_of, hinge_groups, read_angles, springs_name
 
 _ROUNDING = 1e-12  # share of the largest energy up to which an energy is rounding error
 _LARGE = 0.05  # share of the work or of the stored energy from which energies without work are explained
@@ -282,6 +283,28 @@ def balance_remark(balance: EnergyBalance) -> str:
         " branches; no work was done for them, so the row of branches that gave way subtracts them. The sum is"
         f" {show_value(taken + unpaid, 'J', 3)}."
     )
+
+
+def quasi_static_text(structure: Structure, outcome: Outcome) -> str:
+    """Return which stages of a run were quasi-static, and where they lost their equilibrium; empty if none was."""
+    parts = []
+    for before, stage in pairwise([None, *outcome.stages]):
+        if stage is None or stage.motion is None:
+            continue
+        # a stage that continues another one does not grow from 0
+        alone = len(stage.drive) == 1 and (before is None or before.motion is None)
+        drive = drive_of(structure, stage.drive[0]) if alone else None
+
+        def at(share: float, drive: Drive | None = drive) -> str:
+            if drive is None:
+                return f"{show_value(100 * share, '%', 4)} of its change of the drives"
+            return drive_text(structure, drive, share * drive.strength)
+
+        text = f'"{stage.name}" up to {at(stage.share or 0.0)}'
+        if stage.lost:
+            text += f", where the equilibrium is lost at {listed(map(at, stage.lost))} and motion is simulated"
+        parts.append(text)
+    return f"Quasi-static stages, which statics computes: {'; '.join(parts)}." if parts else ""
 
 
 def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str, str]]:

@@ -81,7 +81,7 @@ class _LoadedTree:
     def middle(self, one: Array, other: Array) -> Array:
         return np.asarray((one + other) / 2)
 
-    def conjugates(self, state: Array, share: float) -> Array:
+    def conjugates(self, _share: float, state: Array) -> Array:
         return np.asarray(self._structures.drives @ state)
 
     def short_of_goal(self, state: Array) -> float:

@@ -70,10 +70,14 @@ class _LoadedNet:
         load = self._motor_load(self._load.settings(share))
         moved = self._load.built_on + self._motor_load(self._load.settings(share) - self._load.before).displacements
         positions = np.where(self._displaced, moved, near.positions)
-        found = minimum(self._net, shape_at(self._net, positions, near.angles), load, 1.0)
-        far = np.abs(found.shape.positions - near.positions).max() > _NEAR * self._net.size
-        stiff = found.index == 0 and (neutral or found.neutral == 0)
-        return found.shape if found.settled and stiff and not far else None
+        start = shape_at(self._net, positions, near.angles)
+
+        def is_far(shape: NetShape) -> bool:
+            return bool(np.abs(shape.positions - near.positions).max() > _NEAR * self._net.size)
+
+        rest = minimum(self._net, start, load, 1.0, stop=is_far)
+        stiff = rest.index == 0 and (neutral or rest.neutral == 0)
+        return rest.shape if rest.settled and stiff and not is_far(rest.shape) else None
 
     def _motor_load(self, settings: Array) -> Load:
         return motor_load(self._structure, self._net, tuple(settings.tolist()))
@@ -81,7 +85,7 @@ class _LoadedNet:
     def middle(self, one: NetShape, other: NetShape) -> NetShape:
         return shape_at(self._net, (one.positions + other.positions) / 2, one.angles)
 
-    def conjugates(self, state: NetShape, share: float) -> Array:
+    def conjugates(self, share: float, state: NetShape) -> Array:
         structure, settings = self._structure, self._load.settings(share)
         angles = own_angles(structure, state)
         slope = expand(self._net, state, self._motor_load(settings), 1.0).slope
