@@ -420,6 +420,8 @@ def early_goal(record: Record, end: StageEnd) -> str:
     ):
         return ""
     early = end.goal_time - end.start <= _FIRST_STEP * float(record.design.protocol.timestep)
+    # a quasi-static stage first comes to rest without its drive
+    early = early or end.share == 0
     return ENDING_TEXTS["not held, early"].format(stage=end.stage.name) if early else ""
 
 

@@ -13,8 +13,8 @@ from forficula.structure import GrowingLoad, RestPath, RestShape
 
 State = TypeVar("State")
 
-_STEP = 0.02  # first and longest step of the share
-_SHORTEST = 1e-11  # step of the share at which a lost equilibrium or a goal is located
+_STEP = 0.04  # first and longest step of the share
+_SHORTEST = 1e-9  # step of the share at which a lost equilibrium or a goal is located
 _ACCURACY = 1e-9  # of the work in a step, relative to the largest setting times the largest change of its conjugate
 _DEPTH = 12  # halvings of a step for the integral of the work
 
@@ -59,7 +59,7 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
     """Follow the stable equilibria of a structure under a load that grows evenly, to its goal or its full size.
 
     The share of the load grows in steps. A step is halved if there is no stable equilibrium near the one before. If
-    there is none after a step of 1e-11 either, the equilibrium is lost.
+    there is none after a step of 1e-9 either, the equilibrium is lost.
 
     Args:
         system: the structure under the load.
@@ -109,7 +109,8 @@ def _works(
     over the share (for a torque by parts).
     """
     rate = load.after - load.before
-    allowed = _ACCURACY * float((np.abs(rate) * np.ptp(conjugates, axis=0)).max(initial=0.0))
+    largest = np.abs([load.settings(share) for share in (shares[0], shares[-1])]).max(axis=0)
+    allowed = _ACCURACY * float((largest * np.ptp(conjugates, axis=0)).max(initial=0.0))
 
     def middle(one: _Node[State], other: _Node[State]) -> _Node[State] | None:
         share = (one.share + other.share) / 2

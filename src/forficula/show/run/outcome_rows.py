@@ -297,14 +297,14 @@ def quasi_static_text(structure: Structure, outcome: Outcome) -> str:
 
         def at(share: float, drive: Drive | None = drive) -> str:
             if drive is None:
-                return f"{show_value(100 * share, '%', 4)} of its change of the drives"
+                return f"{show_value(100 * share, '%', 4)} of the change of its drives"
             return drive_text(structure, drive, share * drive.strength)
 
-        text = f'"{stage.name}" up to {at(stage.share or 0.0)}'
+        text = f'"{stage.name}" ended at {at(stage.share or 0.0)}'
         if stage.lost:
-            text += f", where the equilibrium is lost at {listed(map(at, stage.lost))} and motion is simulated"
+            text = f"{text} and lost its equilibrium at {listed(map(at, stage.lost))}, followed by motion to rest"
         parts.append(text)
-    return f"Quasi-static stages, which statics computes: {'; '.join(parts)}." if parts else ""
+    return f"Quasi-static stages, computed by statics: {'; '.join(parts)}." if parts else ""
 
 
 def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str, str]]:
