@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from tests.elastic_joint import FOLDED, STRENGTH, energy, joint, moment, peak, slow, stage
 from forficula.analysis import measure
 from forficula.statics.net.energy import shape_at
 from forficula.statics.net.minimum import minimum, stationary
 from forficula.statics.net.net_of import net_of, start_shape
 from forficula.structure import structure_of
 from forficula.study.running.runs import run
+from tests.elastic_joint import FOLDED, STRENGTH, energy, joint, moment, peak, slow, stage
 from tests.pyramid import DEEP, RISE, pyramid
 
 PRESS = {"name": "press", "kind": "displacement", "of": "vertex 0", "direction": [0, 0, -1], "rise": 0.05}
