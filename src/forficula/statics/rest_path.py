@@ -22,11 +22,8 @@ _DEPTH = 12  # halvings of a step for the integral of the work
 class LoadedSystem(Protocol[State]):
     """A structure under a load, as a static solver represents it."""
 
-    def rest(self, share: float, near: State, *, neutral: bool = False) -> State | None:
-        """Return the stable equilibrium at a share of the load near a state; None if there is none.
-
-        With `neutral`, also return an equilibrium without stiffness.
-        """
+    def rest(self, share: float, near: State) -> State | None:
+        """Return the stable equilibrium at a share of the load near a state; None if there is none."""
         ...
 
     def middle(self, one: State, other: State) -> State:
@@ -66,7 +63,7 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
         start: near an equilibrium at the first share.
         load: the load.
     """
-    first = system.rest(load.begin, start, neutral=True)
+    first = system.rest(load.begin, start)
     if first is None:
         motors = len(load.before)
         return RestPath(

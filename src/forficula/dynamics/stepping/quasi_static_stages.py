@@ -131,7 +131,8 @@ def _position(stepper: Stepper, row: int, shape: RestShape) -> Array:
 def _numbers(path: RestPath, longest: int) -> tuple[int, dict[int, int]]:
     """Return the number of steps that a path takes, and the row of the path for some of these steps, by number.
 
-    Several rows of a path may belong to one step, of which only the last is kept. The last row is kept in any case.
+    If several rows of a path belong to one step, only the last of them is kept. The last row of the path is kept in any
+    case.
     """
     numbers = np.rint((path.share - path.share[0]) * longest).astype(int)
     steps = max(int(numbers[-1]), 1)

@@ -7,7 +7,7 @@ import scipy
 
 from forficula.arrays import Array, Flags
 from forficula.statics.rest_path import rest_path
-from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest
+from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, torque_scale
 from forficula.statics.tree.tree_path import place_positions
 from forficula.structure import (
     GrowingLoad,
@@ -23,6 +23,7 @@ _NEAR = 0.05  # rad, largest turn of a hinge between two neighbouring equilibria
 _CORRECTIONS = 20
 _EXACT = 1e-13  # rad, step of Newton's method that ends it
 _AT_BOUND = 1e-12  # rad
+_QUIET = 1e-9  # torque that counts as 0, as a share of the largest torque of the stiffest part
 _SOFT = 1e-12  # share of the largest stiffness below which a stiffness counts as 0
 
 
@@ -38,7 +39,7 @@ class _LoadedTree:
         self._structure, self._load = structure, load
         self._structures: Ensemble = ensemble([structure])
         self._lower, self._upper = self._structures.lower[None], self._structures.upper[None]
-        self._spread = np.eye(self._structures.size)
+        self._spread, self._quiet = np.eye(self._structures.size), _QUIET * torque_scale(self._structures)
         if (ties := self._structures.ties) is not None:
             self._spread = ties.spread
             self._lower, self._upper = ties.bounds(self._lower, self._upper)
@@ -47,16 +48,19 @@ class _LoadedTree:
     def prescribes(self) -> Flags:
         return np.zeros(len(self._structure.motors), dtype=np.bool_)
 
-    def rest(self, share: float, near: Array, *, neutral: bool = False) -> Array | None:
+    def rest(self, share: float, near: Array) -> Array | None:
         torques = self._load.settings(share)
         descended = rest(self._structures, near[None], torques, within=2 * _NEAR)
         if not descended.rests[0] or np.abs(descended.position[0] - near).max(initial=0.0) > _NEAR:
             return None
-        angles = self._corrected(descended.position[0], torques, neutral=neutral)
+        angles = self._corrected(descended.position[0], torques)
         return None if angles is None or np.abs(angles - near).max(initial=0.0) > _NEAR else angles
 
-    def _corrected(self, angles: Array, torques: Array, *, neutral: bool) -> Array | None:
-        """Return the stable equilibrium near angles by Newton's method, to the last digits; None if there is none."""
+    def _corrected(self, angles: Array, torques: Array) -> Array | None:
+        """Return the stable equilibrium near angles by Newton's method, to the last digits; None if there is none.
+
+        Directions without stiffness, such as that of a hinge with a slack tendon, are at rest if no torque acts.
+        """
         ties = self._structures.ties
         for _ in range(_CORRECTIONS):
             _, slope, curvature = potential(self._structures, angles[None], torques)
@@ -67,10 +71,10 @@ class _LoadedTree:
             if not free.shape[1]:
                 return angles
             values, axes = scipy.linalg.eigh(free.T @ curvature[0] @ free)
-            soft = values <= _SOFT * max(float(np.abs(curvature[0]).max()), 1e-300)
-            if soft.any() and not neutral:
+            least = _SOFT * max(float(np.abs(curvature[0]).max()), 1e-300)
+            soft, along = values <= least, axes.T @ (free.T @ slope[0])
+            if np.any(values < -least) or np.any(np.abs(along[soft]) > self._quiet):
                 return None
-            along = axes.T @ (free.T @ slope[0])
             # no correction along directions without stiffness
             step = -free @ (axes @ np.divide(along, values, out=np.zeros_like(along), where=~soft))
             angles = angles + step

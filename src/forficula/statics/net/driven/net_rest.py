@@ -66,7 +66,7 @@ class _LoadedNet:
         """Return the state of a shape."""
         return shape_at(self._net, start.points, valley_angles(self._structure, start.angles))
 
-    def rest(self, share: float, near: NetShape, *, neutral: bool = False) -> NetShape | None:
+    def rest(self, share: float, near: NetShape) -> NetShape | None:
         load = self._motor_load(self._load.settings(share))
         moved = self._load.built_on + self._motor_load(self._load.settings(share) - self._load.before).displacements
         positions = np.where(self._displaced, moved, near.positions)
@@ -76,8 +76,7 @@ class _LoadedNet:
             return bool(np.abs(shape.positions - near.positions).max() > _NEAR * self._net.size)
 
         rest = minimum(self._net, start, load, 1.0, stop=is_far)
-        stiff = rest.index == 0 and (neutral or rest.neutral == 0)
-        return rest.shape if rest.settled and stiff and not is_far(rest.shape) else None
+        return rest.shape if rest.settled and rest.index == 0 and not is_far(rest.shape) else None
 
     def _motor_load(self, settings: Array) -> Load:
         return motor_load(self._structure, self._net, tuple(settings.tolist()))
