@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,7 +27,7 @@ from forficula.show.structure.labels import (
     shown_distances,
     title_of,
 )
-from forficula.structure import Drive, Measure, Structure, Transition, drive_of, hinge_groups, read_angles, springs_name
+from forficula.structure import Measure, Structure, Transition, drive_of, hinge_groups, read_angles, springs_name
 
 _ROUNDING = 1e-12  # share of the largest energy up to which an energy is rounding error
 _LARGE = 0.05  # share of the work or of the stored energy from which energies without work are explained
@@ -288,23 +287,25 @@ def balance_remark(balance: EnergyBalance) -> str:
 def quasi_static_text(structure: Structure, outcome: Outcome) -> str:
     """Return which stages of a run were quasi-static, and where they lost their equilibrium; empty if none was."""
     parts = []
-    for before, stage in pairwise([None, *outcome.stages]):
-        if stage is None or stage.motion is None:
+    for number, stage in enumerate(outcome.stages):
+        if stage.share is None:
             continue
-        # a stage that continues another one does not grow from 0
-        alone = len(stage.drive) == 1 and (before is None or before.motion is None)
-        drive = drive_of(structure, stage.drive[0]) if alone else None
-
-        def at(share: float, drive: Drive | None = drive) -> str:
-            if drive is None:
-                return f"{show_value(100 * share, '%', 4)} of the change of its drives"
-            return drive_text(structure, drive, share * drive.strength)
-
-        text = f'"{stage.name}" ended at {at(stage.share or 0.0)}'
+        text = f'"{stage.name}" ended at {_grown_text(structure, outcome, number, stage.share)}'
         if stage.lost:
-            text = f"{text} and lost its equilibrium at {listed(map(at, stage.lost))}, followed by motion to rest"
+            lost = listed(_grown_text(structure, outcome, number, share) for share in stage.lost)
+            text = f"{text} and lost its equilibrium at {lost}, followed by motion to rest"
         parts.append(text)
     return f"Quasi-static stages, computed by statics: {'; '.join(parts)}." if parts else ""
+
+
+def _grown_text(structure: Structure, outcome: Outcome, number: int, share: float) -> str:
+    """Return how far the drive of a quasi-static stage has grown at a share of the stage."""
+    stage, before = outcome.stages[number], outcome.stages[:number][-1:]
+    # a stage that continues another one does not grow from 0
+    if len(stage.drive) != 1 or any(earlier.share is not None for earlier in before):
+        return f"{show_value(100 * share, '%', 4)} of the change of its drives"
+    drive = drive_of(structure, stage.drive[0])
+    return drive_text(structure, drive, share * drive.strength)
 
 
 def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str, str]]:
@@ -368,6 +369,9 @@ def _transition_cells(structure: Structure, transition: Transition, outcome: Out
     strength = drive_text(structure, drive_of(structure, transition.drive), result.strength)
     if result.largest_force is not None:
         strength += f", requires {show_value(result.largest_force, 'N')}"
+    number = transition.stage
+    if number is not None and (share := outcome.stages[number].share) is not None:
+        strength += f", ended at {_grown_text(structure, outcome, number, share)}"
     undecided = outcome.verdict is Verdict.UNDECIDED and outcome.holds[transition.state] is None
     succeeded = "undecided" if undecided else "yes" if result.succeeded else "no"
     return [strength, succeeded, time, _sure(outcome.confirmation, f"{name}.work", result.work, "J")]
