@@ -145,7 +145,8 @@ def _why_not_quasi_static(structure: Structure) -> str:
     if any(hinge.friction for hinge in structure.hinges):
         return "hinges have dry friction, with which they rest anywhere in a range"
     if is_net(structure):
-        return "its plates form loops or are free" if structure.plates else ""
+        displaced = structure.plates and any(motor.kind == "displacement" for motor in structure.motors)
+        return "a drive displaces points of plates" if displaced else ""
     if any(body.slides for body in structure.bodies) or structure.closures or structure.springs:
         return "its bodies slide, form loops or have springs between them"
     if any(motor.kind != "torque" or motor.gains for motor in structure.motors):

@@ -18,10 +18,14 @@ class RestShape:
     Attributes:
         angles: of all hinges in their own senses, rad, (hinge,).
         points: positions of the points, m, (point, 3).
+        origins: of the bodies, m, (body, 3).
+        frames: rotations from the bodies' axes to the ground's, (body, 3, 3).
     """
 
     angles: Array
     points: Array
+    origins: Array
+    frames: Array
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -20,7 +20,7 @@ from forficula.dynamics.stepping.stages import StageTracker
 from forficula.dynamics.stepping.stepper import Stepper
 from forficula.dynamics.stepping.steps import EngineState
 from forficula.errors import InputError
-from forficula.structure import GrowingLoad, RestPath, RestShape, RestSolver, goal_of
+from forficula.structure import GrowingLoad, RestPath, RestSolver, goal_of
 
 # share of the stage by which the drive exceeds the value at which an equilibrium is lost
 _BEYOND = 1e-4
@@ -54,7 +54,7 @@ class QuasiStaticStages:
         model, stage = self._models[row], int(tracker.stage[row])
         assert self._solver is not None
         reached, unit = stepper.state(row), _setting_units(model)
-        shape = _shape_of(model, reached)
+        shape = stepper.shape(row)
         number, begun = self._begun.get(row, (-1, shape.points))
         self._begun[row] = stage, begun if number == stage else shape.points
         before, after, share = tracker.growing_load(row)
@@ -70,10 +70,10 @@ class QuasiStaticStages:
             tracker.rest_again(row)
             return
         steps, rows = _numbers(path, tracker.longest_stage(row))
-        states = [stepper.place(row, _position(stepper, row, path.shapes[place])) for place in rows.values()]
+        states = [stepper.place(row, stepper.position_of(row, path.shapes[place])) for place in rows.values()]
         settings = np.array([load.settings(path.share[place]) for place in rows.values()])
-        final = stepper.place(row, _position(stepper, row, path.shapes[-1]))
-        jump = _energy(model, stepper.place(row, _position(stepper, row, path.shapes[0])), settings[0] / unit)
+        final = stepper.place(row, stepper.position_of(row, path.shapes[-1]))
+        jump = _energy(model, stepper.place(row, stepper.position_of(row, path.shapes[0])), settings[0] / unit)
         jump -= _energy(model, reached, settings[0] / unit)
         stepper.place(row, final.position)
         first = int(tracker.steps[row])
@@ -108,12 +108,6 @@ def _setting_units(model: Model) -> Array:
     return np.array([units[motor.kind] for motor in model.structure.motors])
 
 
-def _shape_of(model: Model, state: EngineState) -> RestShape:
-    """Return the shape of a structure in a state, SI."""
-    series = state_series(model, state.angle[None], _rows(state))
-    return RestShape(angles=state.angle, points=series["point_position"][0])
-
-
 def _energy(model: Model, state: EngineState, settings: Array) -> float:
     """Return the stored and kinetic energy of a structure in a state, J, for settings in the model's units."""
     series = state_series(model, state.angle[None], _rows(state), settings[None])
@@ -122,10 +116,6 @@ def _energy(model: Model, state: EngineState, settings: Array) -> float:
 
 def _rows(state: EngineState) -> dict[str, Array]:
     return {name: values[None] for name, values in state.derived.items()}
-
-
-def _position(stepper: Stepper, row: int, shape: RestShape) -> Array:
-    return stepper.position_of(row, shape.angles, shape.points)
 
 
 def _numbers(path: RestPath, longest: int) -> tuple[int, dict[int, int]]:

@@ -7,6 +7,7 @@ import scipy
 
 from forficula.arrays import Array, Flags
 from forficula.statics.rest_path import rest_path
+from forficula.statics.tree.pose import pose, tree_of
 from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, torque_scale
 from forficula.statics.tree.tree_path import place_positions
 from forficula.structure import (
@@ -38,6 +39,7 @@ class _LoadedTree:
     def __init__(self, structure: Structure, load: GrowingLoad) -> None:
         self._structure, self._load = structure, load
         self._structures: Ensemble = ensemble([structure])
+        self._tree = tree_of(structure)
         self._lower, self._upper = self._structures.lower[None], self._structures.upper[None]
         self._spread, self._quiet = np.eye(self._structures.size), _QUIET * torque_scale(self._structures)
         if (ties := self._structures.ties) is not None:
@@ -96,5 +98,11 @@ class _LoadedTree:
         return distance_to_goal(goal_coordinates(self._structure, state, distances), goal)
 
     def shape(self, state: Array) -> RestShape:
-        points = place_positions(self._structure, state[None])[0][: len(self._structure.points)]
-        return RestShape(angles=state, points=points)
+        structure, at = self._structure, pose(self._tree, state[None])
+        count = len(structure.bodies)
+        return RestShape(
+            angles=state,
+            points=place_positions(structure, state[None])[0][: len(structure.points)],
+            origins=at.origins[0, :count],
+            frames=at.frames[0, :count],
+        )

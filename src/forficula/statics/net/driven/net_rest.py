@@ -1,4 +1,7 @@
-"""Equilibria of a net under a load that grows evenly, for a quasi-static stage of a run."""
+"""Equilibria of a net under a load that grows evenly, for a quasi-static stage of a run.
+
+Nodes are at sliding points, or four of them at each plate.
+"""
 
 from __future__ import annotations
 
@@ -14,8 +17,10 @@ from forficula.statics.net.load import Load
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import motor_load, net_of, own_angles, point_positions, valley_angles
+from forficula.statics.net.plate_nodes import plate_nodes
 from forficula.statics.rest_path import rest_path
 from forficula.structure import (
+    GROUND,
     GrowingLoad,
     RestPath,
     RestShape,
@@ -23,6 +28,7 @@ from forficula.structure import (
     crease_law,
     distance_to_goal,
 )
+from forficula.structure.tree import built_frames
 
 _NEAR = 0.02  # of the net's size: largest displacement between two neighbouring equilibria
 
@@ -34,7 +40,7 @@ def net_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) -> 
 
 
 class _LoadedNet:
-    """A net of sliding points under a load; its states are the shapes of the net."""
+    """A net under a load; its states are the shapes of the net."""
 
     def __init__(self, structure: Structure, load: GrowingLoad) -> None:
         self._structure, self._load = structure, load
@@ -52,6 +58,9 @@ class _LoadedNet:
             held[list(motor.points), axes[0]] = False
         self._net: Net = replace(net, free=held)
         self._displaced = net.free & ~held
+        # number of the first of the four nodes of each body
+        self._first = plate_nodes(structure).first if structure.plates else ()
+        self._built = built_frames(structure)
         count = len(structure.hinges)
         self._gains = np.zeros((len(structure.motors), count))
         for number, motor in enumerate(structure.motors):
@@ -64,12 +73,22 @@ class _LoadedNet:
 
     def state(self, start: RestShape) -> NetShape:
         """Return the state of a shape."""
-        return shape_at(self._net, start.points, valley_angles(self._structure, start.angles))
+        positions = start.points
+        if self._structure.plates:
+            positions = self._net.nodes.copy()
+            origins, frames = self._built
+            for body, first in enumerate(self._first):
+                turn = start.frames[body] @ frames[body].T
+                arms = self._net.nodes[first : first + 4] - origins[body]
+                positions[first : first + 4] = start.origins[body] + arms @ turn.T
+        return shape_at(self._net, positions, valley_angles(self._structure, start.angles))
 
     def rest(self, share: float, near: NetShape) -> NetShape | None:
         load = self._motor_load(self._load.settings(share))
-        moved = self._load.built_on + self._motor_load(self._load.settings(share) - self._load.before).displacements
-        positions = np.where(self._displaced, moved, near.positions)
+        positions = near.positions
+        if self._displaced.any():
+            moved = self._motor_load(self._load.settings(share) - self._load.before).displacements
+            positions = np.where(self._displaced, self._load.built_on + moved, positions)
         start = shape_at(self._net, positions, near.angles)
 
         def is_far(shape: NetShape) -> bool:
@@ -90,6 +109,7 @@ class _LoadedNet:
         slope = expand(self._net, state, self._motor_load(settings), 1.0).slope
         further = np.where([motor.kind == "rest-angle" for motor in structure.motors], settings, 0.0) @ self._gains
         moments = np.asarray(self._law.rest_moment(angles, further))
+        moved = self._net.points @ (state.positions - self._net.nodes)
         values = np.zeros(len(structure.motors))
         for number, motor in enumerate(structure.motors):
             if motor.kind == "torque":
@@ -97,7 +117,7 @@ class _LoadedNet:
             elif motor.kind == "rest-angle":
                 values[number] = -self._gains[number] @ moments
             elif motor.direction is not None:
-                vectors = slope if motor.kind == "displacement" else state.positions - self._net.nodes
+                vectors = slope if motor.kind == "displacement" else moved
                 values[number] = np.sum(vectors[list(motor.points)] @ motor.direction)
         return values
 
@@ -107,4 +127,27 @@ class _LoadedNet:
         return distance_to_goal(goal_values(self._structure, self._net, state), self._load.goal)
 
     def shape(self, state: NetShape) -> RestShape:
-        return RestShape(angles=own_angles(self._structure, state), points=point_positions(self._net, state))
+        structure, (origins, frames) = self._structure, self._built
+        origins, frames = origins.copy(), frames.copy()
+        for body, first in enumerate(self._first):
+            built, moved = (places[first : first + 4] for places in (self._net.nodes, state.positions))
+            # bars between the nodes are stretched slightly
+            turn = _nearest_rotation((moved[1:] - moved[0]).T @ np.linalg.inv((built[1:] - built[0]).T))
+            origins[body] = moved[0] + turn @ (origins[body] - built[0])
+            frames[body] = turn @ frames[body]
+        points = point_positions(self._net, state)[: len(structure.points)]
+        for number, point in enumerate(() if self._first else structure.points):
+            if point.body != GROUND:
+                origins[point.body] = points[number]
+        return RestShape(
+            angles=own_angles(structure, state),
+            points=points,
+            origins=origins,
+            frames=frames,
+        )
+
+
+def _nearest_rotation(matrix: Array) -> Array:
+    """Return the rotation nearest to a matrix, (3, 3)."""
+    left, _, right = np.linalg.svd(matrix)
+    return np.asarray(left @ np.diag([1.0, 1.0, np.linalg.det(left @ right)]) @ right)
