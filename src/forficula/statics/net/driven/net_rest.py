@@ -95,7 +95,7 @@ class _LoadedNet:
             return bool(np.abs(shape.positions - near.positions).max() > _NEAR * self._net.size)
 
         rest = minimum(self._net, start, load, 1.0, stop=is_far)
-        return rest.shape if rest.settled and rest.index == 0 and not is_far(rest.shape) else None
+        return rest.shape if rest.stable and not is_far(rest.shape) else None
 
     def _motor_load(self, settings: Array) -> Load:
         return motor_load(self._structure, self._net, tuple(settings.tolist()))
