@@ -30,7 +30,8 @@ _SOFT = 1e-12  # share of the largest stiffness below which a stiffness counts a
 
 def tree_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) -> RestPath:
     """Follow the equilibria of a tree under a growing load; see `forficula.statics.rest_path.rest_path`."""
-    return rest_path(_LoadedTree(structure, load), start.angles, load)
+    system = _LoadedTree(structure, load)
+    return rest_path(system, start.angles[: system.size], load)
 
 
 class _LoadedTree:
@@ -45,6 +46,11 @@ class _LoadedTree:
         if (ties := self._structures.ties) is not None:
             self._spread = ties.spread
             self._lower, self._upper = ties.bounds(self._lower, self._upper)
+
+    @property
+    def size(self) -> int:
+        """Return the number of joints."""
+        return self._structures.size
 
     @property
     def prescribes(self) -> Flags:
@@ -88,7 +94,11 @@ class _LoadedTree:
         return np.asarray((one + other) / 2)
 
     def conjugates(self, _share: float, state: Array) -> Array:
-        return np.asarray(self._structures.drives @ state)
+        # the potential is linear in the torques
+        count = len(self._structure.motors)
+        torques = np.concatenate([np.zeros((1, count)), np.eye(count)])
+        energy = potential(self._structures.repeated(count + 1), np.tile(state, (count + 1, 1)), torques)[0]
+        return np.asarray(energy[0] - energy[1:])
 
     def short_of_goal(self, state: Array) -> float:
         goal = self._load.goal
