@@ -178,6 +178,9 @@ class StageOutcome:
         time: until the goal was reached, s; the duration of a stage without a goal; None if it missed its goal.
         work: of the motors over the stage, J.
         waited: time at rest that was skipped without stepping, s, not part of `time`; None if the stage did not wait.
+        motion: "quasi-static" if statics computed the stage; None if its motion was simulated.
+        share: share at the end to which the drive of a quasi-static stage has grown.
+        lost: shares at which a quasi-static stage lost its equilibrium, so that the structure moved to the next one.
     """
 
     name: Annotated[str, Written.NEVER]
@@ -187,6 +190,9 @@ class StageOutcome:
     time: Seconds | None
     work: Joules
     waited: Annotated[Seconds | None, Written.IF_KNOWN] = None
+    motion: Annotated[str | None, Written.IF_KNOWN] = None
+    share: Annotated[float | None, Written.IF_KNOWN] = None
+    lost: Annotated[tuple[float, ...] | None, Written.IF_KNOWN] = None
 
     @property
     def driven_by(self) -> Annotated[str | tuple[str, ...], Key("drive"), Written.FIRST]:
@@ -415,6 +421,8 @@ def early_goal(record: Record, end: StageEnd) -> str:
     ):
         return ""
     early = end.goal_time - end.start <= _FIRST_STEP * float(record.design.protocol.timestep)
+    # a quasi-static stage first comes to rest without its drive
+    early = early or end.share == 0
     return ENDING_TEXTS["not held, early"].format(stage=end.stage.name) if early else ""
 
 
@@ -479,6 +487,7 @@ def _missed(record: Record, runs: list[_TransitionRun]) -> StageEnd | None:
             return run.driven if run.ended is None else run.ended
     last = record.stages[-1]
     has_goal = last.stage.wait or goal_of(record.structure, last.stage.until).kind == "bounds"
+    has_goal = has_goal or (last.stage.quasi_static and not last.at_rest)
     return last if last.goal_time is None and has_goal else None
 
 
@@ -648,6 +657,9 @@ def _stage(record: Record, end: StageEnd, *, conclusive: bool) -> StageOutcome:
         time=None if moment is None else moment - end.start,
         work=_work(record, end),
         waited=end.waited or None,
+        motion=end.stage.motion,
+        share=end.share,
+        lost=end.lost if end.stage.quasi_static else None,
     )
 
 

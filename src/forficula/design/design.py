@@ -181,7 +181,7 @@ def check_duration(design: Design, parts: int, what: str) -> None:
     Raises:
         InputError: the timestep or the sample interval is too long or too short.
     """
-    protocol, longest = design.protocol, sum(stage.time_limit for stage in design.protocol.stages)
+    protocol, longest = design.protocol, _longest_motion(design.protocol)
     timestep = 0.0 if protocol.timestep == "auto" else protocol.timestep
     least = longest / _MOST_STEPS
     if timestep and not least <= timestep <= longest:
@@ -201,4 +201,13 @@ def check_duration(design: Design, parts: int, what: str) -> None:
 
 def shortest_sample_interval(design: Design, parts: int) -> float:
     """Return the shortest time between two rows, s, at which the longest possible record fits into memory."""
-    return sum(stage.time_limit for stage in design.protocol.stages) * parts / _MOST_ROWS
+    return _longest_motion(design.protocol) * parts / _MOST_ROWS
+
+
+def _longest_motion(protocol: Protocol) -> float:
+    """Return the longest time that is simulated in steps, s; quasi-static stages, which take few steps, do not count.
+
+    If all stages are quasi-static, it is the longest duration of all of them, so that the timestep has a bound.
+    """
+    moving = [stage.time_limit for stage in protocol.stages if not stage.quasi_static]
+    return sum(moving or [stage.time_limit for stage in protocol.stages])

@@ -27,6 +27,7 @@ class StageSection(Section):
     about: ClassVar[str] = "A stage of the protocol: the drives that act, and the goal that ends it"
 
     natural: ClassVar[tuple[str, ...]] = ("wait",)
+    later: ClassVar[tuple[str, ...]] = ("motion",)
 
     name: Annotated[str, Field(min_length=1, description="name of the stage in figures and tables")]
     drive: Annotated[str | tuple[str, ...], Field(description="drive that acts, a list of drives, or none")]
@@ -39,8 +40,19 @@ class StageSection(Section):
     ] = None
     hold: float = quantity(TIME, "how long the goal must hold before the stage ends", default=0.0, at_least=0)
     time_limit: float = quantity(
-        TIME, "longest duration of the stage; with a wait, the longest time until the structure rests", above=0
+        TIME,
+        "longest duration of the stage; with a wait, the longest time until the structure rests; in a quasi-static"
+        " stage, the time over which the drive grows to its strength, and the longest time of a return to rest",
+        above=0,
     )
+    motion: Annotated[
+        Literal["quasi-static"] | None,
+        Field(
+            description='"quasi-static": the drive grows evenly over the time limit, so slowly that the structure'
+            ' passes through equilibria, which statics computes; if not given, or "dynamic": the motion is simulated',
+            examples=["quasi-static"],
+        ),
+    ] = None
     wait: float | None = quantity(
         LONG_TIME,
         "how long the structure stays at rest while Maxwell branches of its tendons relax; this time is not simulated"
@@ -54,6 +66,19 @@ class StageSection(Section):
     @classmethod
     def _on_one_line(cls, name: str) -> str:
         return shown_name(name)
+
+    @field_validator("motion", mode="before")
+    @classmethod
+    def _simulated_without_motion(cls, motion: object) -> object:
+        """Read "dynamic" as an absent value, so that both have the same hash."""
+        if motion not in ("dynamic", "quasi-static", None):
+            raise InputError(f'need "dynamic" or "quasi-static", got {as_written(motion)}')
+        return None if motion == "dynamic" else motion
+
+    @property
+    def quasi_static(self) -> bool:
+        """Return whether statics computes the stage."""
+        return self.motion is not None
 
     @field_validator("drive", mode="before")
     @classmethod
@@ -198,6 +223,8 @@ def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str]
         if stage.wait and stage.wait <= protocol.window:
             least = f"need > {show_quantity(protocol.window, TIME)}, which is protocol.window, or no wait"
             raise InputError(f"protocol.stages.{number}.wait: {least}, got {show_quantity(stage.wait, TIME)}")
+        if stage.quasi_static:
+            _check_quasi_static(protocol, number)
         if stage.until in ("time", "rest", *goals):
             continue
         key, written = f"protocol.stages.{number}.until", read_goal(stage.until)
@@ -211,6 +238,22 @@ def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str]
             parse_quantity(written.value, measures[written.name])
         except InputError as error:
             raise InputError(f"{key}: {error}") from None
+
+
+def _check_quasi_static(protocol: Protocol, number: int) -> None:
+    """Refuse keys that have no meaning in a quasi-static stage."""
+    stage, key = protocol.stages[number], f"protocol.stages.{number}"
+    for name, value in (("wait", stage.wait), ("hold", stage.hold)):
+        if value:
+            raise InputError(
+                f"{key}.{name}: need 0 s in a quasi-static stage, because the structure rests at every moment of it,"
+                f" got {show_quantity(value, TIME)}"
+            )
+    if protocol.contact:
+        raise InputError(
+            f'{key}.motion: need "dynamic" with protocol.contact = true, because statics ignores contact, got'
+            ' "quasi-static"'
+        )
 
 
 def check_states(protocol: Protocol, states: Sequence[str]) -> None:

@@ -7,7 +7,7 @@ import io
 import json
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cache, cached_property
 from importlib import metadata
@@ -47,7 +47,7 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "membrane_position": (("node", "axis"), "m", "position of the membrane's node"),
 }
 # variables of records with dry friction, contacts, springs in hinges, displacements, elastic couplings, measured
-# distances, Maxwell branches, tendons that yield or are clamped, and in air or water
+# distances, Maxwell branches, tendons that yield or are clamped, quasi-static stages, and in air or water
 OPTIONAL_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "friction_work": ((), "J", "work of the hinges' dry friction since the start"),
     "contact_work": ((), "J", "work of contacts, their friction and rigid couplings since the start"),
@@ -71,6 +71,11 @@ OPTIONAL_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
         "work saved by clamping tendons whose branches would push or act while slack",
     ),
     "tendon_pull": (("tendon",), "N", "pull of the tendon's spring and Maxwell branches"),
+    "settling_work": (
+        (),
+        "J",
+        "energy gained since the start where statics takes over from a motion in a quasi-static stage, ideally 0",
+    ),
     "waited": ((), "s", "time at rest since the start that was skipped without stepping, not part of time"),
 }
 # of the file; other formats are rejected
@@ -93,6 +98,8 @@ class StageEnd:
         at_rest: whether every hinge was slower at the end than the speed that counts as rest.
         at_goal: whether the goal was met at the end, even for a short time.
         waited: time at rest that was skipped without stepping, s, not part of the time from start to end.
+        share: share at the end to which the drive of a quasi-static stage has grown; None for other stages.
+        lost: shares at which the stage lost its equilibrium, so that the structure moved to the next one.
     """
 
     stage: StageSection
@@ -102,6 +109,8 @@ class StageEnd:
     at_rest: bool
     at_goal: bool = False
     waited: float = 0.0
+    share: float | None = None
+    lost: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -279,12 +288,19 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         "diverged_at": nothing if record.diverged_at is None else record.diverged_at,
         "doubt": record.doubt,
         **({"checks": json.dumps([asdict(check) for check in record.checks])} if record.checks else {}),
+        **_quasi_static(record.stages),
         **({} if record.kinetic_peak is None else {"kinetic_peak": np.array(record.kinetic_peak)}),
         **({} if record.strain_rates is None else {"strain_rates": record.strain_rates}),
         **{f"version_{name}": version for name, version in versions().items()},
     }
     content = _netcdf(data)
     write_bytes(Path(path), content + _seal(content))
+
+
+def _quasi_static(stages: Sequence[StageEnd]) -> dict[str, str]:
+    """Return the shares of quasi-static stages as text; nothing without such stages."""
+    shares = [(end.share, end.lost) for end in stages]
+    return {"quasi_static": json.dumps(shares)} if any(share is not None for share, _ in shares) else {}
 
 
 def _seal(content: bytes) -> bytes:
@@ -381,6 +397,7 @@ def _read(file: Any) -> Record:
     ends = [file[f"stage_{name}"][()] for name in ("start", "end", "goal_time", "at_rest", "at_goal")]
     waits = file["stage_waited"][()] if "stage_waited" in file else np.zeros(len(ends[0]))
     diverged_at = float(np.squeeze(file.attrs["diverged_at"]))
+    shares = json.loads(file.attrs["quasi_static"]) if "quasi_static" in file.attrs else [(None, ())] * len(ends[0])
     stages = tuple(
         StageEnd(
             stage=stage,
@@ -390,8 +407,12 @@ def _read(file: Any) -> Record:
             at_rest=bool(at_rest),
             at_goal=bool(at_goal),
             waited=float(waited),
+            share=share,
+            lost=tuple(lost),
         )
-        for stage, start, end, goal, at_rest, at_goal, waited in zip(design.protocol.stages, *ends, waits, strict=False)
+        for stage, start, end, goal, at_rest, at_goal, waited, (share, lost) in zip(
+            design.protocol.stages, *ends, waits, shares, strict=False
+        )
     )
     return Record(
         design=design,

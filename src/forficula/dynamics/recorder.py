@@ -99,8 +99,34 @@ class Recorder:
             parts.append((rows, selected))
         if self._sparse:
             oldest = chunk.first[place] + chunk.taken[place] - self._window
-            while len(parts) > 2 and parts[2][0].number[parts[2][1].start] <= oldest:
+            while len(parts) > 2 and parts[2][0].number[parts[2][1]][0] <= oldest:
                 del parts[1]
+
+    def add_at_rest(
+        self, number: Indices, states: Sequence[EngineState], account: Mapping[str, Array], *, begins: bool
+    ) -> None:
+        """Keep states at rest between two chunks of steps.
+
+        Args:
+            number: numbers of the steps before which the structure is in these states, (row,).
+            states: as many.
+            account: as for a chunk, (row,).
+            begins: whether the first state begins a stage.
+        """
+        rows = _Rows(
+            number=number,
+            angle=np.array([state.angle for state in states]),
+            derived={
+                name: np.array([state.derived[name] for state in states]) for name in self._stages[-1][0][0].derived
+            },
+            account=account,
+        )
+        if begins:
+            self._close_stage()
+            self._stages.append([])
+        self._stages[-1].append((rows, slice(None)))
+        # the rate at which tendons lengthen is not that of a motion
+        self._last = None
 
     def update_kinetic_peak(self, number: int, energy: float) -> None:
         """Update the peak with the kinetic energy before a step, in the model's units."""
@@ -200,6 +226,8 @@ class Recorder:
         if not any(stage.wait for stage in self.model.design.protocol.stages):
             # another structure waits, but not this one
             series.pop("waited", None)
+        if not any(stage.quasi_static for stage in self.model.design.protocol.stages):
+            series.pop("settling_work", None)
         motors = range(len(self.model.structure.motors))
         for name, of_motor in (
             ("motor_work", motor_work_name),

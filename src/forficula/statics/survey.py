@@ -6,13 +6,14 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from forficula.design import AnyDesign, as_design
+from forficula.design import AnyDesign, Protocol, as_design
 from forficula.errors import InputError
 from forficula.names import one_of
 from forficula.statics.drag import DraggedPoint
 from forficula.statics.landscape import EnergyLandscape
 from forficula.statics.net.driven.net_drag import net_drag
 from forficula.statics.net.driven.net_path import net_path
+from forficula.statics.net.driven.net_rest import net_rest_path
 from forficula.statics.net.net_landscape import Progress, net_landscape, slow_courses
 from forficula.statics.net.net_of import is_net
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
@@ -20,8 +21,19 @@ from forficula.statics.tree.potential import ensemble
 from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
 from forficula.statics.tree.tree_drag import tree_drag
 from forficula.statics.tree.tree_path import tree_path
+from forficula.statics.tree.tree_rest import tree_rest_path
 from forficula.statics.tree_landscape import tree_landscape
-from forficula.structure import Drive, Structure, Transition, drive_of, goal_of, structure_of
+from forficula.structure import (
+    Drive,
+    GrowingLoad,
+    RestPath,
+    RestShape,
+    Structure,
+    Transition,
+    drive_of,
+    goal_of,
+    structure_of,
+)
 
 # largest multiple of its own strength with which a drive is tried
 _MORE = 4.0
@@ -93,6 +105,53 @@ def quasi_static_path(
     if is_net(structure):
         return net_path(structure, drive, made, error=error, near=near, follow=follow)
     return tree_path(structure, drive, made, error=error, near=near, follow=follow)
+
+
+def stage_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) -> RestPath:
+    """Follow the equilibria of a structure in a quasi-static stage of a run.
+
+    Args:
+        structure: that `check_quasi_static` does not refuse.
+        start: shape near an equilibrium.
+        load: that grows evenly.
+    """
+    return (net_rest_path if is_net(structure) else tree_rest_path)(structure, start, load)
+
+
+def check_quasi_static(structure: Structure, protocol: Protocol) -> None:
+    """Refuse quasi-static stages of a structure that statics cannot compute.
+
+    Raises:
+        InputError: the protocol has such a stage; the message says why.
+    """
+    stages = [number for number, stage in enumerate(protocol.stages) if stage.quasi_static]
+    reason = _why_not_quasi_static(structure) if stages else ""
+    if reason:
+        raise InputError(
+            f'protocol.stages.{stages[0]}.motion: need "dynamic" for the stage "{protocol.stages[stages[0]].name}" of'
+            f' {structure.name}, because {reason}; got "quasi-static"'
+        )
+
+
+def _why_not_quasi_static(structure: Structure) -> str:
+    """Return why statics cannot compute a quasi-static stage of a structure, as a clause; empty if it can."""
+    laws = [tendon.law for tendon in structure.tendons]
+    if any(law.branches for law in laws):
+        return "the law of a tendon has Maxwell branches, whose force depends on time"
+    if any(law.yield_extension is not None for law in laws):
+        return "a tendon yields, and statics ignores permanent extensions"
+    if structure.contact is not None:
+        return "statics ignores contact"
+    if any(hinge.friction for hinge in structure.hinges):
+        return "hinges have dry friction, with which they rest anywhere in a range"
+    if is_net(structure):
+        displaced = structure.plates and any(motor.kind == "displacement" for motor in structure.motors)
+        return "a drive displaces points of plates" if displaced else ""
+    if any(body.slides for body in structure.bodies) or structure.closures or structure.springs:
+        return "its bodies slide, form loops or have springs between them"
+    if any(motor.kind != "torque" or motor.gains for motor in structure.motors):
+        return "a drive of its bodies on joints is not a torque"
+    return ""
 
 
 def start_drag(

@@ -48,6 +48,7 @@ from forficula.structure.parts import (
 from forficula.structure.sheets.couplings import coupling_rows
 from forficula.structure.sheets.facets import facet_triangles, held_corners, hinge_groups, springs_name
 from forficula.structure.sheets.flaps import built_creases, crease_flaps, crease_law, crease_numbers, flap_angles
+from forficula.structure.slow_stage import GrowingLoad, RestPath, RestShape, RestSolver
 from forficula.structure.structure import Structure
 from forficula.structure.structure_warnings import structure_warnings
 from forficula.structure.tree import (
@@ -76,6 +77,7 @@ __all__ = [
     "Crossing",
     "Drive",
     "Facet",
+    "GrowingLoad",
     "Hinge",
     "LengthLimit",
     "Measure",
@@ -86,6 +88,9 @@ __all__ = [
     "Plate",
     "Point",
     "PointMass",
+    "RestPath",
+    "RestShape",
+    "RestSolver",
     "RestState",
     "RigidFold",
     "Spring",

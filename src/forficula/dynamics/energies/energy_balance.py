@@ -49,6 +49,8 @@ class EnergyBalance:
         closures: work of the closures of loops of bodies; it counts as missing, because it should be 0 except for
             errors of the integration; None without loops.
         drag: dissipated by the drag of air or water; None in empty space.
+        settling: lost between the states of rest that motions reach in quasi-static stages and the nearest equilibria;
+            it counts as missing, because it should be 0 except for slight motions; None without such stages.
         at_hand: largest energy of tendons stretched by their levers, hinges turned by 1 rad, or bars and membranes
             strained by 1e-4; a billionth of it counts as rounding.
         stored: energy stored in tendons, membrane and springs at the start or the end, the larger of the two; 1e-5 of
@@ -74,6 +76,7 @@ class EnergyBalance:
     couplings: Annotated[_Term, Key("coupling_energy_change")] = None
     closures: _Term = None
     drag: _Term = None
+    settling: _Term = None
     at_hand: Annotated[Joules, Written.NEVER] = 0.0
     stored: Annotated[Joules, Written.NEVER] = 0.0
 
@@ -138,6 +141,7 @@ def energy_balance(record: Record) -> EnergyBalance:
         couplings=change.get("coupling_energy"),
         closures=_loss(change, "closure_work"),
         drag=_loss(change, "drag_work"),
+        settling=_loss(change, "settling_work"),
         at_hand=_largest_part_energy(record.structure),
         # a diverged run has no finite energy at its end
         stored=max((energy for energy in ends if np.isfinite(energy)), default=0.0),

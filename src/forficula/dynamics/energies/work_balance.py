@@ -13,7 +13,7 @@ from forficula.dynamics.energies.stop_forces import friction_torques, stop_force
 from forficula.dynamics.engine.model import Model, joint_ranges
 from forficula.dynamics.stepping.stepper import energy_of
 from forficula.dynamics.stepping.steps import EngineState, Steps
-from forficula.structure import Motor
+from forficula.structure import Motor, RestPath
 
 # steps during which a stop's force still changes fast: four of its time constants
 _JUMP = 8
@@ -57,6 +57,9 @@ class WorkBalance:
         # time that each structure has waited without steps, s, if some stage waits
         self._waits = any(stage.wait for model in models for stage in model.design.protocol.stages)
         self._waited = np.zeros(len(models))
+        # energy gained where statics takes over, J, if some stage is quasi-static
+        self._rests = any(stage.quasi_static for model in models for stage in model.design.protocol.stages)
+        self._jumped = np.zeros(len(models))
         # the widest gap so far, m
         self._widest = np.zeros(len(models))
 
@@ -117,8 +120,46 @@ class WorkBalance:
                 before["closure_gap"] = self._widened(rows, steps, taken)
             if self._waits:
                 before["waited"] = np.repeat(self._waited[rows, None], travel.shape[1], axis=1)
+            if self._rests:
+                before["settling_work"] = np.repeat(self._jumped[rows, None], travel.shape[1], axis=1)
             self._set[rows] = np.where((taken > 0)[:, None], torques[np.arange(len(rows)), taken - 1], self._set[rows])
         return before
+
+    def add_at_rest(
+        self, row: int, path: RestPath, places: Indices, settings: Array, *, times: Array, jump: float
+    ) -> dict[str, Array]:
+        """Add the work of the motors on a structure that passes through equilibria.
+
+        Args:
+            row: number of the structure.
+            path: the equilibria.
+            places: rows of the path to return, (row,).
+            settings: of the motors at these rows, in the model's units, (row, motor).
+            times: of these rows, s, (row,).
+            jump: energy that the structure gains between the state that it reached and the first equilibrium, J.
+
+        Returns:
+            As for `add`, at these rows, (row,).
+        """
+        self._jumped[row] += jump
+        values = {name: np.full(len(places), done[row]) for name, done in self._done.items()}
+        for motor in range(len(self._motors)):
+            work = path.work[places, motor]
+            values[motor_work_name(motor)] = values[motor_work_name(motor)] + work
+            values[motor_power_name(motor)] = np.gradient(work, times) if len(times) > 1 else np.zeros(len(times))
+            values[motor_setting_name(motor)] = settings[:, motor]
+            self._done[motor_work_name(motor)][row] += path.work[-1, motor]
+            if self._displaces[:, motor].any():
+                shown = path.forces[places, motor] if self._displaces[row, motor] else np.full(len(places), np.nan)
+                values[motor_force_name(motor)] = shown
+                self._forces[row, motor] = shown[-1]
+        if len(self._gaps):
+            values["closure_gap"] = np.full(len(places), self._widest[row])
+        if self._waits:
+            values["waited"] = np.full(len(places), self._waited[row])
+        values["settling_work"] = np.full(len(places), self._jumped[row])
+        self._set[row], self._powers[row] = settings[-1], 0.0
+        return values
 
     def wait(self, row: int, time: float, lost: float, spared: float) -> None:
         """Add a skipped interval of a structure at rest, s, with energies lost and saved by branches, model units."""
@@ -131,6 +172,7 @@ class WorkBalance:
         """Return the work on a structure since its start, J, and the time it waited, s."""
         others = {"closure_gap": float(self._widest[row])} if len(self._gaps) else {}
         others |= {"waited": float(self._waited[row])} if self._waits else {}
+        others |= {"settling_work": float(self._jumped[row])} if self._rests else {}
         return {name: float(done[row]) for name, done in self._done.items()} | others
 
     def power(self, row: int, torques: Array, end: EngineState) -> dict[str, float]:
@@ -168,6 +210,7 @@ class WorkBalance:
             self._widest,
             self._met,
             self._waited,
+            self._jumped,
         ):
             done[row] = done[leader]
 

@@ -83,6 +83,8 @@ def why_not_portable(model: Model) -> str:
         return "a drive displaces points"
     if any(stage.wait for stage in model.design.protocol.stages):
         return "a stage waits without being stepped"
+    if any(stage.quasi_static for stage in model.design.protocol.stages):
+        return "a quasi-static stage is computed by statics"
     return ""
 
 

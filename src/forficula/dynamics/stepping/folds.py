@@ -115,14 +115,14 @@ class Folds:
 def folds_of(engine: mujoco.MjModel, structure: Structure) -> Folds:
     """Find the hinges of a structure in the model's units, and the nodes of its creases, in the compiled model."""
     hinges = structure.hinges
-    joints = [-1 if hinge.flaps else _address(engine, hinge.name) for hinge in hinges]
-    speeds = [-1 if hinge.flaps else _address(engine, hinge.name, "dofadr") for hinge in hinges]
+    joints = [-1 if hinge.flaps else joint_address(engine, hinge.name) for hinge in hinges]
+    speeds = [-1 if hinge.flaps else joint_address(engine, hinge.name, "dofadr") for hinge in hinges]
     points, flaps = np.unique(crease_flaps(structure), return_inverse=True)
     slides = np.full((len(points), 3), -1, dtype=np.int64)
     for node, point in enumerate(points.tolist()):
         body = structure.bodies[structure.points[point].body]
         for axis in () if body.turns else body.slides:
-            slides[node, axis] = _address(engine, slide_name(body.name, axis))
+            slides[node, axis] = joint_address(engine, slide_name(body.name, axis))
     return Folds(
         senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),
         joints=np.array(joints, dtype=np.int64),
@@ -149,7 +149,7 @@ def slide_name(body: str, axis: int) -> str:
     return f"{body}_{'xyz'[axis]}"
 
 
-def _address(engine: mujoco.MjModel, joint: str, of: str = "qposadr") -> int:
+def joint_address(engine: mujoco.MjModel, joint: str, of: str = "qposadr") -> int:
     """Return the index of a joint in the engine's positions, or in its velocities."""
     return int(getattr(engine, f"jnt_{of}")[mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_JOINT, joint)])
 

@@ -14,11 +14,13 @@ from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.sharing import followers, successors
 from forficula.dynamics.record import Record
 from forficula.dynamics.recorder import Chunk, Recorder, keep_rows
+from forficula.dynamics.stepping.quasi_static_stages import QuasiStaticStages
 from forficula.dynamics.stepping.stages import StageTracker
 from forficula.dynamics.stepping.stepper import Pending, Stepper
 from forficula.dynamics.stepping.steps import Steps
 from forficula.dynamics.stepping.waiting import Waits
 from forficula.errors import InputError
+from forficula.structure import RestSolver
 
 Progress = Callable[[str, float, float], None]
 
@@ -55,6 +57,7 @@ def simulate_each(
     sparse: bool = False,
     progress: Progress | None = None,
     enough: Callable[[Record], bool] | None = None,
+    solver: RestSolver | None = None,
 ) -> Iterator[tuple[int, Record]]:
     """Simulate structures as `simulate` does, and yield every structure's number and record as soon as it is done.
 
@@ -68,9 +71,10 @@ def simulate_each(
         progress: called repeatedly with a stage's name, the time so far and the longest possible time, s.
         enough: if given, structures that differ only in the strength of their last transition's drive run one after
             another, in their order, until this returns True for a record; the remaining ones never run.
+        solver: returns the equilibria of structures in quasi-static stages; not needed without such stages.
 
     Raises:
-        InputError: there is not enough memory.
+        InputError: there is not enough memory, or no solver for a quasi-static stage.
     """
     if not models:
         return
@@ -80,7 +84,7 @@ def simulate_each(
         chunk = max(1, _CHUNK // 4) if short else _CHUNK
         stepper = Stepper(models, threads, sparse, chunk)
         try:
-            yield from _records(models, stepper, chunk, sparse, progress, enough)
+            yield from _records(models, stepper, chunk, sparse, progress, enough, solver)
         finally:
             stepper.close()
     except (MemoryError, mujoco.FatalError) as error:
@@ -96,9 +100,11 @@ def _records(
     sparse: bool,
     progress: Progress | None,
     enough: Callable[[Record], bool] | None,
+    solver: RestSolver | None,
 ) -> Iterator[tuple[int, Record]]:
     """Yield the numbers and records of `simulate_each`."""
     tracker, account, waits = StageTracker(models), WorkBalance(models), Waits(models)
+    quasi_static = QuasiStaticStages(models, solver)
     recorders = [Recorder(model, sparse) for model in models]
     starts = [stepper.state(row) for row in range(len(models))]
     following = {} if enough is None else successors(models)
@@ -108,7 +114,11 @@ def _records(
     under_way: deque[tuple[Indices, Array, Pending]] = deque()
     few = _FEW * stepper.threads * stepper.together
     while moving.any():
-        while len(rows := _next_rows(moving & ~tracker.ended, [rows for rows, *_ in under_way], few)):
+        # before others can follow a leader into its next stage, the leader rests
+        resting = np.flatnonzero(moving & tracker.at_rest).tolist()
+        while len(
+            rows := _next_rows(moving & ~tracker.ended & ~tracker.at_rest, [rows for rows, *_ in under_way], few)
+        ):
             torques = tracker.torques(rows, chunk)
             under_way.append((rows, torques, stepper.start(rows, tracker.controls(rows, torques), torques)))
         if under_way:
@@ -116,6 +126,8 @@ def _records(
             _advance(stepper, tracker, account, recorders, rows, torques, steps.result())
             while tracker.waiting:
                 waits.go_on(tracker.waiting.pop(), tracker, stepper, account)
+        for row in resting[:1]:
+            quasi_static.go_on(row, tracker, stepper, account, recorders[row])
         for row, (leader, stages) in list(waiting.items()):
             if moving[leader] and (tracker.stage[leader] >= stages or tracker.ended[leader]):
                 stepper.follow_leader(row, leader)

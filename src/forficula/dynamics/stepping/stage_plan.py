@@ -89,6 +89,8 @@ class StagePlan:
         torques: of every drive on all motors, in own senses and the models' units, (structure, stage, drive, motor);
             stages with fewer drives are padded with zero torques.
         rise: duration of the rise, steps, (structure, stage, drive).
+        quasi_static: whether statics computes a stage, (structure, stage).
+        settled: number of steps at rest after which statics takes over, (structure,).
     """
 
     timestep: Array
@@ -109,6 +111,8 @@ class StagePlan:
     wait: Array
     torques: Array
     rise: Array
+    quasi_static: Booleans
+    settled: Numbers
 
     @property
     def risen(self) -> Numbers:
@@ -144,6 +148,8 @@ def stage_plan(models: Sequence[Model]) -> StagePlan:
         hold=np.where(wait > 0, np.maximum(hold, windows), hold),
         limit=_in_steps(of_stages(lambda stage: stage.time_limit), timestep),
         wait=wait,
+        quasi_static=of_stages(lambda stage: stage.quasi_static),
+        settled=windows[:, 0],
         **goals,
         **_drives(models, stages, timestep),
     )

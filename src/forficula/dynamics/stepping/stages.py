@@ -41,6 +41,7 @@ class StageTracker:
         self._brakes = np.flatnonzero(models[0].brakes >= 0)
         self._braking = models[0].brakes[self._brakes]
         self._jacobians = np.array([model.jacobian for model in models])
+        self._displaces = np.array([motor.kind == "displacement" for motor in models[0].structure.motors], dtype=bool)
         # positions at the beginning of the present stage
         self._begun = np.zeros((len(models), models[0].engine.nq))
         count = len(models)
@@ -62,6 +63,18 @@ class StageTracker:
         self.waiting: list[int] = []
         # whether a structure missed a goal or diverged, so that the rest of its protocol is skipped
         self._stopped = np.zeros(count, dtype=bool)
+        # structures at rest in a quasi-static stage, for which statics continues
+        self.at_rest = np.zeros(count, dtype=bool)
+        # whether a structure moves in a quasi-static stage; shares of that stage; settings of the motors before it and
+        # at the end of the last one
+        self._settling = np.zeros(count, dtype=bool)
+        self._share = np.zeros(count)
+        self._before = np.zeros((count, len(models[0].structure.motors)))
+        self._carried = np.zeros_like(self._before)
+        # shares at which each structure has lost its equilibrium in the present stage
+        self._lost: list[list[float]] = [[] for _ in models]
+        for row in np.flatnonzero(self._plan.quasi_static[:, 0]).tolist():
+            self._begin_stage(row)
 
     def torques(self, rows: Numbers, count: int) -> Array:
         """Return the torques of the motors in the next steps of structures, (row, step, motor), in the models' units.
@@ -74,11 +87,16 @@ class StageTracker:
         for drive in range(rises.shape[1]):
             share = np.minimum(passed / np.maximum(rises[:, drive, None], _AT_ONCE), 1.0)
             total.append(share[:, :, None] * torques[:, drive, None])
-        return np.asarray(reduce(np.add, total))
+        acting = np.asarray(reduce(np.add, total))
+        for place in np.flatnonzero(self._settling[rows]).tolist():
+            acting[place] = self._settings(int(rows[place]))
+        return acting
 
     def last_torques(self, row: int) -> Array:
         """Return the torques at the end of the last stage of a structure, (motor,), as for `torques`."""
         end, model = self.ends[row][-1], self._models[row]
+        if end.stage.quasi_static:
+            return np.asarray(self._carried[row])
         total = np.zeros(len(model.structure.motors))
         for torques, rise in stage_torques(model, end.stage):
             total += (min((end.end - end.start) / rise, 1.0) if rise else 1.0) * np.array(torques)
@@ -121,6 +139,10 @@ class StageTracker:
         rest_since = _holds_since(resting, number, self._rest_since[rows])
         held = self._goal_held(rows, number, reached, goal_since)
         stuck = resting & self._short(rows, number, reached, rest_since)
+        settling = self._settling[rows]
+        if settling.any():
+            settled = resting & (number - rest_since >= self._plan.settled[rows, None])
+            held, stuck = np.where(settling[:, None], settled, held), stuck & ~settling[:, None]
         over = held | stuck | (number - self._limit_start[rows, None] >= self._plan.limit[rows, stage][:, None])
         end = _first(over, count) + 1
         taken = np.minimum(np.minimum(end, sound), count)
@@ -135,7 +157,14 @@ class StageTracker:
                 self.ended[row] = self._stopped[row] = True
             elif end[place] <= count:
                 last = end[place] - 1
+                if settling[place] and held[place, last]:
+                    self.at_rest[rows[place]] = True
+                    self._goal_since[rows[place]] = self._rest_since[rows[place]] = -1
+                    continue
                 self._begun[int(rows[place])] = position[place, last]
+                if settling[place]:
+                    self._end_stage(int(rows[place]), None, at_rest=False, at_goal=False)
+                    continue
                 goal_step = int(goal_since[place, last]) if held[place, last] else None
                 self._finish_stage(int(rows[place]), goal_step, resting[place, last], reached[place, last])
         return np.asarray(taken)
@@ -195,11 +224,86 @@ class StageTracker:
             self._rest_since,
             self._stopped,
             self._begun,
+            self._carried,
         ):
             values[row] = values[leader]
         self.ends[row] = list(self.ends[leader])
         self.diverged_at[row] = self.diverged_at[leader]
         self.ended[row] = self._stopped[row] or self.stage[row] > self._plan.last[row]
+        self._begin_stage(row)
+
+    def growing_load(self, row: int) -> tuple[Array, Array, float]:
+        """Return the settings before and after a structure's quasi-static stage, (motor,), and its present share.
+
+        Settings are in the model's units.
+        """
+        return self._before[row], self._after(row), float(self._share[row])
+
+    def longest_stage(self, row: int) -> int:
+        """Return the number of steps over which the drive of a structure's quasi-static stage grows."""
+        return int(self._plan.limit[row, self.stage[row]])
+
+    def rest_again(self, row: int) -> None:
+        """Let a structure move on in its quasi-static stage until it rests at an equilibrium."""
+        self.at_rest[row] = False
+
+    def lose(self, row: int, share: float, beyond: float, steps: int) -> None:
+        """Let a structure move until it rests again, because it has lost its equilibrium in its quasi-static stage.
+
+        Args:
+            row: number of the structure.
+            share: share of the stage at which the equilibrium is lost.
+            beyond: share at which the structure moves.
+            steps: number of steps that the structure has rested.
+        """
+        self.steps[row] += steps
+        self._limit_start[row] = self.steps[row]
+        self._lost[row].append(share)
+        self._share[row], self.at_rest[row] = beyond, False
+
+    def end_at_rest(self, row: int, share: float, steps: int, position: Array, *, at_goal: bool) -> None:
+        """End the quasi-static stage of a structure at a share of the stage, after a number of steps at rest.
+
+        Args:
+            row: number of the structure.
+            share: share of the stage.
+            steps: number of steps that the structure has rested.
+            position: of its joints, (dof,).
+            at_goal: whether the goal of the stage, a bound, is met.
+        """
+        self.steps[row] += steps
+        self._share[row], self._begun[row] = share, position
+        self._carried[row] = (1 - share) * self._before[row] + share * self._after(row)
+        rests = at_goal or bool(self._plan.ends_at_rest[row, self.stage[row]])
+        self._end_stage(row, int(self.steps[row]) if rests else None, at_rest=True, at_goal=rests)
+
+    def _after(self, row: int) -> Array:
+        """Return the settings of the motors at the full strength of the present stage's drives, (motor,)."""
+        return np.asarray(self._plan.torques[row, self.stage[row]].sum(axis=0))
+
+    def _settings(self, row: int) -> Array:
+        """Return the settings of the motors while a structure moves in a quasi-static stage, (motor,).
+
+        Points are displaced from where they were at the beginning of the stage.
+        """
+        share, before = self._share[row], self._before[row]
+        return np.asarray((1 - share) * before + share * self._after(row) - np.where(self._displaces, before, 0.0))
+
+    def _begin_stage(self, row: int) -> None:
+        """Begin the present stage of a structure; if it is quasi-static, from rest.
+
+        After another quasi-static stage, the settings of the motors change evenly from where they are, except that a
+        displacement by a drive that no longer acts is released. After a motion, and at the start, they begin at 0.
+        """
+        self._settling[row] = self.at_rest[row] = False
+        self._share[row], self._lost[row] = 0.0, []
+        if self.ended[row] or not self._plan.quasi_static[row, self.stage[row]]:
+            return
+        before = self.stage[row] - 1
+        continued = before >= 0 and bool(self._plan.quasi_static[row, before])
+        released = self._displaces & (self._after(row) == 0)
+        self._before[row] = np.where(released, 0.0, self._carried[row]) if continued else 0.0
+        self._settling[row], self.at_rest[row] = True, continued
 
     def progress(self, row: int) -> tuple[str, float, float]:
         """Return the name of a structure's stage, the time so far and the longest time of its protocol, s."""
@@ -236,6 +340,8 @@ class StageTracker:
     def _end_stage(self, row: int, goal_step: int | None, *, at_rest: bool, at_goal: bool) -> None:
         stage = self._models[row].design.protocol.stages[self.stage[row]]
         goes_on = not self._plan.has_bounds[row, self.stage[row]] and not self._plan.wait[row, self.stage[row]] > 0
+        # what does not come to rest has no equilibria to follow
+        goes_on = goes_on and (at_rest or not stage.quasi_static)
         timestep = float(self._plan.timestep[row])
         self.ends[row].append(
             StageEnd(
@@ -246,6 +352,8 @@ class StageTracker:
                 at_rest=at_rest,
                 at_goal=at_goal,
                 waited=float(self.waited[row] - self._waited_before[row]),
+                share=float(self._share[row]) if stage.quasi_static else None,
+                lost=tuple(self._lost[row]),
             )
         )
         self._waited_before[row] = self.waited[row]
@@ -254,6 +362,7 @@ class StageTracker:
         self.stage[row] += 1
         self.stage_start[row] = self._limit_start[row] = self.steps[row]
         self._goal_since[row] = self._rest_since[row] = self._rested[row] = -1
+        self._begin_stage(row)
 
 
 def _first(holds: Booleans, count: int) -> Numbers:

@@ -17,11 +17,14 @@ from mujoco.batch import Batch
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics.energies.creases import engine_rows
+from forficula.dynamics.energies.energy import state_series
 from forficula.dynamics.engine.crease_rows import CreaseRows, crease_rows, without_jump
 from forficula.dynamics.engine.drag import KINEMATICS, stacked_drag
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.plate_creases import PlateRows, plate_rows
+from forficula.dynamics.stepping.folds import joint_address, slide_name
 from forficula.dynamics.stepping.steps import EngineState, Steps
+from forficula.structure import RestShape
 
 # the full state that a step depends on, and the part that a step changes: time, positions and velocities first
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
@@ -179,11 +182,50 @@ class Stepper:
         mujoco.mj_setState(engine, data, self._state[row], _STATE)
         with _quiet:
             mujoco.mj_forward(engine, data)
-        derived = {name: getattr(data, name).copy() for name in (*_OF_STATES, *self._branch_slices)}
+        derived = {name: getattr(data, name).copy() for name in (*_OF_STATES, "xmat", *self._branch_slices)}
         folds = self._structures[row].folds
         angle = folds.angles(data.qpos)
         angle[folds.creases] = without_jump(angle[folds.creases], self._angles[row])
         return EngineState(position=data.qpos.copy(), velocity=data.qvel.copy(), angle=angle, derived=derived)
+
+    def position_of(self, row: int, shape: RestShape) -> Array:
+        """Return the positions of a structure's joints and of bodies that slide or turn freely, (position,)."""
+        model = self._structures[row]
+        position, engine, joints = start_position(model), model.engine, model.folds.joints >= 0
+        position[model.folds.joints[joints]] = (model.folds.senses * shape.angles)[joints]
+        for number, body in enumerate(model.in_units.bodies):
+            origin = shape.origins[number] / model.units.length
+            if body.turns:
+                first = joint_address(engine, body.name)
+                position[first : first + 3] = origin
+                mujoco.mju_mat2Quat(position[first + 3 : first + 7], shape.frames[number].ravel())
+                continue
+            for axis in body.slides:
+                # bodies that only slide are on the ground
+                position[joint_address(engine, slide_name(body.name, axis))] = origin[axis] - body.position[axis]
+        return position
+
+    def shape(self, row: int) -> RestShape:
+        """Return the shape of a structure, SI."""
+        model, state = self._structures[row], self.state(row)
+        series = state_series(model, state.angle[None], {name: values[None] for name, values in state.derived.items()})
+        bodies = [model.engine.body(body.name).id for body in model.in_units.bodies]
+        return RestShape(
+            angles=state.angle,
+            points=series["point_position"][0],
+            origins=model.units.length * state.derived["xpos"][bodies],
+            frames=state.derived["xmat"][bodies].reshape(-1, 3, 3),
+        )
+
+    def place(self, row: int, position: Array) -> EngineState:
+        """Put a structure at rest into a position, (position,); return its state."""
+        changed = self._state[row, self._moving]
+        engine = self._structures[row].engine
+        changed[1 : 1 + engine.nq], changed[1 + engine.nq : 1 + engine.nq + engine.nv] = position, 0.0
+        self._state[row, self._moving] = changed
+        state = self.state(row)
+        self._angles[row] = state.angle[self._structures[row].folds.creases]
+        return state
 
     def lengths(self, row: int) -> Array:
         """Return the lengths of the engine's tendons in a structure, (tendon,)."""

@@ -284,6 +284,30 @@ def balance_remark(balance: EnergyBalance) -> str:
     )
 
 
+def quasi_static_text(structure: Structure, outcome: Outcome) -> str:
+    """Return which stages of a run were quasi-static, and where they lost their equilibrium; empty if none was."""
+    parts = []
+    for number, stage in enumerate(outcome.stages):
+        if stage.share is None:
+            continue
+        text = f'"{stage.name}" ended at {_grown_text(structure, outcome, number, stage.share)}'
+        if stage.lost:
+            lost = listed(_grown_text(structure, outcome, number, share) for share in stage.lost)
+            text = f"{text} and lost its equilibrium at {lost}, followed by motion to rest"
+        parts.append(text)
+    return f"Quasi-static stages, computed by statics: {'; '.join(parts)}." if parts else ""
+
+
+def _grown_text(structure: Structure, outcome: Outcome, number: int, share: float) -> str:
+    """Return how far the drive of a quasi-static stage has grown at a share of the stage."""
+    stage, before = outcome.stages[number], outcome.stages[:number][-1:]
+    # a stage that continues another one does not grow from 0
+    if len(stage.drive) != 1 or any(earlier.share is not None for earlier in before):
+        return f"{show_value(100 * share, '%', 4)} of the change of its drives"
+    drive = drive_of(structure, stage.drive[0])
+    return drive_text(structure, drive, share * drive.strength)
+
+
 def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str, str]]:
     """Return an energy balance, term by term in one unit, and the residual as a share."""
     stored = (balance.tendon, balance.hinges or 0.0, balance.springs or 0.0, balance.couplings or 0.0)
@@ -345,6 +369,9 @@ def _transition_cells(structure: Structure, transition: Transition, outcome: Out
     strength = drive_text(structure, drive_of(structure, transition.drive), result.strength)
     if result.largest_force is not None:
         strength += f", requires {show_value(result.largest_force, 'N')}"
+    number = transition.stage
+    if number is not None and (share := outcome.stages[number].share) is not None:
+        strength += f", ended at {_grown_text(structure, outcome, number, share)}"
     undecided = outcome.verdict is Verdict.UNDECIDED and outcome.holds[transition.state] is None
     succeeded = "undecided" if undecided else "yes" if result.succeeded else "no"
     return [strength, succeeded, time, _sure(outcome.confirmation, f"{name}.work", result.work, "J")]

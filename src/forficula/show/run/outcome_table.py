@@ -20,6 +20,7 @@ from forficula.show.run.outcome_rows import (
     StateRows,
     balance_remark,
     balance_rows,
+    quasi_static_text,
     state_rows,
     transition_headings,
     transition_rows,
@@ -46,6 +47,8 @@ def outcome_table(name: str, outcome: Outcome, *, verdict: bool = True) -> Rende
         parts += [Text(), *_states(outcome, structure)]
     if structure.transitions:
         parts += [Text(), _transitions(outcome, structure), *map(Text, release_sentences(outcome))]
+    if text := quasi_static_text(structure, outcome):
+        parts += [Text(), Text(text)]
     parts += [Text(), _balance(outcome, structure)]
     return Group(*parts)
 

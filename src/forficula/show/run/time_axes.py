@@ -21,6 +21,7 @@ LEAD = 0.15
 MOST_ENTRIES = 8
 _AFTER = 1.6  # time shown, as a multiple of the time until a stage reached its goal or came to rest
 _ROOMY = 0.25  # share of a time axis above which words fit
+_EDGE = 0.02  # share of a time axis at its left end from which names extend to the right
 _LABELS = 0.6  # inch, width of a vertical axis
 _MOST_CLOSE = 5  # largest number of driven stages that are drawn enlarged
 _LABELLED = 2  # largest number of enlarged stages that have a label each
@@ -57,9 +58,14 @@ def _enlarged(record: Record) -> list[StageEnd]:
 
 
 def time_spans(record: Record) -> list[TimeSpan]:
-    """Return the time axes of the columns: the whole run, then each driven stage in ms."""
+    """Return the time axes of the columns: the whole run, then each driven stage."""
     whole = TimeSpan(start=0.0, scale=unit_of_run(record)[1])
-    return [whole, *(TimeSpan(start=end.start, scale=1e3, stage=end) for end in _enlarged(record))]
+    return [whole, *(TimeSpan(start=end.start, scale=_unit_of(end)[1], stage=end) for end in _enlarged(record))]
+
+
+def _unit_of(end: StageEnd) -> tuple[str, float]:
+    """Return the unit of the time axis of an enlarged stage, and its factor from s."""
+    return ("s", 1.0) if end.stage.quasi_static else ("ms", 1e3)
 
 
 def unit_of_run(record: Record) -> tuple[str, float]:
@@ -84,25 +90,29 @@ def time_rows(record: Record, labels: list[str], width: float, height: float) ->
         for axes, end in zip(row[1:], driven, strict=True):
             # then the stage holds its goal, or rests short of it, which takes long without motion
             moved = end.goal_time or still_time(record, end.start, end.end)
-            duration = 1e3 * min(end.end - end.start, _AFTER * (moved - end.start) or end.end - end.start)
-            last = min((1 + LEAD) * duration, 1e3 * (float(record.time[-1]) - end.start))
+            scale = _unit_of(end)[1]
+            duration = scale * min(end.end - end.start, _AFTER * (moved - end.start) or end.end - end.start)
+            last = min((1 + LEAD) * duration, scale * (float(record.time[-1]) - end.start))
             axes.set_xlim(-LEAD * duration, last)
         if narrow or row is rows[-1]:
             row[0].set_xlabel(f"time ({run_unit})")
-            _label_stages(row[1:])
+            _label_stages(row[1:], [_unit_of(end)[0] for end in driven])
     # a quantity is one panel: the whole run, and its stages enlarged
     letter_panels([row[0] for row in rows])
     return figure, rows
 
 
-def _label_stages(row: list[Axes]) -> None:
-    """Name the time axes of enlarged stages; of several narrow ones together."""
+def _label_stages(row: list[Axes], units: list[str]) -> None:
+    """Name the time axes of enlarged stages; of several narrow ones with the same unit together."""
     if len(row) <= _LABELLED:
-        for axes in row:
-            axes.set_xlabel("time since its start (ms)")
+        for axes, unit in zip(row, units, strict=True):
+            axes.set_xlabel(f"time since its start ({unit})")
+    elif len(set(units)) > 1:
+        for axes, unit in zip(row, units, strict=True):
+            axes.set_xlabel(f"since its start ({unit})")
     else:
         middle = (len(row) - 1) // 2
-        row[middle].set_xlabel("time since the start of the stage (ms)", x=0.5 if len(row) % 2 else _BETWEEN)
+        row[middle].set_xlabel(f"time since the start of the stage ({units[0]})", x=0.5 if len(row) % 2 else _BETWEEN)
 
 
 def fit_values(row: list[Axes], values: Array, least: float) -> None:
@@ -157,12 +167,16 @@ def shade_stages(axes: Axes, record: Record, span: TimeSpan) -> None:
         left, right = ((moment - span.start) * span.scale for moment in (end.start, end.end))
         # a white edge separates stages that follow one another
         axes.axvspan(left, right, facecolor="0.92", edgecolor="white", zorder=-1, lw=0.8)
-        alone = (f"{number} " * numbered + end.stage.name) if end is span.stage else ""
+        alone = (f"{number} " * numbered + end.stage.name + ", quasi-static" * end.stage.quasi_static) * (
+            end is span.stage
+        )
         words = name if span.stage is None else alone
         if words and max(left, low) < min(right, high):
             middle = (max(left, low) + min(right, high)) / 2
             place = axes.get_xaxis_transform()
-            axes.text(middle, 1.01, words, transform=place, ha="center", va="bottom", fontsize=7)
+            # a name at the left end would cover the letter of the panel
+            side = "left" if middle - low < _EDGE * (high - low) else "center"
+            axes.text(middle, 1.01, words, transform=place, ha=side, va="bottom", fontsize=7)
 
 
 def _stage_names(axes: Axes, record: Record) -> list[str]:

@@ -17,6 +17,7 @@ from forficula.dynamics.stepping.simulate import simulate_each
 from forficula.errors import InputError
 from forficula.quantities import as_written
 from forficula.results import Result, pandas_module
+from forficula.statics.survey import stage_rest_path
 from forficula.study.convergence.observed_order import OrderFit, fit_order
 from forficula.study.convergence.refinement import (
     MESH,
@@ -211,7 +212,7 @@ def _run_all(models: Sequence[Model], hinge: int | None, progress: Progress | No
         topologies.setdefault(len(model.mesh.built), []).append(index)
     runs: dict[int, TimedRun] = {}
     for members in topologies.values():
-        for row, record in simulate_each([models[index] for index in members]):
+        for row, record in simulate_each([models[index] for index in members], solver=stage_rest_path):
             run = runs[members[row]] = timed_run(record, hinge)
             if progress is not None:
                 progress(len(runs), len(models), {"verdict": run.verdict, "outcome": run.word})

@@ -25,6 +25,7 @@ from forficula.dynamics import (
 from forficula.dynamics.stepping.simulate import Progress
 from forficula.errors import InputError
 from forficula.quantities import show_duration, show_value
+from forficula.statics.survey import check_quasi_static, stage_rest_path
 from forficula.structure import Structure, drive_keys, structure_of, with_protocol
 
 # Allowed relative difference of times between two timesteps; the shorter one is used.
@@ -246,7 +247,8 @@ def _simulated(
         callback = None if progress is None else _with_timestep_shown(progress, group[0][0])
         done: set[int] = set()
         try:
-            for row, record in simulate_each([model for _, model in group], threads, sparse, callback, is_last):
+            models = [model for _, model in group]
+            for row, record in simulate_each(models, threads, sparse, callback, is_last, stage_rest_path):
                 done.add(row)
                 yield group[row][0], record
         except InputError as error:
@@ -367,10 +369,12 @@ def _with_protocol(model: Model | InputError, attempt: _Attempt) -> tuple[_Attem
         raise model
     design = _with_step(attempt.design, float(model.design.protocol.timestep))
     agreeing = _AGREEING if model.creases is None else _OF_NODES
+    structure = with_protocol(model.structure, design)
+    check_quasi_static(structure, design.protocol)
     return replace(attempt, design=design, agreeing=agreeing), replace(
         model,
         design=design,
-        structure=with_protocol(model.structure, design),
+        structure=structure,
         in_units=with_protocol(model.in_units, design_in_model_units(design, model.units)),
     )
 

@@ -12,6 +12,7 @@ from forficula.dynamics import Record
 from forficula.names import listed
 from forficula.quantities import reading_unit
 from forficula.show.page.playback import Clip, Readings, diverged_rows
+from forficula.show.run.outcome_rows import quasi_static_text
 from forficula.show.run.release import release_text
 from forficula.show.structure.labels import counted, measure_labels
 from forficula.structure import Structure, Transition, drive_of, drive_unit, hinge_groups
@@ -77,6 +78,8 @@ def outcome_remarks(record: Record, outcome: Outcome) -> list[str]:
             f"In the {' and the '.join(swinging)} state the {whole} still moves: its values are"
             " means, with half the range after ±."
         )
+    if text := quasi_static_text(record.structure, outcome):
+        remarks.append(text)
     for end in record.stages:
         if end.stage.until == "rest" and end.goal_time is None and record.diverged_at is None:
             limit = readable(end.stage.time_limit, "s")

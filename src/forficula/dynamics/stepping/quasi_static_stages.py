@@ -1,0 +1,130 @@
+"""Quasi-static stages of many structures: statics computes the equilibria, and lost equilibria continue as motion.
+
+A stage begins with steps under constant settings of the motors until the structure rests. Statics then takes over from
+the equilibrium nearest to that state and follows the growing drive. If the equilibrium is lost, the structure moves in
+ordinary steps under a constant drive until it rests again, and statics continues.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from forficula.arrays import Array
+from forficula.dynamics.energies.energy import state_series
+from forficula.dynamics.energies.work_balance import WorkBalance
+from forficula.dynamics.engine.model import Model
+from forficula.dynamics.recorder import Recorder
+from forficula.dynamics.stepping.stages import StageTracker
+from forficula.dynamics.stepping.stepper import Stepper
+from forficula.dynamics.stepping.steps import EngineState
+from forficula.errors import InputError
+from forficula.structure import GrowingLoad, RestPath, RestSolver, goal_of
+
+# share of the stage by which the drive exceeds the value at which an equilibrium is lost
+_BEYOND = 1e-4
+
+
+class QuasiStaticStages:
+    """Progress of the quasi-static stages of many structures of one topology."""
+
+    def __init__(self, models: Sequence[Model], solver: RestSolver | None) -> None:
+        """Start without any path.
+
+        Args:
+            models: compiled.
+            solver: returns the equilibria of a structure under a growing load.
+
+        Raises:
+            InputError: a model has a quasi-static stage, but there is no solver.
+        """
+        self._models, self._solver = models, solver
+        # positions of the points at the beginning of the stage with a number, m, by structure
+        self._begun: dict[int, tuple[int, Array]] = {}
+        for model in models:
+            stages = [stage.name for stage in model.design.protocol.stages if stage.quasi_static]
+            if stages and solver is None:
+                raise InputError(f'{model.design.name}: the stage "{stages[0]}" is quasi-static: need a static solver')
+
+    def go_on(
+        self, row: int, tracker: StageTracker, stepper: Stepper, account: WorkBalance, recorder: Recorder
+    ) -> None:
+        """Follow the equilibria of a resting structure to the end of its stage, or until one is lost."""
+        model, stage = self._models[row], int(tracker.stage[row])
+        assert self._solver is not None
+        reached, unit = stepper.state(row), _setting_units(model)
+        shape = stepper.shape(row)
+        number, begun = self._begun.get(row, (-1, shape.points))
+        self._begun[row] = stage, begun if number == stage else shape.points
+        before, after, share = tracker.growing_load(row)
+        load = GrowingLoad(
+            before=before * unit,
+            after=after * unit,
+            begin=share,
+            goal=goal_of(model.structure, model.design.protocol.stages[stage].until),
+            built_on=self._begun[row][1],
+        )
+        path = self._solver(model.structure, shape, load)
+        if path.ended == "away":
+            tracker.rest_again(row)
+            return
+        steps, rows = _numbers(path, tracker.longest_stage(row))
+        states = [stepper.place(row, stepper.position_of(row, path.shapes[place])) for place in rows.values()]
+        settings = np.array([load.settings(path.share[place]) for place in rows.values()])
+        final = stepper.place(row, stepper.position_of(row, path.shapes[-1]))
+        jump = _energy(model, stepper.place(row, stepper.position_of(row, path.shapes[0])), settings[0] / unit)
+        jump -= _energy(model, reached, settings[0] / unit)
+        stepper.place(row, final.position)
+        first = int(tracker.steps[row])
+        recorder.add_at_rest(
+            first + np.array(list(rows)),
+            states,
+            account.add_at_rest(
+                row,
+                path,
+                np.array(list(rows.values())),
+                settings / unit,
+                times=np.array(list(rows)) * float(model.design.protocol.timestep),
+                jump=jump,
+            ),
+            begins=first == tracker.stage_start[row],
+        )
+        last = float(path.share[-1])
+        if path.ended == "lost":
+            tracker.lose(row, last, min(last + _BEYOND, 1.0), steps)
+        else:
+            tracker.end_at_rest(row, last, steps, final.position, at_goal=path.ended == "goal")
+
+
+def _setting_units(model: Model) -> Array:
+    """Return the units of the settings of all motors, SI, (motor,)."""
+    units = {
+        "torque": model.units.energy,
+        "force": model.units.energy / model.units.length,
+        "displacement": model.units.length,
+        "rest-angle": 1.0,
+    }
+    return np.array([units[motor.kind] for motor in model.structure.motors])
+
+
+def _energy(model: Model, state: EngineState, settings: Array) -> float:
+    """Return the stored and kinetic energy of a structure in a state, J, for settings in the model's units."""
+    series = state_series(model, state.angle[None], _rows(state), settings[None])
+    return sum(float(values.sum()) for name, values in series.items() if name.endswith("_energy"))
+
+
+def _rows(state: EngineState) -> dict[str, Array]:
+    return {name: values[None] for name, values in state.derived.items()}
+
+
+def _numbers(path: RestPath, longest: int) -> tuple[int, dict[int, int]]:
+    """Return the number of steps that a path takes, and the row of the path for some of these steps, by number.
+
+    If several rows of a path belong to one step, only the last of them is kept. The last row of the path is kept in any
+    case.
+    """
+    numbers = np.rint((path.share - path.share[0]) * longest).astype(int)
+    steps = max(int(numbers[-1]), 1)
+    rows = {min(number, steps - 1): place for place, number in enumerate(numbers.tolist())}
+    return steps, {0: 0} | rows if steps > 1 else rows

@@ -1,0 +1,169 @@
+"""Equilibria of any structure under a load that grows evenly, and the work of its motors."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from typing import Generic, Literal, NamedTuple, Protocol, TypeVar
+
+import numpy as np
+
+from forficula.arrays import Array, Flags
+from forficula.structure import GrowingLoad, RestPath, RestShape
+
+State = TypeVar("State")
+
+_STEP = 0.04  # first and longest step of the share
+_SHORTEST = 1e-9  # step of the share at which a lost equilibrium or a goal is located
+_ACCURACY = 1e-9  # of the work in a step, relative to the largest setting times the largest change of its conjugate
+_DEPTH = 12  # halvings of a step for the integral of the work
+
+
+class LoadedSystem(Protocol[State]):
+    """A structure under a load, as a static solver represents it."""
+
+    def rest(self, share: float, near: State) -> State | None:
+        """Return the stable equilibrium at a share of the load near a state; None if there is none."""
+        ...
+
+    def middle(self, one: State, other: State) -> State:
+        """Return the mean of two states, from which their common neighbour is searched."""
+        ...
+
+    def conjugates(self, share: float, state: State, /) -> Array:
+        """Return the conjugate of every motor's setting, (motor,).
+
+        For a torque or a force, it is the turn or the displacement along the motor. For a change of rest angles or a
+        displacement, it is the moment or the force of the motor.
+        """
+        ...
+
+    @property
+    def prescribes(self) -> Flags:
+        """Return whether each motor sets a displacement or a rest angle instead of a torque or a force, (motor,)."""
+        ...
+
+    def short_of_goal(self, state: State) -> float:
+        """Return by how much a state is outside the bounds of the goal; <= 0 within them; inf without bounds."""
+        ...
+
+    def shape(self, state: State) -> RestShape:
+        """Return the shape of a state."""
+        ...
+
+
+def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> RestPath:
+    """Follow the stable equilibria of a structure under a load that grows evenly, to its goal or its full size.
+
+    The share of the load grows in steps. A step is halved if there is no stable equilibrium near the one before. If
+    there is none after a step of 1e-9 either, the equilibrium is lost.
+
+    Args:
+        system: the structure under the load.
+        start: near an equilibrium at the first share.
+        load: the load.
+    """
+    first = system.rest(load.begin, start)
+    if first is None:
+        motors = len(load.before)
+        return RestPath(
+            share=np.zeros(0), shapes=(), work=np.zeros((0, motors)), forces=np.zeros((0, motors)), ended="away"
+        )
+    shares, states = [load.begin], [first]
+    ended: Literal["goal", "full", "lost"] = "goal" if system.short_of_goal(first) <= 0 else "full"
+    step, steady = _STEP, True
+    while ended != "goal" and shares[-1] < 1:
+        share = min(shares[-1] + step, 1.0)
+        state = system.rest(share, states[-1])
+        reached = state is not None and system.short_of_goal(state) <= 0
+        if step > _SHORTEST and (state is None or reached):
+            step, steady = step / 2, False
+            continue
+        if state is None:
+            ended = "lost"
+            break
+        shares.append(share)
+        states.append(state)
+        ended = "goal" if reached else ended
+        step, steady = min(2 * step, _STEP) if steady else step, True
+    conjugates = np.array([system.conjugates(share, state) for share, state in zip(shares, states, strict=True)])
+    return RestPath(
+        share=np.array(shares),
+        shapes=tuple(system.shape(state) for state in states),
+        work=_works(system, load, shares, states, conjugates),
+        forces=np.where(system.prescribes, conjugates, 0.0),
+        ended=ended,
+    )
+
+
+def _works(
+    system: LoadedSystem[State], load: GrowingLoad, shares: list[float], states: list[State], conjugates: Array
+) -> Array:
+    """Return the work of every motor since the first row, J, (row, motor).
+
+    The work of a setting s with the conjugate c is the integral of s over c for a torque or a force, and that of c over
+    s for a prescribed displacement or rest angle. Because s is linear in the share, both follow from the integral of c
+    over the share (for a torque by parts).
+    """
+    rate = load.after - load.before
+    largest = np.abs([load.settings(share) for share in (shares[0], shares[-1])]).max(axis=0)
+    allowed = _ACCURACY * float((largest * np.ptp(conjugates, axis=0)).max(initial=0.0))
+
+    def middle(one: _Node[State], other: _Node[State]) -> _Node[State] | None:
+        share = (one.share + other.share) / 2
+        state = system.rest(share, system.middle(one.state, other.state))
+        return None if state is None else _Node(share, state, system.conjugates(share, state))
+
+    def small(error: Array) -> bool:
+        return float(np.abs(rate * error).max(initial=0.0)) <= allowed
+
+    nodes = [_Node(*node) for node in zip(shares, states, conjugates, strict=True)]
+    works = [np.zeros(len(rate))]
+    for one, other in pairwise(nodes):
+        area = _integral(one, middle(one, other), other, middle, small, _DEPTH)
+        by_parts = load.settings(other.share) * other.value - load.settings(one.share) * one.value
+        works.append(works[-1] + np.where(system.prescribes, rate * area, by_parts - rate * area))
+    return np.array(works)
+
+
+class _Node(NamedTuple, Generic[State]):
+    """A share of the load, the state at it, and the values that are integrated over the share."""
+
+    share: float
+    state: State
+    value: Array
+
+
+def _integral(
+    one: _Node[State],
+    middle: _Node[State] | None,
+    other: _Node[State],
+    between: Callable[[_Node[State], _Node[State]], _Node[State] | None],
+    small: Callable[[Array], bool],
+    depth: int,
+) -> Array:
+    """Integrate values between two nodes by Simpson's rule with halved steps (Lyness 1969) and extrapolation.
+
+    Args:
+        one: first node.
+        middle: node between both; None if there is none.
+        other: last node.
+        between: returns the node between two others; None if there is none.
+        small: returns whether an error of the integral is small enough.
+        depth: number of further halvings.
+    """
+    if middle is None:
+        return (other.share - one.share) / 2 * (one.value + other.value)
+    whole = _simpson(one, middle, other)
+    left, right = between(one, middle), between(middle, other)
+    if left is None or right is None:
+        return whole
+    halves = _simpson(one, left, middle) + _simpson(middle, right, other)
+    if depth == 0 or small((halves - whole) / 15):
+        return np.asarray(halves + (halves - whole) / 15)
+    first = _integral(one, left, middle, between, small, depth - 1)
+    return np.asarray(first + _integral(middle, right, other, between, small, depth - 1))
+
+
+def _simpson(one: _Node[State], middle: _Node[State], other: _Node[State]) -> Array:
+    return np.asarray((other.share - one.share) / 6 * (one.value + 4 * middle.value + other.value))

@@ -1,0 +1,118 @@
+"""Equilibria of bodies on joints in a tree under a load that grows evenly, for a quasi-static stage of a run."""
+
+from __future__ import annotations
+
+import numpy as np
+import scipy
+
+from forficula.arrays import Array, Flags
+from forficula.statics.rest_path import rest_path
+from forficula.statics.tree.pose import pose, tree_of
+from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, torque_scale
+from forficula.statics.tree.tree_path import place_positions
+from forficula.structure import (
+    GrowingLoad,
+    RestPath,
+    RestShape,
+    Structure,
+    distance_to_goal,
+    goal_coordinates,
+    point_distances,
+)
+
+_NEAR = 0.05  # rad, largest turn of a hinge between two neighbouring equilibria
+_CORRECTIONS = 20
+_EXACT = 1e-13  # rad, step of Newton's method that ends it
+_AT_BOUND = 1e-12  # rad
+_QUIET = 1e-9  # torque that counts as 0, as a share of the largest torque of the stiffest part
+_SOFT = 1e-12  # share of the largest stiffness below which a stiffness counts as 0
+
+
+def tree_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) -> RestPath:
+    """Follow the equilibria of a tree under a growing load; see `forficula.statics.rest_path.rest_path`."""
+    system = _LoadedTree(structure, load)
+    return rest_path(system, start.angles[: system.size], load)
+
+
+class _LoadedTree:
+    """A tree under a load; its states are the angles of the hinges, rad, (hinge,)."""
+
+    def __init__(self, structure: Structure, load: GrowingLoad) -> None:
+        self._structure, self._load = structure, load
+        self._structures: Ensemble = ensemble([structure])
+        self._tree = tree_of(structure)
+        self._lower, self._upper = self._structures.lower[None], self._structures.upper[None]
+        self._spread, self._quiet = np.eye(self._structures.size), _QUIET * torque_scale(self._structures)
+        if (ties := self._structures.ties) is not None:
+            self._spread = ties.spread
+            self._lower, self._upper = ties.bounds(self._lower, self._upper)
+
+    @property
+    def size(self) -> int:
+        """Return the number of joints."""
+        return self._structures.size
+
+    @property
+    def prescribes(self) -> Flags:
+        return np.zeros(len(self._structure.motors), dtype=np.bool_)
+
+    def rest(self, share: float, near: Array) -> Array | None:
+        torques = self._load.settings(share)
+        descended = rest(self._structures, near[None], torques, within=2 * _NEAR)
+        if not descended.rests[0] or np.abs(descended.position[0] - near).max(initial=0.0) > _NEAR:
+            return None
+        angles = self._corrected(descended.position[0], torques)
+        return None if angles is None or np.abs(angles - near).max(initial=0.0) > _NEAR else angles
+
+    def _corrected(self, angles: Array, torques: Array) -> Array | None:
+        """Return the stable equilibrium near angles by Newton's method, to the last digits; None if there is none.
+
+        Directions without stiffness, such as that of a hinge with a slack tendon, are at rest if no torque acts.
+        """
+        ties = self._structures.ties
+        for _ in range(_CORRECTIONS):
+            _, slope, curvature = potential(self._structures, angles[None], torques)
+            at = angles if ties is None else ties.start(angles[None])[0]
+            push = slope[0] @ self._spread
+            held = ((at <= self._lower[0] + _AT_BOUND) & (push > 0)) | ((at >= self._upper[0] - _AT_BOUND) & (push < 0))
+            free = self._spread[:, ~held]
+            if not free.shape[1]:
+                return angles
+            values, axes = scipy.linalg.eigh(free.T @ curvature[0] @ free)
+            least = _SOFT * max(float(np.abs(curvature[0]).max()), 1e-300)
+            soft, along = values <= least, axes.T @ (free.T @ slope[0])
+            if np.any(values < -least) or np.any(np.abs(along[soft]) > self._quiet):
+                return None
+            # no correction along directions without stiffness
+            step = -free @ (axes @ np.divide(along, values, out=np.zeros_like(along), where=~soft))
+            angles = angles + step
+            if np.abs(step).max(initial=0.0) <= _EXACT:
+                return np.asarray(np.clip(angles, self._structures.lower, self._structures.upper))
+        return None
+
+    def middle(self, one: Array, other: Array) -> Array:
+        return np.asarray((one + other) / 2)
+
+    def conjugates(self, _share: float, state: Array) -> Array:
+        # the potential is linear in the torques
+        count = len(self._structure.motors)
+        torques = np.concatenate([np.zeros((1, count)), np.eye(count)])
+        energy = potential(self._structures.repeated(count + 1), np.tile(state, (count + 1, 1)), torques)[0]
+        return np.asarray(energy[0] - energy[1:])
+
+    def short_of_goal(self, state: Array) -> float:
+        goal = self._load.goal
+        if goal.kind != "bounds":
+            return np.inf
+        distances = point_distances(self._structure, self.shape(state).points)
+        return distance_to_goal(goal_coordinates(self._structure, state, distances), goal)
+
+    def shape(self, state: Array) -> RestShape:
+        structure, at = self._structure, pose(self._tree, state[None])
+        count = len(structure.bodies)
+        return RestShape(
+            angles=state,
+            points=place_positions(structure, state[None])[0][: len(structure.points)],
+            origins=at.origins[0, :count],
+            frames=at.frames[0, :count],
+        )
