@@ -25,10 +25,12 @@ from forficula.design.fans.joint_sections import JointTendon
 from forficula.design.files.file_design import file_tables
 from forficula.design.files.file_words import check_file_kind
 from forficula.design.files.kept_sections import with_kept_sections
+from forficula.design.files.keys import section_fields
 from forficula.design.files.kinds import KINDS, design_class, kind_of
 from forficula.design.files.provenance import derived_source
 from forficula.design.files.rejection import File, origin, rejected
 from forficula.design.files.tables import (
+    REMOVED,
     RejectedError,
     check_once,
     dotted_keys,
@@ -313,6 +315,8 @@ def _over(
     """Lay tables over others; tendons have separate rules, and the pattern of a fan gives their number."""
     tables = _without_other_pattern(tables, kind_of(upper))
     both: dict[str, Any] = lay(tables, {key: value for key, value in upper.items() if key != "tendon"})
+    if REMOVED in both.values():
+        both = _without_removed(both)
     if "tendon" not in upper:
         return both
     model = design_class(both)
@@ -327,6 +331,17 @@ def _over(
     units = pattern.get("units") if isinstance(pattern, dict) else None
     veins = 2 * units + 1 if isinstance(units, int) and 0 < units <= MOST_UNITS else 0
     return {**both, "tendon": tendons_over(tables.get("tendon"), upper["tendon"], veins=veins, si=si)}
+
+
+def _without_removed(tables: dict[str, Any]) -> dict[str, Any]:
+    """Return tables without the sections that "none" removes: those that a design need not have."""
+    fields = design_class(tables).model_fields
+    removed = {
+        key
+        for key, value in tables.items()
+        if value == REMOVED and key in fields and fields[key].default is None and section_fields(fields[key].annotation)
+    }
+    return {key: value for key, value in tables.items() if key not in removed}
 
 
 def _without_other_pattern(tables: dict[str, Any], kind: str | None) -> dict[str, Any]:
