@@ -11,6 +11,7 @@ from rich.table import Table
 from forficula.quantities import show_quantity
 from forficula.show.study.choices_figure import choice_rows
 from forficula.study import Study
+from forficula.study.tables.redundancy import change_rows, redundancy_sentences
 from forficula.study.tables.outcome_kinds import (
     confirmation_sentence,
     least_values,
@@ -34,7 +35,7 @@ def print_study(study: Study, table: Dataset) -> None:
     Console(width=110, highlight=False).print(lines)
     if sentence := confirmation_sentence(table):
         print(f"{sentence}.")
-    headings, rows = choice_rows(table)
+    headings, rows = change_rows(table) if study.plan else choice_rows(table)
     if rows:
         by_choice = Table(box=None, padding=(0, 2, 0, 0))
         for heading in headings:
@@ -42,6 +43,8 @@ def print_study(study: Study, table: Dataset) -> None:
         for row in rows:
             by_choice.add_row(*row)
         Console(width=110, highlight=False).print(by_choice)
+    if study.plan:
+        print("\n".join(redundancy_sentences(table)))
     if study.search is None:
         return
     for place, (step, item) in enumerate(zip(study.search.steps, studied_transitions(table), strict=True)):

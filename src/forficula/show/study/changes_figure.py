@@ -1,0 +1,212 @@
+"""A study of named changes: margins of every change as bars, and of pairs of changes as a matrix."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Rectangle
+
+from forficula.quantities import reading_unit
+from forficula.show.study.outcome_looks import known_words, look_of, map_style
+from forficula.show.style import BLACK, PAGE_WIDTH, describe, fit_legend, is_narrow
+from forficula.study.tables.outcome_kinds import studied_transitions
+from forficula.study.tables.redundancy import (
+    MARGIN,
+    ChangedRun,
+    margin_number,
+    redundancy,
+    redundancy_sentences,
+)
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+# inch: height of a bar's row, of a second line of its name, size of a cell, space around
+_ROW, _LINE, _CELL, _AROUND = 0.2, 0.1, 0.42, 0.75
+_BAR = 0.7
+_INK = "0.35"
+_EMPTY = "0.97"
+_NAME_LETTERS, _NARROW_LETTERS = 44, 22  # letters per line of a name
+_DARK = 0.45  # lightness below which text on a face is white
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Axis:
+    """Axis of the bars.
+
+    Attributes:
+        label: label with the unit.
+        values: values in the unit of the label, for every point; nan if missing.
+        signed: whether values are margins, between -1 and 1.
+    """
+
+    label: str
+    values: Sequence[float]
+    signed: bool
+
+
+def draw_changes(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
+    """Draw the margin of the unchanged design and of every change alone as bars, the largest first.
+
+    Colour and mark show the outcome. For a study that searches least values, bars are the first of these values.
+
+    Args:
+        table: table of a study of named changes.
+        width: width of the figure, inch.
+    """
+    found, axis = redundancy(table), _axis(table)
+    known = np.array([axis.values[run.place] for run in (found.unchanged, *found.alone)])
+    order = np.argsort(-known if axis.signed else known, kind="stable")
+    runs = [(found.unchanged, *found.alone)[index] for index in order]
+    names = [_wrapped(_name(run, table), width) for run in runs]
+    with map_style():
+        lines = sum(name.count("\n") for name in names)
+        figure = Figure(figsize=(width, _ROW * len(runs) + _LINE * lines + _AROUND + 0.25), layout="constrained")
+        axes = figure.subplots()
+        for row, run in enumerate(runs):
+            _draw_bar(axes, table, run, row, axis)
+        axes.axvline(0, color=BLACK, lw=0.6)
+        axes.set_ylim(len(runs) - 0.4, -0.6)
+        axes.set_yticks(range(len(runs)), names)
+        axes.tick_params(axis="y", length=0)
+        axes.spines["left"].set_visible(False)
+        for label, run in zip(axes.get_yticklabels(), runs, strict=True):
+            label.set_fontweight("normal" if run.names else "bold")
+        axes.set_xlabel(axis.label)
+        if axis.signed:
+            axes.set_xlim(-1.14, 1.14)
+        else:
+            axes.set_xlim(0, 1.15 * float(np.nanmax(known, initial=0.0)) or 1.0)
+        fit_legend(figure, _handles(table, runs), 3, loc="outside lower center")
+        return describe(figure, f"Margins of {table.attrs['design']} with changes. {_text(table)}")
+
+
+def draw_pairs(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
+    """Draw the margins of all pairs of changes as a triangular matrix; the diagonal has every change alone.
+
+    Args:
+        table: table of a study of named changes in pairs.
+        width: width of the figure, inch.
+    """
+    found, axis = redundancy(table), _axis(table)
+    places = {run.names[0]: index for index, run in enumerate(found.alone)}
+    count, narrow = len(places), is_narrow(width)
+    names = [f"{_wrapped(name, width)}  {index + 1}" for index, name in enumerate(places)]
+    longest = max(len(line) for name in names for line in name.splitlines())
+    cell = min(_CELL, (width - 0.065 * longest - 0.2) / count)
+    with map_style():
+        figure = Figure(figsize=(width, cell * count + _AROUND), layout="constrained")
+        axes = figure.subplots()
+        runs = [*found.alone, *found.pairs]
+        for run in runs:
+            first, second = places[run.names[0]], places[run.names[-1]]
+            _draw_cell(axes, table, run, first, second, axis, small=narrow or cell < 0.8 * _CELL)
+        for pair in found.omitted:
+            first, second = sorted(places[name] for name in pair.names)
+            axes.add_patch(Rectangle((first - 0.5, second - 0.5), 1, 1, fc=_EMPTY, ec="white", lw=1))
+            axes.plot([first], [second], ls="", marker="_", ms=4, color=_INK)
+        axes.set(xlim=(-0.5, count - 0.5), ylim=(count - 0.5, -0.5), aspect="equal")
+        axes.set_yticks(range(count), names)
+        axes.set_xticks(range(count), [str(index + 1) for index in range(count)])
+        axes.tick_params(length=0)
+        for spine in axes.spines.values():
+            spine.set_visible(False)
+        handles = _handles(table, runs)
+        if found.omitted:
+            handles.append(Line2D([], [], ls="", marker="_", ms=5, color=_INK, label="not combined"))
+        fit_legend(figure, handles, 3, loc="outside lower center")
+        what = axis.label[:1].upper() + axis.label[1:]
+        return describe(figure, f"{what} of {table.attrs['design']} with pairs of changes. {_text(table)}")
+
+
+def _axis(table: Dataset) -> _Axis:
+    """Return what bars and cells show: the margin, or the first least value of a search."""
+    if MARGIN in table:
+        label = "margin of all transitions (negative: failed)"
+        return _Axis(label=label, values=table[MARGIN].values.tolist(), signed=True)
+    name = next(transition.least for transition in studied_transitions(table) if transition.least)
+    values = table[name].values.astype(float)
+    unit, factor = reading_unit(table[name].attrs["units"], float(np.nanmax(np.abs(values), initial=0.0)))
+    return _Axis(label=f"{name.replace('_', ' ')} ({unit})", values=(factor * values).tolist(), signed=False)
+
+
+def _draw_bar(axes: Axes, table: Dataset, run: ChangedRun, row: int, axis: _Axis) -> None:
+    look, value = look_of(table, run.outcome), axis.values[run.place]
+    if not np.isfinite(value):
+        axes.plot([0], [row], ls="", zorder=3, **_mark(look.face, look.marker))
+        axes.annotate(run.outcome, (0, row), (6, 0), textcoords="offset points", va="center", fontsize=6.5, color=_INK)
+        return
+    axes.barh(row, value, _BAR, fc=look.face, ec=_INK, lw=0.4, hatch=look.hatch)
+    axes.plot([value], [row], ls="", zorder=3, **_mark(look.face, look.marker))
+    left = value < 0
+    axes.annotate(
+        _number(value, axis),
+        (value, row),
+        (-5 if left else 5, 0),
+        textcoords="offset points",
+        ha="right" if left else "left",
+        va="center",
+        fontsize=6.5,
+    )
+
+
+def _draw_cell(
+    axes: Axes, table: Dataset, run: ChangedRun, first: int, second: int, axis: _Axis, *, small: bool
+) -> None:
+    """Draw the cell of a pair, or of one change on the diagonal: its outcome as a mark above its number."""
+    look, value = look_of(table, run.outcome), axis.values[run.place]
+    face = look.face if look.face != "1.0" else "0.96"
+    alone = first == second
+    axes.add_patch(Rectangle((first - 0.5, second - 0.5), 1, 1, fc=face, ec="white", lw=1))
+    if alone:
+        axes.add_patch(Rectangle((first - 0.46, second - 0.46), 0.92, 0.92, fc="none", ec=BLACK, lw=0.8))
+    ink = "white" if _lightness(face) < _DARK else BLACK
+    axes.plot([first], [second - 0.2], ls="", marker=look.marker, ms=2.5 if small else 4, color=ink, mfc=ink, mew=0.7)
+    text = _number(value, axis) if np.isfinite(value) else "?"
+    axes.text(first, second + 0.2, text, ha="center", va="center", fontsize=4.5 if small else 6.5, color=ink)
+
+
+def _number(value: float, axis: _Axis) -> str:
+    return margin_number(value) if axis.signed else f"{value:.3g}"
+
+
+def _mark(face: str, marker: str) -> dict[str, Any]:
+    return {"marker": marker, "ms": 4, "mfc": face if face != "1.0" else "white", "mec": BLACK, "mew": 0.7}
+
+
+def _handles(table: Dataset, runs: Sequence[ChangedRun]) -> list[Artist]:
+    """Return the legend's entries of the outcomes that occur, in the order of all outcomes."""
+    present = {run.outcome for run in runs}
+    order = [word for word in known_words(table) if word in present]
+    words = [*order, *sorted(present - set(order))]
+    return [
+        Line2D([], [], ls="", label=word, **(_mark(look.face, look.marker) | {"ms": 5}))
+        for word in words
+        for look in (look_of(table, word),)
+    ]
+
+
+def _lightness(face: str) -> float:
+    red, green, blue = to_rgb(face)
+    return 0.3 * red + 0.59 * green + 0.11 * blue
+
+
+def _name(run: ChangedRun, table: Dataset) -> str:
+    return " + ".join(run.names) or f"{table.attrs['design']}, unchanged"
+
+
+def _wrapped(name: str, width: float) -> str:
+    return textwrap.fill(name, _NARROW_LETTERS if is_narrow(width) else _NAME_LETTERS)
+
+
+def _text(table: Dataset) -> str:
+    return " ".join(redundancy_sentences(table))
