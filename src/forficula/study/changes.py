@@ -62,6 +62,9 @@ class ChangePlan:
         return together_values([self.changes[index] for index in self.together[point]])
 
 
+NO_CHANGES = ChangePlan()
+
+
 def together_values(changes: Sequence[Change]) -> dict[str, object]:
     """Return the values of several changes that set no key twice."""
     return {key: value for change in changes for key, value in change.values.items()}

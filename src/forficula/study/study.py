@@ -11,7 +11,7 @@ from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.names import counted
 from forficula.results import call
-from forficula.study.changes import ChangePlan
+from forficula.study.changes import NO_CHANGES, ChangePlan
 from forficula.study.factors import Factor
 from forficula.study.search_steps import Search
 
@@ -47,7 +47,7 @@ class Study(Displayed):
     search: Search | None
     choices: tuple[Mapping[str, object], ...] = ()
     grid: tuple[Factor, ...] = ()
-    plan: ChangePlan = ChangePlan()
+    plan: ChangePlan = NO_CHANGES
     reproduces: str | None = None
 
     def run(

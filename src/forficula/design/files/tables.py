@@ -11,7 +11,6 @@ from forficula.errors import InputError
 from forficula.names import listed, unknown_key
 from forficula.quantities import as_written, plain_value
 
-
 # text in place of a section, or of an entry of a list of sections, that removes it
 REMOVED = "none"
 

@@ -12,12 +12,13 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
+from matplotlib.legend_handler import HandlerPatch
 from matplotlib.lines import Line2D
-from matplotlib.patches import Rectangle
+from matplotlib.patches import Patch, Rectangle
 
 from forficula.quantities import reading_unit
-from forficula.show.study.outcome_looks import known_words, look_of, map_style
-from forficula.show.style import BLACK, PAGE_WIDTH, describe, fit_legend, is_narrow
+from forficula.show.study.outcome_looks import OutcomeLook, known_words, look_of, map_style
+from forficula.show.style import BLACK, PAGE_WIDTH, Drawing, describe, fit_legend, is_narrow
 from forficula.study.tables.outcome_kinds import studied_transitions
 from forficula.study.tables.redundancy import (
     MARGIN,
@@ -54,6 +55,13 @@ class _Axis:
     signed: bool
 
 
+def change_drawings(table: Dataset) -> dict[str, Drawing]:
+    """Return the drawings of a study of named changes by the stems of their files."""
+    alone: dict[str, Drawing] = {"changes": lambda width: draw_changes(table, width=width)}
+    in_pairs: dict[str, Drawing] = {"pairs": lambda width: draw_pairs(table, width=width)}
+    return alone | (in_pairs if redundancy(table).pairs else {})
+
+
 def draw_changes(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
     """Draw the margin of the unchanged design and of every change alone as bars, the largest first.
 
@@ -86,7 +94,7 @@ def draw_changes(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             axes.set_xlim(-1.14, 1.14)
         else:
             axes.set_xlim(0, 1.15 * float(np.nanmax(known, initial=0.0)) or 1.0)
-        fit_legend(figure, _handles(table, runs), 3, loc="outside lower center")
+        _draw_legend(figure, _handles(table, runs, hatched=True))
         return describe(figure, f"Margins of {table.attrs['design']} with changes. {_text(table)}")
 
 
@@ -120,10 +128,10 @@ def draw_pairs(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         axes.tick_params(length=0)
         for spine in axes.spines.values():
             spine.set_visible(False)
-        handles = _handles(table, runs)
+        handles = _handles(table, runs, hatched=False)
         if found.omitted:
-            handles.append(Line2D([], [], ls="", marker="_", ms=5, color=_INK, label="not combined"))
-        fit_legend(figure, handles, 3, loc="outside lower center")
+            handles.append(_MarkedPatch("_", _INK, fc=_EMPTY, ec=_INK, lw=0.4, label="not combined"))
+        _draw_legend(figure, handles)
         what = axis.label[:1].upper() + axis.label[1:]
         return describe(figure, f"{what} of {table.attrs['design']} with pairs of changes. {_text(table)}")
 
@@ -142,11 +150,11 @@ def _axis(table: Dataset) -> _Axis:
 def _draw_bar(axes: Axes, table: Dataset, run: ChangedRun, row: int, axis: _Axis) -> None:
     look, value = look_of(table, run.outcome), axis.values[run.place]
     if not np.isfinite(value):
-        axes.plot([0], [row], ls="", zorder=3, **_mark(look.face, look.marker))
+        axes.plot([0], [row], ls="", zorder=3, **_mark(look))
         axes.annotate(run.outcome, (0, row), (6, 0), textcoords="offset points", va="center", fontsize=6.5, color=_INK)
         return
     axes.barh(row, value, _BAR, fc=look.face, ec=_INK, lw=0.4, hatch=look.hatch)
-    axes.plot([value], [row], ls="", zorder=3, **_mark(look.face, look.marker))
+    axes.plot([value], [row], ls="", zorder=3, clip_on=False, **_mark(look))
     left = value < 0
     axes.annotate(
         _number(value, axis),
@@ -164,12 +172,11 @@ def _draw_cell(
 ) -> None:
     """Draw the cell of a pair, or of one change on the diagonal: its outcome as a mark above its number."""
     look, value = look_of(table, run.outcome), axis.values[run.place]
-    face = look.face if look.face != "1.0" else "0.96"
-    alone = first == second
+    face, alone = _face(look), first == second
     axes.add_patch(Rectangle((first - 0.5, second - 0.5), 1, 1, fc=face, ec="white", lw=1))
     if alone:
         axes.add_patch(Rectangle((first - 0.46, second - 0.46), 0.92, 0.92, fc="none", ec=BLACK, lw=0.8))
-    ink = "white" if _lightness(face) < _DARK else BLACK
+    ink = _ink(face)
     axes.plot([first], [second - 0.2], ls="", marker=look.marker, ms=2.5 if small else 4, color=ink, mfc=ink, mew=0.7)
     text = _number(value, axis) if np.isfinite(value) else "?"
     axes.text(first, second + 0.2, text, ha="center", va="center", fontsize=4.5 if small else 6.5, color=ink)
@@ -179,25 +186,54 @@ def _number(value: float, axis: _Axis) -> str:
     return margin_number(value) if axis.signed else f"{value:.3g}"
 
 
-def _mark(face: str, marker: str) -> dict[str, Any]:
-    return {"marker": marker, "ms": 4, "mfc": face if face != "1.0" else "white", "mec": BLACK, "mew": 0.7}
+def _mark(look: OutcomeLook) -> dict[str, Any]:
+    return {"marker": look.marker, "ms": 4, "mfc": _face(look), "mec": BLACK, "mew": 0.7}
 
 
-def _handles(table: Dataset, runs: Sequence[ChangedRun]) -> list[Artist]:
+class _MarkedPatch(Patch):
+    """Entry of a legend: a face with a mark on it."""
+
+    def __init__(self, marker: str, ink: str, **look: Any) -> None:
+        super().__init__(**look)
+        self.marker, self.ink = marker, ink
+
+
+class _MarkedHandler(HandlerPatch):
+    """Draw an entry of a legend with its mark."""
+
+    def create_artists(self, legend: Any, orig_handle: Any, *box: Any) -> list[Artist]:
+        left, foot, width, height, _, transform = box
+        artists: list[Artist] = [*super().create_artists(legend, orig_handle, *box)]
+        mark = Line2D([(width - left) / 2], [(height - foot) / 2], ls="", marker=orig_handle.marker, ms=3.5, mew=0.7)
+        mark.set(color=orig_handle.ink, transform=transform)
+        return [*artists, mark]
+
+
+def _draw_legend(figure: Figure, handles: Sequence[Artist]) -> None:
+    fit_legend(figure, handles, 3, loc="outside lower center", handler_map={_MarkedPatch: _MarkedHandler()})
+
+
+def _handles(table: Dataset, runs: Sequence[ChangedRun], *, hatched: bool) -> list[Artist]:
     """Return the legend's entries of the outcomes that occur, in the order of all outcomes."""
     present = {run.outcome for run in runs}
     order = [word for word in known_words(table) if word in present]
-    words = [*order, *sorted(present - set(order))]
-    return [
-        Line2D([], [], ls="", label=word, **(_mark(look.face, look.marker) | {"ms": 5}))
-        for word in words
-        for look in (look_of(table, word),)
-    ]
+    handles: list[Artist] = []
+    for word in (*order, *sorted(present - set(order))):
+        look = look_of(table, word)
+        face, hatch = _face(look), look.hatch if hatched else ""
+        handles.append(_MarkedPatch(look.marker, _ink(face), fc=face, hatch=hatch, ec=_INK, lw=0.4, label=word))
+    return handles
 
 
-def _lightness(face: str) -> float:
+def _face(look: OutcomeLook) -> str:
+    """Return the face of an outcome; not white, which would merge with the page."""
+    return look.face if to_rgb(look.face) != (1.0, 1.0, 1.0) else "0.96"
+
+
+def _ink(face: str) -> str:
+    """Return the colour of text on a face."""
     red, green, blue = to_rgb(face)
-    return 0.3 * red + 0.59 * green + 0.11 * blue
+    return "white" if 0.3 * red + 0.59 * green + 0.11 * blue < _DARK else BLACK
 
 
 def _name(run: ChangedRun, table: Dataset) -> str:

@@ -61,7 +61,7 @@ class StudyFile(Section):
         "what to compute at every point: a run, or the least torques or least value that [search] defines", "run"
     )
     vary: Literal["grid", "one-at-a-time", "pairs"] = entry(
-        "combine all values of all factors, or change one factor of the base at a time; the changes under [[change]] are"
+        "combine all values of all factors, or change one factor of the base at a time; changes under [[change]] are"
         " made one at a time, or also in pairs",
         "grid",
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING
 
@@ -12,7 +12,7 @@ import numpy as np
 from forficula.analysis import Verdict
 from forficula.analysis.margin import margin_column
 from forficula.arrays import Flags
-from forficula.names import listed
+from forficula.names import counted
 from forficula.study.changes import CHANGE, ChangePlan, OmittedPair
 from forficula.study.tables.outcome_kinds import reached_all, studied_transitions, whole_of
 
@@ -65,31 +65,34 @@ class Redundancy:
     task: str
 
     @property
-    def redundant(self) -> tuple[ChangedRun, ...]:
-        """Changes with which the structure still makes all transitions; none if the unchanged design does not."""
+    def tolerated(self) -> tuple[ChangedRun, ...]:
+        """Changes with which the structure still makes all transitions; none if the unchanged design does not.
+
+        A mechanism that such a change removes is redundant.
+        """
         return tuple(run for run in self.alone if run.works) if self.unchanged.works else ()
 
     @property
-    def essential(self) -> tuple[ChangedRun, ...]:
-        """Changes with which it does not, although the unchanged design does."""
+    def fatal(self) -> tuple[ChangedRun, ...]:
+        """Changes with which it does not, although the unchanged design does; a mechanism so removed is essential."""
         return tuple(run for run in self.alone if run.works is False) if self.unchanged.works else ()
 
     @property
     def failing_pairs(self) -> tuple[ChangedRun, ...]:
         """Pairs with which it does not, although it does with either change alone."""
-        harmless = {run.names[0] for run in self.redundant}
+        harmless = {run.names[0] for run in self.tolerated}
         return tuple(run for run in self.pairs if run.works is False and harmless.issuperset(run.names))
 
     @property
     def repaired_pairs(self) -> tuple[ChangedRun, ...]:
         """Pairs with which it makes all transitions, although it does not with one of the changes alone."""
-        essential = {run.names[0] for run in self.essential}
-        return tuple(run for run in self.pairs if run.works and essential.intersection(run.names))
+        fatal = {run.names[0] for run in self.fatal}
+        return tuple(run for run in self.pairs if run.works and fatal.intersection(run.names))
 
     @property
     def nearest(self) -> ChangedRun | None:
         """The change with the least margin with which the structure still makes all transitions."""
-        known = [run for run in self.redundant if np.isfinite(run.margin)]
+        known = [run for run in self.tolerated if np.isfinite(run.margin)]
         return min(known, key=lambda run: run.margin, default=None)
 
 
@@ -148,22 +151,26 @@ def redundancy_sentences(table: Dataset) -> list[str]:
     found = redundancy(table)
     if not found.unchanged.works:
         working = [run.names[0] for run in found.alone if run.works]
-        rest = f" With {_listed(working)} {found.task}." if working else ""
+        rest = f" Changes with which {found.task}: {_listed(working)}." if working else ""
         return [
             f"The unchanged design fails or has no reliable result ({found.unchanged.outcome}), so no mechanism can be"
             f" judged redundant.{rest}"
         ]
     sentences = [f"Unchanged, {found.task}{_margin_text(found.unchanged, ' with a margin of ')}."]
-    if found.redundant:
-        sentences.append(f"Redundant: {found.task} also with {_listed(run.names[0] for run in found.redundant)}.")
-    if found.nearest is not None and len(found.redundant) > 1:
+    if found.tolerated:
+        which = _listed(run.names[0] for run in found.tolerated)
+        count = f"{len(found.tolerated)} of {counted(len(found.alone), 'change')}"
         sentences.append(
-            f"Of these changes, {found.nearest.names[0]} leaves the least margin,{_margin_text(found.nearest, ' ')}."
+            f"{count} {'is' if len(found.tolerated) == 1 else 'are'} tolerated (a mechanism that such a change removes"
+            f" is redundant): {which}."
         )
-    if found.essential:
-        sentences.append(f"Essential: it fails with {_listed(map(_failure, found.essential))}.")
+    if found.nearest is not None and len(found.tolerated) > 1:
+        sentences.append(f"The least margin of these is{_margin_text(found.nearest, ' ')}: {found.nearest.names[0]}.")
+    if found.fatal:
+        which = _listed(map(_failure, found.fatal))
+        sentences.append(f"Changes that make it fail (a mechanism that one of them removes is essential): {which}.")
     if unknown := [run.names[0] for run in found.alone if run.works is None]:
-        sentences.append(f"No reliable result with {_listed(unknown)}.")
+        sentences.append(f"Changes without a reliable result: {_listed(unknown)}.")
     return [*sentences, *_pair_sentences(found)]
 
 
@@ -171,7 +178,7 @@ def _pair_sentences(found: Redundancy) -> list[str]:
     """Return the conclusions on pairs of changes; none if no pair was made."""
     if not found.pairs and not found.omitted:
         return []
-    harmless = {run.names[0] for run in found.redundant}
+    harmless = {run.names[0] for run in found.tolerated}
     tried = [run for run in found.pairs if harmless.issuperset(run.names)]
     sentences = []
     if tried:
@@ -179,22 +186,26 @@ def _pair_sentences(found: Redundancy) -> list[str]:
         which = f": {_listed(map(_failure, failing))}" if failing else ""
         verb = "fails" if len(failing) == 1 else "fail"
         sentences.append(
-            f"Of {len(tried)} pairs of changes that are harmless alone, {len(failing) or 'none'} {verb}{which}."
+            f"Of {counted(len(tried), 'pair')} of tolerated changes, {len(failing) or 'none'} {verb}{which}."
         )
         if unknown := sum(run.works is None for run in tried):
             sentences.append(f"{unknown} of these pairs {'has' if unknown == 1 else 'have'} no reliable result.")
     if found.repaired_pairs:
-        names = _listed(" with ".join(run.names) for run in found.repaired_pairs)
-        sentences.append(f"Pairs that work although one of their changes alone fails: {names}.")
+        names = _listed(map(_label, found.repaired_pairs))
+        sentences.append(f"Pairs with which it succeeds, although one of the changes alone makes it fail: {names}.")
     if found.omitted:
-        why = "; ".join(f"{' with '.join(pair.names)}, because {pair.why}" for pair in found.omitted[:_MOST_LISTED])
+        why = "; ".join(f"{' + '.join(pair.names)}, because {pair.why}" for pair in found.omitted[:_MOST_LISTED])
         more = f"; and {len(found.omitted) - _MOST_LISTED} more" if len(found.omitted) > _MOST_LISTED else ""
         sentences.append(f"Pairs that were not combined: {why}{more}.")
     return sentences
 
 
+def _label(run: ChangedRun) -> str:
+    return " + ".join(run.names)
+
+
 def _failure(run: ChangedRun) -> str:
-    return f"{' with '.join(run.names)} ({run.outcome}{_margin_text(run, ', margin ')})"
+    return f"{_label(run)} ({run.outcome}{_margin_text(run, ', margin ')})"
 
 
 def _margin_text(run: ChangedRun, before: str) -> str:
@@ -207,16 +218,19 @@ def margin_number(margin: float) -> str:
     return text.replace("-", "−")
 
 
-def _listed(texts: Sequence[str] | object) -> str:
-    """List texts that may contain commas: with semicolons if one has."""
-    items = [str(text) for text in texts]  # type: ignore[attr-defined]
+def _listed(texts: Iterable[str]) -> str:
+    """List texts, the first ones of many; with semicolons, because names of changes may contain commas."""
+    items = list(texts)
     if len(items) > _MOST_LISTED:
         items = [*items[:_MOST_LISTED], f"{len(items) - _MOST_LISTED} more"]
-    return "; ".join(items) if any("," in item for item in items) else listed(items)
+    return "; ".join(items)
 
 
 def change_rows(table: Dataset) -> tuple[list[str], list[list[str]]]:
-    """Return headings and one row for every change: margins of all transitions, or least values, and the outcome."""
+    """Return headings, and rows of the unchanged design and of every change alone.
+
+    Columns are the margins of all transitions, or the least values of a search, and the outcome.
+    """
     transitions = studied_transitions(table)
     numbers = [
         (f"{transition.name} margin", margin_column(transition.name))
@@ -231,7 +245,9 @@ def change_rows(table: Dataset) -> tuple[list[str], list[list[str]]]:
             numbers.append((f"{transition.least.replace('_', ' ')} ({unit})", transition.least))
     rows = []
     for place, label in enumerate(table[CHANGE].values.tolist()):
+        if table[SECOND].values[place]:
+            continue
         values = [float(table[name].values[place]) for _, name in numbers]
         cells = ["—" if not np.isfinite(value) else margin_number(value) for value in values]
-        rows.append([label, *cells, str(table["status"].values[place])])
+        rows.append([label, *cells, str(table["outcome"].values[place])])
     return ["change", *(heading for heading, _ in numbers), "outcome"], rows

@@ -42,10 +42,11 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
 
     Returns:
         Dimensions are the factors, in the study's order; or "sample" if the points were sampled; or "choice" (the base
-        first) and the repeated grid if factors are varied one at a time; or "change" (the base first) if the study makes
-        named changes. Coordinates are in SI, with `units`, `display` and `key`; of named changes, they are the names and
-        the changed values as text. Variables are time and work of every transition of the base; the energy of the tendons and, if they
-        exist, of the hinges' springs in every state; and the least value of every searched transition. The attribute
+        first) and the repeated grid if factors are varied one at a time; or "change" (the base first) if the study
+        makes named changes. Coordinates are in SI, with `units`, `display` and `key`; those of named changes are texts:
+        the names of the changes, and the changed values. Variables are time and work of every transition of the base;
+        the energy of the tendons and, if they exist, of the hinges' springs in every state; and the least value of
+        every searched transition. The attribute
         `transitions` has the transitions, see `table_transitions`; `whole` is the noun for the structure in sentences.
         A study of named changes that searches nothing also has the margin of every transition and of the whole run.
         If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run.
