@@ -13,6 +13,7 @@ from forficula.analysis import Verdict
 from forficula.analysis.margin import margin_column
 from forficula.arrays import Flags
 from forficula.names import counted
+from forficula.quantities import reading_unit
 from forficula.study.changes import CHANGE, ChangePlan, OmittedPair
 from forficula.study.tables.outcome_kinds import reached_all, studied_transitions, whole_of
 
@@ -233,21 +234,22 @@ def change_rows(table: Dataset) -> tuple[list[str], list[list[str]]]:
     """
     transitions = studied_transitions(table)
     numbers = [
-        (f"{transition.name} margin", margin_column(transition.name))
+        (f"{transition.name} margin", margin_column(transition.name), 1.0)
         for transition in transitions
         if margin_column(transition.name) in table
     ]
     if MARGIN in table and len(numbers) != 1:
-        numbers.append(("margin", MARGIN))
+        numbers.append(("margin", MARGIN, 1.0))
     for transition in transitions:
         if transition.least:
-            unit = table[transition.least].attrs["units"]
-            numbers.append((f"{transition.least.replace('_', ' ')} ({unit})", transition.least))
+            largest = float(np.nanmax(np.abs(table[transition.least].values), initial=0.0))
+            unit, factor = reading_unit(table[transition.least].attrs["units"], largest)
+            numbers.append((f"{transition.least.replace('_', ' ')} ({unit})", transition.least, factor))
     rows = []
     for place, label in enumerate(table[CHANGE].values.tolist()):
         if table[SECOND].values[place]:
             continue
-        values = [float(table[name].values[place]) for _, name in numbers]
+        values = [factor * float(table[name].values[place]) for _, name, factor in numbers]
         cells = ["—" if not np.isfinite(value) else margin_number(value) for value in values]
         rows.append([label, *cells, str(table["outcome"].values[place])])
-    return ["change", *(heading for heading, _ in numbers), "outcome"], rows
+    return ["change", *(heading for heading, *_ in numbers), "outcome"], rows
