@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -33,6 +35,8 @@ if TYPE_CHECKING:
 
 # inch: height of a bar's row, of a second line of its name, size of a cell, space around
 _ROW, _LINE, _CELL, _AROUND = 0.2, 0.1, 0.42, 0.75
+# inch, of a list of names: width of a letter, height of a line
+_LETTER_WIDTH, _LIST_LINE = 0.054, 0.125
 _BAR = 0.7
 _INK = "0.35"
 _EMPTY = "0.97"
@@ -91,7 +95,9 @@ def draw_changes(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             label.set_fontweight("normal" if run.names else "bold")
         axes.set_xlabel(axis.label)
         if axis.signed:
-            axes.set_xlim(-1.14, 1.14)
+            beyond = 1.4 if is_narrow(width) else 1.2  # space for numbers beside full bars
+            axes.set_xlim(-beyond, beyond)
+            axes.set_xticks(np.linspace(-1, 1, 5))
         else:
             axes.set_xlim(0, 1.15 * float(np.nanmax(known, initial=0.0)) or 1.0)
         _draw_legend(figure, _handles(table, runs, hatched=True))
@@ -107,23 +113,25 @@ def draw_pairs(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
     """
     found, axis = redundancy(table), _axis(table)
     places = {run.names[0]: index for index, run in enumerate(found.alone)}
-    count, narrow = len(places), is_narrow(width)
-    names = [f"{_wrapped(name, width)}  {index + 1}" for index, name in enumerate(places)]
-    longest = max(len(line) for name in names for line in name.splitlines())
-    cell = min(_CELL, (width - 0.065 * longest - 0.2) / count)
+    count = len(places)
+    names = [_wrapped(f"{index + 1}  {name}", width) for index, name in enumerate(places)]
+    cell = min(_CELL, (width - 0.3) / count)
+    rows = max(count, _rows_of(names, count, cell))
     with map_style():
-        figure = Figure(figsize=(width, cell * count + _AROUND), layout="constrained")
+        figure = Figure(figsize=(width, cell * rows + _AROUND), layout="constrained")
         axes = figure.subplots()
         runs = [*found.alone, *found.pairs]
         for run in runs:
             first, second = places[run.names[0]], places[run.names[-1]]
-            _draw_cell(axes, table, run, first, second, axis, small=narrow or cell < 0.8 * _CELL)
+            _draw_cell(axes, table, run, first, second, axis, small=cell < 0.8 * _CELL)
         for pair in found.omitted:
             first, second = sorted(places[name] for name in pair.names)
             axes.add_patch(Rectangle((first - 0.5, second - 0.5), 1, 1, fc=_EMPTY, ec="white", lw=1))
             axes.plot([first], [second], ls="", marker="_", ms=4, color=_INK)
-        axes.set(xlim=(-0.5, count - 0.5), ylim=(count - 0.5, -0.5), aspect="equal")
-        axes.set_yticks(range(count), names)
+        axes.set(xlim=(-0.5, count - 0.5), ylim=(count - 0.5, count - rows - 0.5), aspect="equal")
+        axes.set_yticks(range(count), [str(index + 1) for index in range(count)])
+        listed = {"ha": "right", "va": "top", "ma": "left", "fontsize": 6.5, "linespacing": 1.35}
+        axes.text(1, 1, "\n".join(names), transform=axes.transAxes, **listed)
         axes.set_xticks(range(count), [str(index + 1) for index in range(count)])
         axes.tick_params(length=0)
         for spine in axes.spines.values():
@@ -136,10 +144,25 @@ def draw_pairs(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         return describe(figure, f"{what} of {table.attrs['design']} with pairs of changes. {_text(table)}")
 
 
+def _rows_of(names: Sequence[str], count: int, cell: float) -> int:
+    """Return the number of rows with which the names above a triangular matrix do not meet its cells."""
+    lines = [line for name in names for line in name.splitlines()]
+
+    def meets(rows: int) -> bool:
+        """Return whether a line is longer than the cells right of the diagonal that are free at its foot."""
+        covered = [math.ceil((number + 1) * _LIST_LINE / cell) - (rows - count) for number in range(len(lines))]
+        return any(
+            row > 0 and len(line) * _LETTER_WIDTH > cell * (count - row)
+            for line, row in zip(lines, covered, strict=True)
+        )
+
+    return next(rows for rows in itertools.count(count) if not meets(rows))
+
+
 def _axis(table: Dataset) -> _Axis:
     """Return what bars and cells show: the margin, or the first least value of a search."""
     if MARGIN in table:
-        label = "margin of all transitions (negative: failed)"
+        label = "margin (negative: failed)"
         return _Axis(label=label, values=table[MARGIN].values.tolist(), signed=True)
     name = next(transition.least for transition in studied_transitions(table) if transition.least)
     values = table[name].values.astype(float)
@@ -179,7 +202,9 @@ def _draw_cell(
     ink = _ink(face)
     axes.plot([first], [second - 0.2], ls="", marker=look.marker, ms=2.5 if small else 4, color=ink, mfc=ink, mew=0.7)
     text = _number(value, axis) if np.isfinite(value) else "?"
-    axes.text(first, second + 0.2, text, ha="center", va="center", fontsize=4.5 if small else 6.5, color=ink)
+    if small and axis.signed:
+        text = text[:5]
+    axes.text(first, second + 0.22, text, ha="center", va="center", fontsize=5 if small else 6.5, color=ink)
 
 
 def _number(value: float, axis: _Axis) -> str:

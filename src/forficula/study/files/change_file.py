@@ -118,10 +118,10 @@ def _changed(base: Design, change: Change) -> Design:
 
 def _why_not_together(base: Design, first: Change, second: Change) -> str:
     """Return the reason why two changes cannot be made together; empty if they can."""
-    keys = [[numbered_key(base, key) for key in change.values] for change in (first, second)]
-    for one, other in itertools.product(*keys):
+    for key, other_key in itertools.product(first.values, second.values):
+        one, other = (numbered_key(base, name) for name in (key, other_key))
         if one == other or one.startswith(f"{other}.") or other.startswith(f"{one}."):
-            return f"both change {min(one, other, key=len)}"
+            return f"both change {key if len(one) <= len(other) else other_key}"
     try:
         together = base.with_values(together_values((first, second))).hash
         alone = [base.with_values(change.values).hash for change in (first, second)]
