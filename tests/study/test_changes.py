@@ -133,15 +133,15 @@ def test_the_closed_form_decides_which_changes_alone_and_in_pairs_open_the_clasp
 
 def test_both_tendons_are_redundant_but_not_together(clasp):
     _, table, _ = clasp
-    found = redundancy(table)
-    assert found.unchanged.works
-    assert {run.names[0] for run in found.tolerated} == set(SHARES)
-    assert {run.names for run in found.failing_pairs} == {
+    report = redundancy(table)
+    assert report.unchanged.works
+    assert {run.names[0] for run in report.tolerated} == set(SHARES)
+    assert {run.names for run in report.failing_pairs} == {
         ("no left tendon", "no right tendon"),
         ("no left tendon", "right tendon at 0.6"),
         ("no right tendon", "left tendon at 0.6"),
     }
-    assert found.fatal == found.repaired_pairs == ()
+    assert report.fatal == report.repaired_pairs == ()
     sentences = " ".join(redundancy_sentences(table))
     assert "4 of 4 changes are tolerated (a mechanism that such a change removes is redundant)" in sentences
     assert "Of 4 pairs of tolerated changes, 3 fail: no left tendon + no right tendon (did not stay closed" in sentences

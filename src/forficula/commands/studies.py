@@ -179,8 +179,9 @@ def studies() -> None:
         print(f"{name}\n    {study.source}\n    {len(study.points)} points of {study.base.name} over {over}")
         facts = {"name": name, "kind": "study", "source": study.source, "design": study.base.name}
         grid = [axis.key for axis in study.grid]
-        varied = {"factors": factors, "grid": grid} | ({"changes": changes} if changes else {})
-        listing.append(facts | {"points": len(study.points)} | varied)
+        listing.append(facts | {"points": len(study.points), "factors": factors, "grid": grid})
+        if changes:
+            listing[-1]["changes"] = changes
     for name in named_goals():
         goal = load_goal(name)
         objectives = listed(f"{objective.kind} {objective.quantity.name}" for objective in goal.objectives)

@@ -75,10 +75,10 @@ def draw_changes(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         table: table of a study of named changes.
         width: width of the figure, inch.
     """
-    found, axis = redundancy(table), _axis(table)
-    known = np.array([axis.values[run.place] for run in (found.unchanged, *found.alone)])
+    summary, axis = redundancy(table), _axis(table)
+    known = np.array([axis.values[run.place] for run in (report.unchanged, *report.alone)])
     order = np.argsort(-known if axis.signed else known, kind="stable")
-    runs = [(found.unchanged, *found.alone)[index] for index in order]
+    runs = [(report.unchanged, *report.alone)[index] for index in order]
     names = [_wrapped(_name(run, table), width) for run in runs]
     with map_style():
         lines = sum(name.count("\n") for name in names)
@@ -111,8 +111,8 @@ def draw_pairs(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         table: table of a study of named changes in pairs.
         width: width of the figure, inch.
     """
-    found, axis = redundancy(table), _axis(table)
-    places = {run.names[0]: index for index, run in enumerate(found.alone)}
+    summary, axis = redundancy(table), _axis(table)
+    places = {run.names[0]: index for index, run in enumerate(report.alone)}
     count = len(places)
     names = [_wrapped(f"{index + 1}  {name}", width) for index, name in enumerate(places)]
     cell = min(_CELL, (width - 0.3) / count)
@@ -120,24 +120,24 @@ def draw_pairs(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
     with map_style():
         figure = Figure(figsize=(width, cell * rows + _AROUND), layout="constrained")
         axes = figure.subplots()
-        runs = [*found.alone, *found.pairs]
+        runs = [*report.alone, *report.pairs]
         for run in runs:
             first, second = places[run.names[0]], places[run.names[-1]]
             _draw_cell(axes, table, run, first, second, axis, small=cell < 0.8 * _CELL)
-        for pair in found.omitted:
+        for pair in report.omitted:
             first, second = sorted(places[name] for name in pair.names)
             axes.add_patch(Rectangle((first - 0.5, second - 0.5), 1, 1, fc=_EMPTY, ec="white", lw=1))
             axes.plot([first], [second], ls="", marker="_", ms=4, color=_INK)
         axes.set(xlim=(-0.5, count - 0.5), ylim=(count - 0.5, count - rows - 0.5), aspect="equal")
         axes.set_yticks(range(count), [str(index + 1) for index in range(count)])
-        listed = {"ha": "right", "va": "top", "ma": "left", "fontsize": 6.5, "linespacing": 1.35}
+        listed: dict[str, Any] = {"ha": "right", "va": "top", "ma": "left", "fontsize": 6.5, "linespacing": 1.35}
         axes.text(1, 1, "\n".join(names), transform=axes.transAxes, **listed)
         axes.set_xticks(range(count), [str(index + 1) for index in range(count)])
         axes.tick_params(length=0)
         for spine in axes.spines.values():
             spine.set_visible(False)
         handles = _handles(table, runs, hatched=False)
-        if found.omitted:
+        if report.omitted:
             handles.append(_MarkedPatch("_", _INK, fc=_EMPTY, ec=_INK, lw=0.4, label="not combined"))
         _draw_legend(figure, handles)
         what = axis.label[:1].upper() + axis.label[1:]

@@ -149,41 +149,41 @@ def omitted_text(plan: ChangePlan) -> str:
 
 def redundancy_sentences(table: Dataset) -> list[str]:
     """Return the conclusions of a study of named changes as sentences."""
-    found = redundancy(table)
-    if not found.unchanged.works:
-        working = [run.names[0] for run in found.alone if run.works]
-        rest = f" Changes with which {found.task}: {_listed(working)}." if working else ""
+    report = redundancy(table)
+    if not report.unchanged.works:
+        working = [run.names[0] for run in report.alone if run.works]
+        rest = f" Changes with which {report.task}: {_listed(working)}." if working else ""
         return [
-            f"The unchanged design fails or has no reliable result ({found.unchanged.outcome}), so no mechanism can be"
+            f"The unchanged design fails or has no reliable result ({report.unchanged.outcome}), so no mechanism can be"
             f" judged redundant.{rest}"
         ]
-    sentences = [f"Unchanged, {found.task}{_margin_text(found.unchanged, ' with a margin of ')}."]
-    if found.tolerated:
-        which = _listed(run.names[0] for run in found.tolerated)
-        count = f"{len(found.tolerated)} of {counted(len(found.alone), 'change')}"
+    sentences = [f"Unchanged, {report.task}{_margin_text(report.unchanged, ' with a margin of ')}."]
+    if report.tolerated:
+        which = _listed(run.names[0] for run in report.tolerated)
+        count = f"{len(report.tolerated)} of {counted(len(report.alone), 'change')}"
         sentences.append(
-            f"{count} {'is' if len(found.tolerated) == 1 else 'are'} tolerated (a mechanism that such a change removes"
+            f"{count} {'is' if len(report.tolerated) == 1 else 'are'} tolerated (a mechanism that such a change removes"
             f" is redundant): {which}."
         )
-    if found.nearest is not None and len(found.tolerated) > 1:
-        sentences.append(f"The least margin of these is{_margin_text(found.nearest, ' ')}: {found.nearest.names[0]}.")
-    if found.fatal:
-        which = _listed(map(_failure, found.fatal))
+    if report.nearest is not None and len(report.tolerated) > 1:
+        sentences.append(f"The least margin of these is{_margin_text(report.nearest, ' ')}: {report.nearest.names[0]}.")
+    if report.fatal:
+        which = _listed(map(_failure, report.fatal))
         sentences.append(f"Changes that make it fail (a mechanism that one of them removes is essential): {which}.")
-    if unknown := [run.names[0] for run in found.alone if run.works is None]:
+    if unknown := [run.names[0] for run in report.alone if run.works is None]:
         sentences.append(f"Changes without a reliable result: {_listed(unknown)}.")
-    return [*sentences, *_pair_sentences(found)]
+    return [*sentences, *_pair_sentences(report)]
 
 
-def _pair_sentences(found: Redundancy) -> list[str]:
+def _pair_sentences(report: Redundancy) -> list[str]:
     """Return the conclusions on pairs of changes; none if no pair was made."""
-    if not found.pairs and not found.omitted:
+    if not report.pairs and not report.omitted:
         return []
-    harmless = {run.names[0] for run in found.tolerated}
-    tried = [run for run in found.pairs if harmless.issuperset(run.names)]
+    harmless = {run.names[0] for run in report.tolerated}
+    tried = [run for run in report.pairs if harmless.issuperset(run.names)]
     sentences = []
     if tried:
-        failing = found.failing_pairs
+        failing = report.failing_pairs
         which = f": {_listed(map(_failure, failing))}" if failing else ""
         verb = "fails" if len(failing) == 1 else "fail"
         sentences.append(
@@ -191,12 +191,12 @@ def _pair_sentences(found: Redundancy) -> list[str]:
         )
         if unknown := sum(run.works is None for run in tried):
             sentences.append(f"{unknown} of these pairs {'has' if unknown == 1 else 'have'} no reliable result.")
-    if found.repaired_pairs:
-        names = _listed(map(_label, found.repaired_pairs))
+    if report.repaired_pairs:
+        names = _listed(map(_label, report.repaired_pairs))
         sentences.append(f"Pairs with which it succeeds, although one of the changes alone makes it fail: {names}.")
-    if found.omitted:
-        why = "; ".join(f"{' + '.join(pair.names)}, because {pair.why}" for pair in found.omitted[:_MOST_LISTED])
-        more = f"; and {len(found.omitted) - _MOST_LISTED} more" if len(found.omitted) > _MOST_LISTED else ""
+    if report.omitted:
+        why = "; ".join(f"{' + '.join(pair.names)}, because {pair.why}" for pair in report.omitted[:_MOST_LISTED])
+        more = f"; and {len(report.omitted) - _MOST_LISTED} more" if len(report.omitted) > _MOST_LISTED else ""
         sentences.append(f"Pairs that were not combined: {why}{more}.")
     return sentences
 
