@@ -75,7 +75,7 @@ def draw_changes(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         table: table of a study of named changes.
         width: width of the figure, inch.
     """
-    summary, axis = redundancy(table), _axis(table)
+    report, axis = redundancy(table), _axis(table)
     known = np.array([axis.values[run.place] for run in (report.unchanged, *report.alone)])
     order = np.argsort(-known if axis.signed else known, kind="stable")
     runs = [(report.unchanged, *report.alone)[index] for index in order]
@@ -111,7 +111,7 @@ def draw_pairs(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         table: table of a study of named changes in pairs.
         width: width of the figure, inch.
     """
-    summary, axis = redundancy(table), _axis(table)
+    report, axis = redundancy(table), _axis(table)
     places = {run.names[0]: index for index, run in enumerate(report.alone)}
     count = len(places)
     names = [_wrapped(f"{index + 1}  {name}", width) for index, name in enumerate(places)]
