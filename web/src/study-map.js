@@ -9,13 +9,14 @@ import { makeScatter } from "./study-scatter.js";
 const MOST_CELLS = 20_000;
 const MOST_NUMBERS = 16; // largest number of columns for which cells contain numbers
 const MOST_TICKS = 16;
+const LONG_WORD = 12; // letters that fit below a column
 const MOVES = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /** The map with its choices; `open` receives the point of a pressed cell, and the quantity. */
 export function makeMap(model, open) {
   const { quantities, sampled } = model.study;
   const varied = model.study.axes.filter((index) => model.sizes[index] > 1);
-  const [y, x] = varied.length > 1 ? varied : [null, varied[0] ?? 0];
+  const [y, x] = varied.length > 1 ? varied : isList(model.study.factors[varied[0]]) ? [varied[0], null] : [null, varied[0] ?? 0];
   const view = { quantity: quantities[0], x, y, fixed: [...model.study.cuts], current: null, opened: null };
   const place = make("div", { className: "map-place" });
   const legend = make("div", { className: "map-legend" });
@@ -49,6 +50,11 @@ export function makeMap(model, open) {
       draw();
     },
   };
+}
+
+/** Whether a factor's values are long words, which are legible only below one another. */
+function isList(factor) {
+  return factor?.values.some((value) => typeof value === "string" && value.length > LONG_WORD) ?? false;
 }
 
 function mark(place, point) {
@@ -98,7 +104,8 @@ function makeChoices(model, view, varied, draw) {
 
 function makeGrid(model, view, press) {
   const { factors } = model.study;
-  const [columns, rows] = [model.sizes[view.x], view.y === null ? 1 : model.sizes[view.y]];
+  const [columns, rows] = [view.x, view.y].map((index) => (index === null ? 1 : model.sizes[index]));
+  const list = view.x === null;
   if (columns * rows > MOST_CELLS) return { element: make("p", { className: "note" }, "This map has too many cells for a page; see the figures of the study."), points: [] };
   const scale = model.scaleOf(view.quantity);
   const numbers = columns <= MOST_NUMBERS;
@@ -106,28 +113,33 @@ function makeGrid(model, view, press) {
   const cells = new Map();
   const body = [];
   const points = [];
-  for (let row = rows - 1; row >= 0; row--) {
-    const line = make("tr", {}, make("th", { scope: "row" }, view.y === null ? "" : tick(factors[view.y], row)));
+  for (let line = 0; line < rows; line++) {
+    // numbers grow upwards, words follow one another downwards
+    const row = list ? line : rows - 1 - line;
+    const head = view.y === null ? "" : list ? factors[view.y].texts[row] : tick(factors[view.y], row);
+    const cellsOfRow = make("tr", {}, make("th", { scope: "row" }, head));
     for (let column = 0; column < columns; column++) {
       const point = at(column, row);
       const cell = make("td", { tabIndex: -1, role: "gridcell" });
       fillCell(cell, model, view, scale, point, numbers);
       cells.set(`${column} ${row}`, cell);
       points.push(point);
-      line.append(cell);
+      cellsOfRow.append(cell);
     }
-    body.push(line);
+    body.push(cellsOfRow);
   }
-  const feet = factors[view.x].texts.map((_, column) => make("th", { scope: "col" }, tick(factors[view.x], column)));
-  body.push(make("tr", { className: "feet" }, make("td"), ...feet));
-  const table = make("table", { role: "grid", className: numbers ? "grid" : "grid small", "aria-label": mapName(model, view) }, make("tbody", {}, ...body));
+  if (!list) {
+    const feet = factors[view.x].texts.map((_, column) => make("th", { scope: "col" }, tick(factors[view.x], column)));
+    body.push(make("tr", { className: "feet" }, make("td"), ...feet));
+  }
+  const table = make("table", { role: "grid", className: list ? "grid list" : numbers ? "grid" : "grid small", "aria-label": mapName(model, view) }, make("tbody", {}, ...body));
   table.style.setProperty("--columns", columns);
   table.style.setProperty("--rows", rows);
   const first = [...cells.values()].find((cell) => Number(cell.dataset.point) === view.current) ?? cells.get("0 0");
   first.tabIndex = 0;
-  listen(table, cells, press);
-  const upwards = make("div", { className: "upwards" }, view.y === null ? "" : axisText(factors[view.y]));
-  const across = make("div", { className: "across" }, axisText(factors[view.x]));
+  listen(table, cells, press, list);
+  const upwards = make("div", { className: "upwards" }, view.y === null || list ? "" : axisText(factors[view.y]));
+  const across = make("div", { className: "across" }, list ? "" : axisText(factors[view.x]));
   // a map with few rows has no space for the vertical name
   return { element: make("div", { className: rows < 6 ? "axes low" : "axes" }, upwards, make("div", {}, make("div", { className: "scroll" }, table), across)), points };
 }
@@ -153,7 +165,7 @@ function fillCell(cell, model, view, scale, point, numbers) {
 }
 
 /** Arrow keys move between cells, as in a spreadsheet; enter, space and a press open one. */
-function listen(table, cells, press) {
+function listen(table, cells, press, list) {
   const places = new Map([...cells].map(([place, cell]) => [cell, place.split(" ").map(Number)]));
   table.addEventListener("click", (event) => {
     const cell = event.target.closest("[data-point]");
@@ -163,7 +175,8 @@ function listen(table, cells, press) {
     const cell = event.target.closest("[data-point]");
     if (!cell || event.ctrlKey || event.metaKey || event.altKey) return;
     const [column, row] = places.get(cell);
-    const [right, up] = MOVES[event.key] ?? [0, 0];
+    const [right, raised] = MOVES[event.key] ?? [0, 0];
+    const up = list ? -raised : raised;
     const columns = Math.max(...[...places.values()].map(([each]) => each));
     const there = { Home: `0 ${row}`, End: `${columns} ${row}` }[event.key] ?? `${column + right} ${row + up}`;
     if (event.key === "Enter" || event.key === " ") press(Number(cell.dataset.point));
@@ -218,7 +231,7 @@ function endText(model, quantity, points, pick) {
 
 function mapName(model, view) {
   const { factors } = model.study;
-  const over = view.y === null ? factors[view.x].name : `${factors[view.x].name} across and ${factors[view.y].name} upwards`;
+  const over = view.y === null || view.x === null ? factors[view.x ?? view.y].name : `${factors[view.x].name} across and ${factors[view.y].name} upwards`;
   return `${view.quantity.title} over ${over}; arrows move between cells, enter opens one`;
 }
 

@@ -122,7 +122,7 @@ def run_cycles(design: AnyDesign, last: int, progress: ProgressOption = None) ->
 
 def new_study(
     design: AnyDesign,
-    factors: Mapping[str, object],
+    factors: Mapping[str, object] | None = None,
     *,
     name: str = "study",
     rng: Generator | int | None = 0,
@@ -133,7 +133,7 @@ def new_study(
     Args:
         design: design to vary, its name or its path.
         factors: by key of the design: a list of values, a range, or a distribution, as in a study file; numbers of keys
-            with a unit are in SI.
+            with a unit are in SI. None for a study of named changes, `change=[{"name": ..., "values": {...}}]`.
         name: name of the study in outputs.
         rng: seed of factors that are distributions, or a generator that draws the seed; None for a new seed each time.
         **tables: further tables and keys of a study file, such as `ask="least-torques"` or
@@ -147,6 +147,7 @@ def new_study(
     ['closed and opened', 'closed and opened']
     """
     from forficula.study.factors import written_in_units
+    from forficula.study.files.change_file import in_units
     from forficula.study.files.study_file import study_of
 
     if not (isinstance(rng, int) and rng == 0):
@@ -154,11 +155,16 @@ def new_study(
         if isinstance(sampling, Mapping):
             tables["sampling"] = {**sampling, "seed": seed_of(rng, None)}
     base = as_design(design)
-    for table, values in (*tables.items(), ("factors", factors)):
+    if factors is not None:
+        tables["factors"] = factors
+    for table, values in [*tables.items()]:
         if table in ("factors", "grid") and isinstance(values, Mapping):
             with error_prefix(f"{table}."):
                 tables[table] = {key: written_in_units(key, value, type(base)) for key, value in values.items()}
-    return study_of({"factors": factors, **tables, "name": name, "design": base})
+    changes = tables.get("change")
+    if isinstance(changes, Sequence) and not isinstance(changes, str):
+        tables["change"] = [in_units(change, base) if isinstance(change, Mapping) else change for change in changes]
+    return study_of({**tables, "name": name, "design": base})
 
 
 def run_study(

@@ -172,11 +172,16 @@ def studies() -> None:
     for name in named_studies():
         study = load_study(name)
         factors = [factor.key for factor in study.factors]
+        changes = [change.name for change in study.plan.changes]
         over = listed([*factors, *(f"grid of {axis.key}" for axis in study.grid)])
+        if changes:
+            over = f"{counted(len(changes), 'change')}{' and pairs of them' * (len(study.points) > 1 + len(changes))}"
         print(f"{name}\n    {study.source}\n    {len(study.points)} points of {study.base.name} over {over}")
         facts = {"name": name, "kind": "study", "source": study.source, "design": study.base.name}
         grid = [axis.key for axis in study.grid]
         listing.append(facts | {"points": len(study.points), "factors": factors, "grid": grid})
+        if changes:
+            listing[-1]["changes"] = changes
     for name in named_goals():
         goal = load_goal(name)
         objectives = listed(f"{objective.kind} {objective.quantity.name}" for objective in goal.objectives)

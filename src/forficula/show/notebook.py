@@ -23,6 +23,7 @@ from forficula.show.page.parts.outcome_tables import outcome_tables
 from forficula.show.page.parts.run_sentences import outcome_sentence
 from forficula.show.structure.pattern_figure import draw_pattern
 from forficula.structure import structure_of
+from forficula.study.assumptions.choices import choice_label
 from forficula.study.factors import Factor
 from forficula.study.study import Study
 
@@ -77,6 +78,10 @@ def _study(study: Study) -> Iterator[str]:
     yield heading(study.name)
     task = "runs the protocol" if study.search is None else "searches for the least values that suffice"
     yield paragraph(f"{len(study.points)} points of {study.base.name}. Each point {task}.")
+    if study.plan:
+        changes = [(change.name, choice_label(study.base, change.values)) for change in study.plan.changes]
+        yield table("Changes", ("name", "changed values"), changes, numbers=False)
+        return
     rows = [(factor.key, _values(factor)) for factor in (*study.factors, *study.grid)]
     yield table("Varied values", ("key", "values"), rows, numbers=False)
 

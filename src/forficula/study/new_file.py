@@ -81,7 +81,9 @@ def _lines(model: type[Section], texts: Mapping[str, str]) -> Iterator[str]:
             yield from (_line(text, active=is_needed and text is examples[0]) for text in examples)
         elif section_fields(entry_of(field.annotation)):
             yield from comment
-            yield "\n\n".join(_line(f"[[{name}]]\n{text}", active=text is examples[0]) for text in examples)
+            yield "\n\n".join(
+                _line(f"[[{name}]]\n{text}", active=is_needed and text is examples[0]) for text in examples
+            )
         elif fields := section_fields(field.annotation):
             yield from (*comment, _line(f"[{name}]", active=field.default is not None))
             for key, inside in fields.items():

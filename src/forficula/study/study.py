@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 
 from forficula.design import Design
 from forficula.displayed import Displayed
+from forficula.names import counted
 from forficula.results import call
+from forficula.study.changes import NO_CHANGES, ChangePlan
 from forficula.study.factors import Factor
 from forficula.study.search_steps import Search
 
@@ -32,6 +34,7 @@ class Study(Displayed):
         choices: if factors are varied one at a time, the changed value of each choice, by key; the first choice is
             empty (the base). Otherwise empty.
         grid: factors whose whole grid is repeated at every choice; the last varies fastest.
+        plan: named changes that the study makes; empty if it varies factors.
         reproduces: name of the paper with which the results are compared; None for no paper.
     """
 
@@ -44,6 +47,7 @@ class Study(Displayed):
     search: Search | None
     choices: tuple[Mapping[str, object], ...] = ()
     grid: tuple[Factor, ...] = ()
+    plan: ChangePlan = NO_CHANGES
     reproduces: str | None = None
 
     def run(
@@ -83,6 +87,8 @@ class Study(Displayed):
         return most, left, seconds
 
     def __repr__(self) -> str:
-        """Return the number of points and the varied keys."""
+        """Return the number of points and the varied keys, or the number of changes."""
         keys = ", ".join(factor.key for factor in (*self.factors, *self.grid))
+        if self.plan:
+            keys = counted(len(self.plan.changes), "change")
         return f"<Study {self.name}: {len(self.points)} points of {self.base.name} over {keys}>"

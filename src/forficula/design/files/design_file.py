@@ -26,10 +26,12 @@ from forficula.design.fans.joint_sections import JointTendon
 from forficula.design.files.file_design import file_tables
 from forficula.design.files.file_words import check_file_kind
 from forficula.design.files.kept_sections import with_kept_sections
+from forficula.design.files.keys import section_fields
 from forficula.design.files.kinds import KINDS, design_class, kind_of
 from forficula.design.files.provenance import derived_source
 from forficula.design.files.rejection import File, origin, rejected
 from forficula.design.files.tables import (
+    REMOVED,
     RejectedError,
     check_once,
     dotted_keys,
@@ -377,6 +379,8 @@ def _over(
         return _assembly_over(tables, upper, lay, names, si=si)
     tables = _without_other_pattern(tables, kind_of(upper))
     both: dict[str, Any] = lay(tables, {key: value for key, value in upper.items() if key != "tendon"})
+    if REMOVED in both.values():
+        both = _without_removed(both)
     if "tendon" not in upper:
         return both
     model = design_class(both)
@@ -393,6 +397,7 @@ def _over(
     return {**both, "tendon": tendons_over(tables.get("tendon"), upper["tendon"], veins=veins, si=si)}
 
 
+<<<<<<< HEAD
 def _assembly_over(
     tables: dict[str, Any],
     upper: dict[str, Any],
@@ -418,6 +423,17 @@ def _assembly_over(
     others = {key: value for key, value in upper.items() if key not in (*names, "parts")}
     below = {key: value for key, value in tables.items() if key not in parts}
     return {**lay(below, others), **parts, "parts": list(names)}
+=======
+def _without_removed(tables: dict[str, Any]) -> dict[str, Any]:
+    """Return tables without the sections that "none" removes: those that a design need not have."""
+    fields = design_class(tables).model_fields
+    removed = {
+        key
+        for key, value in tables.items()
+        if value == REMOVED and key in fields and fields[key].default is None and section_fields(fields[key].annotation)
+    }
+    return {key: value for key, value in tables.items() if key not in removed}
+>>>>>>> redundancy
 
 
 def _without_other_pattern(tables: dict[str, Any], kind: str | None) -> dict[str, Any]:

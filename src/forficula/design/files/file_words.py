@@ -10,7 +10,7 @@ from forficula.errors import InputError
 # for each kind of file: keys that only this kind has, and the command that reads the file; a file has one of the keys
 _TYPICAL_KEYS = {
     "design": (("pattern", "based_on"), "run"),
-    "study": (("factors",), "study"),
+    "study": (("factors", "change"), "study"),
     "goal": (("objectives",), "optimise"),
     "observations file": (("fact",), "identify"),
 }

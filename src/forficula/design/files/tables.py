@@ -11,6 +11,9 @@ from forficula.errors import InputError
 from forficula.names import listed, unknown_key
 from forficula.quantities import as_written, plain_value
 
+# text in place of a section, or of an entry of a list of sections, that removes it
+REMOVED = "none"
+
 
 class RejectedError(InputError):
     """A design that is not allowed, with the place of the wrong value."""
@@ -65,7 +68,7 @@ def nested(settings: Mapping[str, object]) -> dict[str, Any]:
 
 
 def with_settings_over(below: object, upper: object, place: tuple[str, ...] = ()) -> Any:
-    """Lay settings over tables: like `merged`, but a number or name selects an entry of a list.
+    """Lay settings over tables: like `merged`, but a number or name selects an entry of a list, and "none" removes it.
 
     Raises:
         RejectedError: a list has no such entry, or a key continues where there is a value.
@@ -88,7 +91,16 @@ def with_settings_over(below: object, upper: object, place: tuple[str, ...] = ()
         except InputError as error:
             raise RejectedError((*place, text), str(error)) from None
         entries[number] = with_settings_over(entries[number], value, (*place, text))
-    return entries
+    return without_removed(below, entries)
+
+
+def without_removed(below: list[Any], entries: list[Any]) -> list[Any]:
+    """Return the entries of a list of tables without those that "none" has replaced."""
+    return [
+        entry
+        for before, entry in zip(below, entries, strict=True)
+        if not (entry == REMOVED and isinstance(before, dict))
+    ]
 
 
 def entry_index(place: Sequence[str], text: str, entries: Sequence[Any], inside: Sequence[str] = ()) -> int:

@@ -9,7 +9,14 @@ from typing import Any, TypeGuard
 from pydantic import ValidationError
 
 from forficula.design.fans.fan_sections import MOST_UNITS
-from forficula.design.files.tables import RejectedError, entry_index, with_settings_over, written_key
+from forficula.design.files.tables import (
+    REMOVED,
+    RejectedError,
+    entry_index,
+    with_settings_over,
+    without_removed,
+    written_key,
+)
 from forficula.design.law import law_tables, tendon_material
 from forficula.design.section import field_quantity
 from forficula.design.sheets.sheet_drives import SheetTendon
@@ -75,7 +82,8 @@ def value_from_folder(key: str, value: object, folder: Path) -> object:
 def tendons_over(below: object, upper: object, *, veins: int, si: bool) -> object:
     """Lay the tendons of a fan over those of its base.
 
-    A table changes all tendons, a number in it changes the tendon of one vein, and a list replaces all tendons.
+    A table changes all tendons, a number in it changes the tendon of one vein, and a list replaces all tendons. "none"
+    removes all tendons, or that of one vein.
 
     Args:
         below: present value of the key `tendon`: a table for all veins, tables by vein, or None.
@@ -98,7 +106,7 @@ def tendons_over(below: object, upper: object, *, veins: int, si: bool) -> objec
         before = below if is_by_vein(below) else dict.fromkeys(tables, below)
         return {vein: tendon_over(before.get(vein), entry, vein, si=si) for vein, entry in tables.items()}
     if not isinstance(upper, dict):
-        return upper
+        return {} if upper == REMOVED else upper
     shared = {key: value for key, value in upper.items() if not key.isdecimal()}
     numbered = {key: value for key, value in upper.items() if key.isdecimal()}
     if is_by_vein(below):
@@ -111,8 +119,11 @@ def tendons_over(below: object, upper: object, *, veins: int, si: bool) -> objec
     for vein, value in numbered.items():
         if vein not in tendons:
             raise RejectedError(["tendon", vein], _no_tendon(vein, tendons, veins))
+        if value == REMOVED:
+            del tendons[vein]
+            continue
         if not isinstance(value, dict):
-            message = f"tendon.{vein}: need a table under [tendon.{vein}], got {as_written(value)}"
+            message = f'tendon.{vein}: need a table under [tendon.{vein}], or "none", got {as_written(value)}'
             raise RejectedError(["tendon", vein], message)
         tendons[vein] = tendon_over(tendons[vein], value, vein, si=si)
     return tendons
@@ -120,6 +131,8 @@ def tendons_over(below: object, upper: object, *, veins: int, si: bool) -> objec
 
 def entries_over(below: object, upper: object, *, si: bool) -> object:
     """Lay the tendons of a sheet over those of its base: a list replaces them, a number or a name changes one of them.
+
+    "none" removes all tendons, or the one that a number or a name selects.
 
     Args:
         below: present value of the key `tendon`: a list of tables, or None.
@@ -134,6 +147,8 @@ def entries_over(below: object, upper: object, *, si: bool) -> object:
             tendon_over({}, entry, f"{number}", si=si, model=SheetTendon) if isinstance(entry, dict) else entry
             for number, entry in enumerate(upper)
         ]
+    if upper == REMOVED:
+        return []
     if not isinstance(upper, dict) or not isinstance(below, list):
         return with_settings_over(below, upper, ("tendon",))
     entries = list(below)
@@ -147,7 +162,7 @@ def entries_over(below: object, upper: object, *, si: bool) -> object:
             if isinstance(value, dict)
             else value
         )
-    return entries
+    return without_removed(below, entries)
 
 
 def tendon_over(

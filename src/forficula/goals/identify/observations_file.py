@@ -99,7 +99,7 @@ class ObservationsFile(Section):
     )
     sampling: PriorSampling = entry("number of samples of the unknown values", PriorSampling())
     fact: Annotated[tuple[FactTable, ...], BeforeValidator(_with_facts_read)] = entry(
-        "observations, one table for each fact", (), examples=_FACT_EXAMPLES
+        "observations, one table for each fact", (), left_out="needed", examples=_FACT_EXAMPLES
     )
 
 

@@ -13,11 +13,13 @@ from forficula.serial import json_text
 from forficula.show.folder.notebook_cell import first_figure, numbers
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.page.study_page import write_study_page
+from forficula.show.study.changes_figure import change_drawings
 from forficula.show.study.choices_figure import draw_choices
 from forficula.show.study.maps import map_drawings
 from forficula.show.style import Drawing, save_figures
 from forficula.study import Study, table_csv
 from forficula.study.assumptions.choices import CHOICE
+from forficula.study.changes import CHANGE
 from forficula.study.running.kept_runs import KeptRun
 from forficula.study.tables.outcome_kinds import check_table
 
@@ -31,6 +33,8 @@ def study_drawings(table: Dataset) -> dict[str, Drawing]:
     Returns:
         Drawings by the stems of their files.
     """
+    if CHANGE in table.dims:
+        return change_drawings(table)
     if CHOICE not in table.dims:
         return map_drawings(table)
     side_by_side: dict[str, Drawing] = {"choices": lambda width: draw_choices(table, width=width)}

@@ -29,6 +29,8 @@ def study_live(study: Study) -> dict[str, Any]:
         Only "refused", with the reason, if the engine would simulate the structures differently from the study.
     """
     design = study.base
+    if any(value == "none" for point in study.points for value in point.values()):
+        return {"refused": "some changes remove parts of the structure"}
     if design.protocol.timestep == "auto":
         return {"refused": "each point was given a timestep of its own"}
     try:

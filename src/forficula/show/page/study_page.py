@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from forficula.design import TORQUE
@@ -14,12 +15,16 @@ from forficula.reproduction import Comparison
 from forficula.show.page.data.kept_run_data import runs_data
 from forficula.show.page.data.study_data import study_data
 from forficula.show.page.page import page_html
-from forficula.show.page.parts.html import Cell, escaped, paragraph, section, table
+from forficula.show.page.parts.html import Cell, escaped, paragraph, remarks, section, table
 from forficula.show.page.parts.points_table import has_rows, points_table
+from forficula.show.page.results_page import figure_html
 from forficula.show.page.study_live import study_live
+from forficula.show.study.changes_figure import change_drawings
 from forficula.show.study.choices_figure import choice_rows
+from forficula.show.style import save_figures
 from forficula.structure import structure_of
 from forficula.study import Study, named_studies, table_csv
+from forficula.study.assumptions.choices import choice_label
 from forficula.study.factors import Factor
 from forficula.study.running.kept_runs import KeptRun
 from forficula.study.search_steps import SearchStep
@@ -32,6 +37,7 @@ from forficula.study.tables.outcome_kinds import (
     studied_transitions,
     undecided_text,
 )
+from forficula.study.tables.redundancy import change_rows, redundancy_sentences
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -81,10 +87,12 @@ def study_page(
         engine: whether the page contains the simulator, which simulates points whose runs were not kept.
     """
     data = study_data(study, results)
+    changes = _changes(results) if study.plan else []
     body = "".join(
         (
             f"<header><h1>{escaped(study.name)}</h1>{paragraph(study_sentence(study, results), 'outcome')}</header>\n",
             '<main class="study"><div id="explorer"></div>\n',
+            section("Redundancy and margins", *changes, name="changes"),
             section("Choices side by side", _choices(results), name="choices"),
             section("All points", points_table(data), name="points"),
             section("Comparison with the paper", _comparison(compared), name="comparison"),
@@ -107,6 +115,8 @@ def study_sentence(study: Study, results: Dataset) -> str:
     """Return a sentence with the number of points and of those that completed each transition."""
     count, transitions = f"{len(study.points)} points", studied_transitions(results)
     confirmed = f" {sentence}." if (sentence := confirmation_sentence(results)) else ""
+    if study.plan:
+        return f"{count}. {redundancy_sentences(results)[0]}{confirmed}"
     if study.search is None:
         counts = [
             f"{int(reached_all(results, transitions[: index + 1]).sum())} {_can(transitions, index)}"
@@ -138,6 +148,17 @@ def _choices(results: Dataset) -> str:
     return table("One value is changed at a time", headings, rows) if rows else ""
 
 
+def _changes(results: Dataset) -> list[str]:
+    """Return the conclusions on named changes, their table and their figures."""
+    headings, rows = change_rows(results)
+    drawings = change_drawings(results)
+    with TemporaryDirectory() as name:
+        texts = save_figures(drawings, Path(name), copies=(".svg",))
+        figures = [figure_html(Path(name), stem, texts[stem]) for stem in drawings]
+    sentences = remarks(redundancy_sentences(results))
+    return [sentences, *figures, table("Every change alone", headings, rows, numbers=False)]
+
+
 def _comparison(compared: Comparison | None) -> str:
     if compared is None:
         return ""
@@ -160,6 +181,7 @@ def _comparison(compared: Comparison | None) -> str:
 def _about(study: Study) -> list[str]:
     """Return the varied values, the search and the command that repeats the study."""
     rows = [["design", study.base.name], *([factor.key, _values(study, factor)] for factor in study.factors)]
+    rows += [[change.name, choice_label(study.base, change.values)] for change in study.plan.changes]
     if study.choices:
         rows.append(["varied", "one at a time"])
         rows += [[f"{factor.key}, at every choice", _values(study, factor)] for factor in study.grid]

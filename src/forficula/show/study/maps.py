@@ -331,12 +331,22 @@ def _states(table: Dataset) -> list[str]:
     return [*([start] if start else []), *(transition.state for transition in table_transitions(table))]
 
 
+# runs without a conclusive verdict
+_SILENT = (OutcomeKind.UNDECIDED, OutcomeKind.DIVERGED, OutcomeKind.UNTRUSTED, OutcomeKind.NOT_BUILT)
+
+
 def missing_reasons(table: Dataset, name: str) -> DataArray:
     """Return the reasons for missing values of a variable."""
     outcome, transitions, kinds = table["outcome"], table_transitions(table), outcome_kinds(table)
+    if name.endswith("margin"):
+        return outcome
     for kind in SPRUNG:  # energies of other parts are missing for the reason of the state's energy
         name = name.replace(f"_{kind}_energy", "_energy")
-    if not transitions or name in (f"{_states(table)[0]}_energy", "residual"):
+    if transitions and name == f"{_states(table)[0]}_energy":
+        # every conclusive run has a first state, so the structure of this point lacks such parts
+        known = [word for word, kind in kinds.items() if kind not in _SILENT]
+        return outcome.copy(data=np.where(np.isin(outcome.values.astype(str), known), OTHER, outcome.values))
+    if not transitions or name == "residual":
         return outcome
     first = transitions[0]
     first_outcome = table.get(f"{first.name}_outcome", outcome)
@@ -365,7 +375,6 @@ def _why_not_later(kinds: Mapping[str, OutcomeKind], not_tried: str, where: str)
     """
     stuck_later = next((word for word, kind in kinds.items() if kind is OutcomeKind.STUCK_LATER), OTHER)
     did_first = {word for word, kind in kinds.items() if kind.did_first}
-    silent = (OutcomeKind.UNDECIDED, OutcomeKind.DIVERGED, OutcomeKind.UNTRUSTED, OutcomeKind.NOT_BUILT)
     short_of_first = (OutcomeKind.STUCK, OutcomeKind.UNDER_WAY, OutcomeKind.MOVING, OutcomeKind.LOST)
 
     def why(outcome: str, first: str, reference: str) -> str:
@@ -373,7 +382,7 @@ def _why_not_later(kinds: Mapping[str, OutcomeKind], not_tried: str, where: str)
             # what reaches the first state with the reference value was also run for the later transition
             word = outcome if first in did_first else stuck_later
         elif where and reference:
-            word = reference if kinds.get(reference) in silent else f"{reference}{where}"
+            word = reference if kinds.get(reference) in _SILENT else f"{reference}{where}"
         else:
             word = not_tried if kinds.get(first) in short_of_first else outcome
         return OTHER if kinds.get(word) in (OutcomeKind.DID_FIRST, OutcomeKind.DID_ALL) else word

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections import Counter
 from typing import TYPE_CHECKING
 
@@ -18,6 +19,7 @@ from forficula.study.tables.outcome_kinds import (
     studied_transitions,
     undecided_text,
 )
+from forficula.study.tables.redundancy import change_rows, redundancy_sentences
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -34,14 +36,17 @@ def print_study(study: Study, table: Dataset) -> None:
     Console(width=110, highlight=False).print(lines)
     if sentence := confirmation_sentence(table):
         print(f"{sentence}.")
-    headings, rows = choice_rows(table)
+    headings, rows = change_rows(table) if study.plan else choice_rows(table)
     if rows:
         by_choice = Table(box=None, padding=(0, 2, 0, 0))
         for heading in headings:
-            by_choice.add_column(heading, justify="left" if heading == headings[0] else "right")
+            by_choice.add_column(heading, justify="left" if heading in (headings[0], "outcome") else "right")
         for row in rows:
             by_choice.add_row(*row)
         Console(width=110, highlight=False).print(by_choice)
+    if study.plan:
+        for sentence in redundancy_sentences(table):
+            print(textwrap.fill(sentence, 110, break_long_words=False, break_on_hyphens=False))
     if study.search is None:
         return
     for place, (step, item) in enumerate(zip(study.search.steps, studied_transitions(table), strict=True)):

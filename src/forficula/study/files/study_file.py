@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -25,7 +25,9 @@ from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.structure import structure_of
 from forficula.study.assumptions.choices import one_at_a_time, with_own_word
+from forficula.study.changes import ChangePlan
 from forficula.study.factors import MOST_VALUES, Factor, Factors, Grid, drawn_values, grid_points, read_factor
+from forficula.study.files.change_file import ChangeTable, read_changes
 from forficula.study.files.named_file import FileKind, base_design, load_named, named_files
 from forficula.study.files.search_file import SearchTable, read_search
 from forficula.study.search_steps import Search
@@ -58,8 +60,10 @@ class StudyFile(Section):
     ask: Literal["run", "least-torques", "least-value"] = entry(
         "what to compute at every point: a run, or the least torques or least value that [search] defines", "run"
     )
-    vary: Literal["grid", "one-at-a-time"] = entry(
-        "combine all values of all factors, or change one factor of the base at a time", "grid"
+    vary: Literal["grid", "one-at-a-time", "pairs"] = entry(
+        "combine all values of all factors, or change one factor of the base at a time; changes under [[change]] are"
+        " made one at a time, or also in pairs",
+        "grid",
     )
     settings: Settings = SETTINGS
     factors: Factors = entry(
@@ -70,6 +74,15 @@ class StudyFile(Section):
             '"$key" = ["$low", "$value", "$high"]',
             '"$key" = "$low_number..$high step $low"',
             '"$key" = { distribution = "uniform", low = "$low", high = "$high" }',
+        ),
+    )
+    change: tuple[ChangeTable, ...] = entry(
+        "instead of [factors]: named changes, such as mechanisms that are removed or weakened; the study reports with"
+        " which of them the structure still does everything",
+        (),
+        examples=(
+            'name = "half the $key"\nmultiply = { "$key" = 0.5 }',
+            'name = "another $key"\nvalues = { "$key" = "$low" }',
         ),
     )
     grid: Grid = entry("values that are combined with every change (one-at-a-time)", {})
@@ -108,6 +121,10 @@ def named_studies() -> list[str]:
 
 def _study(file: StudyFile, folder: Path) -> Study:
     base = base_design(file.design, file.settings, folder)
+    if file.change:
+        return _study_of_changes(file, base, folder)
+    if file.vary == "pairs":
+        raise InputError('vary: "pairs" needs changes with names, under [[change]]')
     factors = read_factors(file.factors, "factors", folder, base)
     drawn = [factor for factor in factors if factor.distribution is not None]
     if drawn and len(drawn) < len(factors):
@@ -119,7 +136,7 @@ def _study(file: StudyFile, folder: Path) -> Study:
     grid = _repeated_grid(file, factors, folder, base)
     if file.sampling is not None and not drawn:
         raise InputError("sampling: needs factors that are distributions, got lists and ranges")
-    search = _search(file, base, (*factors, *grid))
+    search = _search(file, base, {factor.key: f"factors.{factor.key}" for factor in (*factors, *grid)})
     choices: tuple[Mapping[str, object], ...] = ()
     if file.vary == "one-at-a-time":
         factors = tuple(with_own_word(base, factor) for factor in factors)
@@ -144,6 +161,33 @@ def _study(file: StudyFile, folder: Path) -> Study:
         grid=grid,
         reproduces=file.reproduces,
     )
+
+
+def _study_of_changes(file: StudyFile, base: Design, folder: Path) -> Study:
+    """Build a study of named changes, which are made one at a time, or in pairs, too."""
+    for name in ("factors", "grid", "sampling", "reproduces"):
+        if getattr(file, name):
+            raise InputError(f"{name}: need a study without it if there are changes under [[change]]")
+    if "vary" in file.model_fields_set and file.vary == "grid":
+        raise InputError('vary: need "one-at-a-time" or "pairs" for changes under [[change]], got "grid"')
+    plan = read_changes(file.change, folder, base, pairs=file.vary == "pairs")
+    keys = {key: f"change {name} ({key})" for name, key in _changed_keys(plan)}
+    return Study(
+        name=file.name,
+        source=file.source,
+        base=base,
+        factors=(),
+        points=tuple(plan.values(point) for point in range(len(plan.together))),
+        sampled=False,
+        search=_search(file, base, keys),
+        plan=plan,
+    )
+
+
+def _changed_keys(plan: ChangePlan) -> Iterator[tuple[str, str]]:
+    for change in plan.changes:
+        for key in change.values:
+            yield change.name, key
 
 
 def read_factors(table: Mapping[str, object], name: str, folder: Path, base: Design) -> tuple[Factor, ...]:
@@ -206,8 +250,14 @@ def _repeated_grid(file: StudyFile, factors: tuple[Factor, ...], folder: Path, b
     return grid
 
 
-def _search(file: StudyFile, base: Design, factors: Sequence[Factor]) -> Search | None:
-    """Read the search of a study and check that its key is not a factor; None if the study runs the protocol."""
+def _search(file: StudyFile, base: Design, varied: Mapping[str, str]) -> Search | None:
+    """Read the search of a study and check that its key does not vary; None if the study runs the protocol.
+
+    Args:
+        file: content of the study file.
+        base: the design that is varied.
+        varied: for every key that varies, the text that names it in messages.
+    """
     if file.ask == "run":
         if file.search is not None:
             raise InputError('search: needs ask = "least-torques" or "least-value"')
@@ -217,8 +267,8 @@ def _search(file: StudyFile, base: Design, factors: Sequence[Factor]) -> Search 
     searched_keys = {step.key for step in search.steps}
     if file.ask == "least-torques":
         searched_keys |= {drive.key for drive in structure_of(base).drives}
-    if conflicts := searched_keys & {factor.key for factor in factors}:
+    if conflicts := searched_keys & varied.keys():
         raise InputError(
-            f'factors.{min(conflicts)}: is what "{file.ask}" looks for; give it under [search], or ask "run"'
+            f'{varied[min(conflicts)]}: is what "{file.ask}" looks for; give it under [search], or ask "run"'
         )
     return search

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from forficula.analysis import SPRUNG, Ending, Verdict
+from forficula.analysis.margin import combined_row_margin, margin_column
 from forficula.arrays import Array
 from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
@@ -17,6 +18,7 @@ from forficula.quantities import as_written, parse_quantity
 from forficula.serial import Written, key_with_unit, unit_suffix
 from forficula.structure import Structure, drive_keys, first_state, springs_name, structure_of
 from forficula.study.assumptions.choices import CHOICE, choice_label, own_value
+from forficula.study.changes import CHANGE
 from forficula.study.factors import Factor
 from forficula.study.running.evaluate import ending_row, row_key
 from forficula.study.running.journal import Row
@@ -24,6 +26,7 @@ from forficula.study.search import search_result
 from forficula.study.search_steps import Search, SearchStep
 from forficula.study.study import Study
 from forficula.study.tables.outcome_kinds import transitions_text
+from forficula.study.tables.redundancy import CHANGED_VALUES, FIRST, MARGIN, SECOND, omitted_text
 
 if TYPE_CHECKING:
     import xarray
@@ -39,10 +42,13 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
 
     Returns:
         Dimensions are the factors, in the study's order; or "sample" if the points were sampled; or "choice" (the base
-        first) and the repeated grid if factors are varied one at a time. Coordinates are in SI, with `units`, `display`
-        and `key`. Variables are time and work of every transition of the base; the energy of the tendons and, if they
-        exist, of the hinges' springs in every state; and the least value of every searched transition. The attribute
+        first) and the repeated grid if factors are varied one at a time; or "change" (the base first) if the study
+        makes named changes. Coordinates are in SI, with `units`, `display` and `key`; those of named changes are texts:
+        the names of the changes, and the changed values. Variables are time and work of every transition of the base;
+        the energy of the tendons and, if they exist, of the hinges' springs in every state; and the least value of
+        every searched transition. The attribute
         `transitions` has the transitions, see `table_transitions`; `whole` is the noun for the structure in sentences.
+        A study of named changes that searches nothing also has the margin of every transition and of the whole run.
         If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run.
     """
     from forficula.study.tables.study_table import StudyTable
@@ -92,6 +98,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         "whole": structure.appearance.whole,
         **_confirmations(rows),
         **({"reproduces": study.reproduces} if study.reproduces is not None else {}),
+        **({"omitted_pairs": omitted_text(study.plan)} if study.plan else {}),
     }
     table = StudyTable(variables, coordinates, attributes)
     table.study = study
@@ -128,6 +135,10 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
         numbers[f"{state}_hinge_energy"] = ("J", f"energy of the hinges' springs, {where}")
         numbers[f"{state}_spring_energy"] = ("J", f"energy of the {springs_name(structure)}, {where}")
         numbers[f"{state}_coupling_energy"] = ("J", f"energy of the couplings, {where}")
+    if study.plan and search is None:
+        names = [transition.name for transition in structure.transitions]
+        numbers |= {margin_column(name): ("", f"margin of {name}, from -1 to 1; negative: failed") for name in names}
+        numbers[MARGIN] = ("", "margin of all transitions together")
     numbers["residual"] = ("", "largest share of the energy that is missing in a run")
     return numbers
 
@@ -179,7 +190,7 @@ def _tried(step: SearchStep) -> tuple[str, Array, dict[str, str]]:
 def table_csv(study: Study, table: xarray.Dataset) -> str:
     """Return the table as text: one line per point, units in column names, empty cells for missing numbers."""
     names, rows = _rows(study, table)
-    varied = len(study.factors) + len(study.grid)
+    varied = len(study.factors) + len(study.grid) + len(_texts_of_changes(study))
     return csv_text([names, *([*row[:varied], *map(_cell, row[varied:])] for row in rows)])
 
 
@@ -207,7 +218,7 @@ def table_json(study: Study, table: xarray.Dataset) -> list[dict[str, Any]]:
 def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], list[list[Any]]]:
     """Return column names and rows of a table, one per point; None for missing or inconclusive values."""
     varied = (*study.factors, *study.grid)
-    factors = [_column(factor) for factor in varied]
+    factors, texts = [_column(factor) for factor in varied], _texts_of_changes(study)
     names = _columns(study, table)
     units = {name: unit_suffix(table[name].attrs.get("units", "")) for name in names}
     columns = [table[name].values.ravel().tolist() for name in names]
@@ -218,11 +229,19 @@ def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], list[list[Any
     for number, point in enumerate(study.points):
         values = [_point_value(study, factor, point) for factor in varied]
         cells = [
-            factor * value if isinstance(value, float) else value
-            for value, (_, factor) in zip(values, factors, strict=True)
+            *(str(table[name].values[number]) for name in texts),
+            *(
+                factor * value if isinstance(value, float) else value
+                for value, (_, factor) in zip(values, factors, strict=True)
+            ),
         ]
         rows.append([*cells, *(_known(column[number], conclusive=conclusive[number]) for column in columns)])
-    return [*(name for name, _ in factors), *(name + units[name] for name in names)], rows
+    return [*texts, *(name for name, _ in factors), *(name + units[name] for name in names)], rows
+
+
+def _texts_of_changes(study: Study) -> tuple[str, ...]:
+    """Return the names of the columns with the changes; none for a study that varies factors."""
+    return (CHANGE, CHANGED_VALUES) if study.plan else ()
 
 
 def _result(
@@ -234,12 +253,24 @@ def _result(
     if study.search is not None:
         return search_result(design, study.search, rows)
     row = rows[row_key(design)]
+    if study.plan:
+        row = _with_margins(row, study)
     return row | {name: row.get(f"{name}_{unit}") for name, (unit, _) in numbers.items() if unit}
+
+
+def _with_margins(row: Row, study: Study) -> Row:
+    """Return a row with the margin of all transitions; without margins if its verdict is inconclusive."""
+    transitions = structure_of(study.base).transitions
+    if Verdict(row["verdict"]).conclusive:
+        return row | {MARGIN: combined_row_margin(row, transitions)}
+    return row | {margin_column(transition.name): None for transition in transitions}
 
 
 def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:
     """Return coordinates, dimensions and shape of the table."""
     coordinates: dict[str, Any] = {}
+    if study.plan:
+        return _changes(study), (CHANGE,), (len(study.points),)
     crossed = study.grid if study.choices else () if study.sampled else study.factors
     names, shape = [factor.dimension for factor in crossed], [len(factor.values) for factor in crossed]
     if study.choices:
@@ -259,6 +290,19 @@ def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int
             attributes |= {"units": unit.si, "display": unit.display}
         coordinates[factor.dimension] = (dimension, values, attributes)
     return coordinates, tuple(names), tuple(shape)
+
+
+def _changes(study: Study) -> dict[str, Any]:
+    """Return the coordinates of a study of named changes: labels, the names of both changes, and the changed values."""
+    names = [study.plan.names(point) for point in range(len(study.points))]
+    changed = [choice_label(study.base, point) if point else "" for point in study.points]
+    columns = {
+        CHANGE: [" + ".join(pair) or study.base.name for pair in names],
+        FIRST: [pair[0] if pair else "" for pair in names],
+        SECOND: [pair[1] if len(pair) > 1 else "" for pair in names],
+        CHANGED_VALUES: changed,
+    }
+    return {name: (CHANGE, texts) for name, texts in columns.items()}
 
 
 def _point_value(study: Study, factor: Factor, point: Mapping[str, object]) -> Any:

@@ -116,7 +116,9 @@ def _drawn(table: Dataset) -> list[_Drawn]:
     states: dict[str, int | None] = {start: None} if start else {}
     for number, item in numbered:
         states.setdefault(item.state, number)
+    margins = [(f"{item.name}_margin", f"margin of {item.wording.noun}", number) for number, item in numbered]
     drawn = [
+        *(("margin", name, title, number) for name, title, number in (("margin", "margin", None), *margins)),
         *(("torque", item.least, item.least.replace("_", " "), number) for number, item in numbered if item.least),
         *(("time", f"{item.name}_time", item.wording.time, number) for number, item in numbered),
         *(("work", f"{item.name}_work", f"work of {item.wording.noun}", number) for number, item in numbered),
