@@ -37,6 +37,8 @@ from .families.earwig import Tangent as Tangent
 from .families.earwig import earwig_pattern as earwig_pattern
 from .families.earwig import hub_points as hub_points
 from .families.earwig import ring_directions as ring_directions
+from .families.earwig import ring_ratios as ring_ratios
+from .families.earwig import ring_sectors as ring_sectors
 from .families.earwig import ring_vertices as ring_vertices
 from .families.earwig import tips as tips
 from .families.earwig import vein_gaps as vein_gaps
