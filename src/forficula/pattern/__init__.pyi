@@ -17,6 +17,8 @@ from .facts.flat_folding import flat_folding_faults as flat_folding_faults
 from .facts.flat_folding import flat_folding_text as flat_folding_text
 from .facts.flat_folding import vertex_checks as vertex_checks
 from .facts.pattern_facts import Freedoms as Freedoms
+from .facts.flat_fold import FlatFold as FlatFold
+from .facts.flat_fold import flat_fold as flat_fold
 from .facts.pattern_facts import PatternFacts as PatternFacts
 from .facts.pattern_facts import pattern_facts as pattern_facts
 from .facts.rigid_folding import begins_as_assigned as begins_as_assigned
