@@ -226,6 +226,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
         "bistable-miura",
         "force-clasp",
         "four-plate-snap",
+        "graded-fan",
         "kresling-cell",
         "letter-fold",
         "miura-sheet",

@@ -22,9 +22,9 @@ SHARE = Unit(display="%", si="", example="95 %")
 RATIO = Unit(display="times", si="", example="10 times")
 _DRIVE_UNITS = {"N m": TORQUE, "N": FORCE, "m": LENGTH, "rad": ANGLE}
 
-# where a quantity comes from: the design itself; its parts; its flat-folded sheet; closed forms of hinges that tendons cross (ms); the energy
-# along its fold (0.2 s); slowly growing drives (up to seconds); a run; a run with its whole record; several runs that
-# search for the least value; runs of many variants within the tolerances
+# where a quantity comes from: the design itself; its parts; its flat-folded sheet (ms); closed forms of hinges that
+# tendons cross (ms); the energy along its fold (0.2 s); slowly growing drives (up to seconds); a run; a run with its
+# whole record; several runs that search for the least value; runs of many variants within the tolerances
 Source = Literal["design", "parts", "sheet", "hinges", "fold", "slow", "run", "record", "search", "neighbours"]
 SOURCES: tuple[Source, ...] = (
     *("design", "parts", "sheet", "hinges", "fold", "slow", "run", "record", "search", "neighbours"),

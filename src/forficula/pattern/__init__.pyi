@@ -12,13 +12,13 @@ from .facet_tree import FacetLink as FacetLink
 from .facet_tree import central_facet as central_facet
 from .facet_tree import edges_between as edges_between
 from .facet_tree import facet_tree as facet_tree
+from .facts.flat_fold import FlatFold as FlatFold
+from .facts.flat_fold import flat_fold as flat_fold
 from .facts.flat_folding import VertexCheck as VertexCheck
 from .facts.flat_folding import flat_folding_faults as flat_folding_faults
 from .facts.flat_folding import flat_folding_text as flat_folding_text
 from .facts.flat_folding import vertex_checks as vertex_checks
 from .facts.pattern_facts import Freedoms as Freedoms
-from .facts.flat_fold import FlatFold as FlatFold
-from .facts.flat_fold import flat_fold as flat_fold
 from .facts.pattern_facts import PatternFacts as PatternFacts
 from .facts.pattern_facts import pattern_facts as pattern_facts
 from .facts.rigid_folding import begins_as_assigned as begins_as_assigned

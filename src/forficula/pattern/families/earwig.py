@@ -121,7 +121,7 @@ class EarwigFan:
 
     @property
     def epsilon(self) -> float:
-        """Angle between a vein and the radius to its ring vertex, asin(hub_radius / ring_radius), with shares of 1, rad."""
+        """Angle between a vein and the radius to its ring vertex, with shares of 1, asin(hub_radius / ring_radius)."""
         return math.atan2(self.hub_radius, self.proximal_length)
 
 
@@ -193,7 +193,7 @@ def _check_ring_vertices(fan: EarwigFan) -> None:
 
 
 def _check_different_veins(fan: EarwigFan) -> None:
-    """Raise InputError for veins that differ so much that they cannot fold in alternating senses, or cross."""
+    """Raise InputError for veins that cannot fold in alternating senses, that cross, or whose panels bend inwards."""
     key = " and ".join(f"pattern.{name}" for name in fan.varied)
     before, after = ring_sectors(fan)
     ratios = ring_ratios(fan)
@@ -204,7 +204,8 @@ def _check_different_veins(fan: EarwigFan) -> None:
                 f"{key}: vein {vein} does not cross the ring fold: its proximal part needs angles > 0 deg and < 180 deg"
                 f" with both ring creases, got {sectors}; choose more similar shares"
             )
-        if ratios[vein] < 0 or (ratios[vein] == 0) != (fan.hub_radius == 0):
+        # without a hub the ring fold of equal ring vertices stays flat until the pleats are closed
+        if ratios[vein] < 0 or (ratios[vein] == 0 and ratios.any()):
             least, most = ("previous", "next") if fan.tangent == "right" else ("next", "previous")
             raise InputError(
                 f"{key}: vein {vein} would fold in the same sense as its neighbours: its proximal part needs a smaller"
@@ -218,8 +219,11 @@ def _check_different_veins(fan: EarwigFan) -> None:
                 f"{key}: the proximal parts of veins {vein} and {vein + 1} cross near the hub: choose more similar"
                 " shares or a smaller pattern.hub_radius"
             )
-    if _panel_bends_inwards(fan):
-        raise InputError(f"{key}: a panel bends inwards: choose more similar shares, or shorter distal veins")
+    if (panel := _panel_bending_inwards(fan)) is not None:
+        raise InputError(
+            f"{key}: a panel between veins {panel} and {panel + 1} bends inwards: choose more similar shares or shorter"
+            " distal veins"
+        )
 
 
 def _cross(one: tuple[Array, Array], other: tuple[Array, Array]) -> bool:
@@ -232,8 +236,8 @@ def _cross(one: tuple[Array, Array], other: tuple[Array, Array]) -> bool:
     return all(side(a, b[0]) * side(a, b[1]) < 0 for a, b in ((one, other), (other, one)))
 
 
-def _panel_bends_inwards(fan: EarwigFan) -> bool:
-    """Return whether a panel has a corner of more than 180 deg, other than at the hub."""
+def _panel_bending_inwards(fan: EarwigFan) -> int | None:
+    """Return the number of a panel that has a corner of more than 180 deg, other than at the hub; None without one."""
     lines = [hub_points(fan), *(ring_vertices(fan, fold=fold) for fold in range(fan.ring_folds)), tips(fan)]
     for line, (inner, outer) in enumerate(pairwise(lines)):
         corners = np.stack([inner[:-1], outer[:-1], outer[1:], inner[1:]])
@@ -241,8 +245,8 @@ def _panel_bends_inwards(fan: EarwigFan) -> bool:
         # at both outer corners, and at the inner ones except at the hub, where tangents lie beside its chords
         turns = np.cross(sides, np.roll(sides, -1, axis=0))[: 4 if line else 2, :, 2]
         if (turns <= 0).any():
-            return True
-    return False
+            return int(np.argmax((turns <= 0).any(axis=0)))
+    return None
 
 
 def _check_ring_folds(fan: EarwigFan) -> None:
@@ -258,7 +262,7 @@ def _check_ring_folds(fan: EarwigFan) -> None:
             raise InputError(f"pattern.{key}: need > 0 with two ring folds, got {_centimetres(length)}")
     if fan.ring_folds == 1:
         return
-    if _panel_bends_inwards(fan):
+    if _panel_bending_inwards(fan) is not None:
         raise InputError(
             "pattern.pitch: the ring folds tilt so steeply that a panel bends inwards: need a smaller pitch, fewer"
             f" pattern.units or a larger pattern.sector_angle, got {_centimetres(fan.pitch)}"
@@ -296,8 +300,8 @@ def _veins(fan: EarwigFan) -> _Veins:
     side, middle = _side(fan), int(fan.units) + 1
     lengths = fan.proximal_length * _continued(fan.proximal_shares, fan.vein_count)
     hub_radii = fan.hub_radius * _continued(fan.hub_shares, fan.vein_count)
-    given = fan.sector_shares or (1.0,) * (fan.vein_count - 1)
-    shares = np.array([given[1], *given, given[-2]])
+    panels = fan.sector_shares or (1.0,) * (fan.vein_count - 1)
+    shares = np.array([panels[1], *panels, panels[-2]])
     # vein by vein, because the functions of arrays round differently
     pairs = list(zip(hub_radii.tolist(), lengths.tolist(), strict=True))
     epsilon = np.array([math.atan2(radius, length) for radius, length in pairs])
@@ -308,16 +312,14 @@ def _veins(fan: EarwigFan) -> _Veins:
     sectors = shares * fan.sector_angle - side * np.diff(epsilon)
     steps, sums = np.diff(radii), radii[1:] + radii[:-1]
     tilts = np.arctan2(steps * np.cos(sectors / 2), sums * np.sin(sectors / 2))
-    return _Veins(
-        hub_radii=hub_radii, epsilon=epsilon, radii=radii, azimuths=azimuths, sectors=sectors, tilts=tilts
-    )
+    return _Veins(hub_radii=hub_radii, epsilon=epsilon, radii=radii, azimuths=azimuths, sectors=sectors, tilts=tilts)
 
 
 def _continued(shares: tuple[float, ...], count: int) -> Array:
     """Return shares with one more on each side, (count + 2)."""
-    given = shares or (1.0,) * count
-    first, last = given[1] * given[0] / given[2], given[-2] * given[-1] / given[-3]
-    return np.array([first, *given, last], dtype=np.float64)
+    veins = shares or (1.0,) * count
+    first, last = veins[1] * veins[0] / veins[2], veins[-2] * veins[-1] / veins[-3]
+    return np.array([first, *veins, last], dtype=np.float64)
 
 
 def ring_sectors(fan: EarwigFan) -> tuple[Array, Array]:

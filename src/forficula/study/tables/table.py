@@ -102,7 +102,9 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     return table
 
 
-def _folded_sizes(designs: Sequence[Design | str], dimensions: tuple[str, ...], shape: tuple[int, ...]) -> dict[str, Any]:
+def _folded_sizes(
+    designs: Sequence[Design | str], dimensions: tuple[str, ...], shape: tuple[int, ...]
+) -> dict[str, Any]:
     """Return the sizes of the flat-folded sheets of designs; none if no sheet folds flat."""
     sizes = [flat_package(structure_of(design)) if isinstance(design, Design) else None for design in designs]
     if not any(sizes):
