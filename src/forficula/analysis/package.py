@@ -64,7 +64,7 @@ def flat_package(structure: Structure) -> FlatPackage | None:
     """Compute the size of a structure whose sheet is folded flat; None without a sheet that folds flat."""
     pattern = structure.appearance.pattern
     fold = None if pattern is None else flat_fold(pattern)
-    if fold is None or not _not_collinear(fold.places):
+    if fold is None:
         return None
     radius = _radius(structure)
     outline = package_of(fold.places, radius)
