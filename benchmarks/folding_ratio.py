@@ -4,11 +4,12 @@ The proximal and the distal veins are 11 cm long, and the hub has a radius of 2 
 least 2 mm, a search over all three lengths has its optimum there. The sector angle is varied between the one at which
 the bars touch at the ring fold and the one at which the fan spreads over 180 deg.
 
-    python benchmarks/folding_ratio.py
+    python benchmarks/folding_ratio.py [--units N]
 """
 
 from __future__ import annotations
 
+import argparse
 import math
 
 import numpy as np
@@ -17,7 +18,6 @@ from forficula import load_design, structure_of
 from forficula.analysis.package import FlatPackage, flat_package
 from forficula.errors import InputError
 
-_UNITS = (1, 2, 3, 4, 5, 6, 7, 8, 9, 10)
 _DIAMETERS = (0.1, 1.0, 5.0)  # mm
 _SECTORS = 40  # number of sector angles
 
@@ -49,8 +49,11 @@ def largest(units: int, diameter: float) -> FlatPackage:
 
 def main() -> None:
     """Print a table."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--units", type=int, default=10, help="largest number of fan units")
+    most = parser.parse_args().units
     print("| units | veins | " + " | ".join(f"bars of {diameter:g} mm" for diameter in _DIAMETERS) + " |")
-    for units in _UNITS:
+    for units in range(1, most + 1):
         cells = [largest(units, diameter) for diameter in _DIAMETERS]
         texts = [f"{size.folding_ratio:.2f}, {1e3 * size.height:g} mm" for size in cells]
         print(f"| {units} | {2 * units + 1} | " + " | ".join(texts) + " |")

@@ -74,6 +74,7 @@ class FanPatternSection(Section):
     proximal_shares: Annotated[
         VeinShares,
         Field(
+            min_length=1,
             description="length of every vein up to the ring fold, divided by proximal_length; all 1 if not given",
             examples=[[1.0, 0.95, 0.9]],
         ),
@@ -81,6 +82,7 @@ class FanPatternSection(Section):
     distal_shares: Annotated[
         VeinShares,
         Field(
+            min_length=1,
             description="length of every vein beyond the ring fold, divided by distal_length; all 1 if not given",
             examples=[[1.0, 0.95, 0.9]],
         ),
@@ -88,6 +90,7 @@ class FanPatternSection(Section):
     hub_shares: Annotated[
         VeinShares,
         Field(
+            min_length=1,
             description="radius of the circle that every vein is tangent to, divided by hub_radius; all 1 if not given",
             examples=[[1.0, 0.95, 0.9]],
         ),
@@ -95,6 +98,7 @@ class FanPatternSection(Section):
     sector_shares: Annotated[
         VeinShares,
         Field(
+            min_length=1,
             description="angle from every vein to the next one, divided by sector_angle, one number fewer than veins;"
             " all 1 if not given",
             examples=[[1.1, 0.9]],
