@@ -227,6 +227,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
         "earwig-midwing",
         "force-clasp",
         "four-plate-snap",
+        "graded-fan",
         "kresling-cell",
         "letter-fold",
         "miura-sheet",
@@ -241,6 +242,9 @@ def test_a_pattern_is_described_where_no_file_is_to_be_written(call):
     fan = call("pattern", "binder2025").out.splitlines()
     assert fan[0] == "earwig fan, 1 unit, 3 veins: 9 vertices, 4 facets, 22.35 cm by 15.06 cm"
     assert "Every vertex folds flat by itself; whether layers collide is not checked." in fan
+    text = " ".join(fan)
+    assert "Folded flat without thickness, it has an outline of 4" in text
+    assert "and up to 4 layers." in text
     freedoms = [line.split()[-2:] for line in fan if line.startswith("rigid facets")]
     assert freedoms == [["2", "1"], ["1", "0"]]
     call("pattern", "binder2025", "--out", "fan.fold")

@@ -37,7 +37,7 @@ READING_UNITS = {
 }
 # factors of common units by SI unit, to avoid loading pint, which takes half a second
 _USUAL = {
-    "": {"%": 0.01},
+    "": {"%": 0.01, "times": 1.0},
     "1/s": {},
     "J": {"mJ": 1e-3},
     "J/m^3": {"kJ/m^3": 1e3},

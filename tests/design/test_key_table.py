@@ -45,6 +45,8 @@ def test_every_key_of_a_written_design_is_listed(name):
         ("protocol.contact", "true or false", "needed"),
         ("protocol.rise", "s, >= 0", "0 s"),
         ("membrane.distal_rows", "list of: number", "needed"),
+        ("protocol.driven_veins", "list of: whole number", ""),
+        ("pattern.sector_shares", "list of: number", ""),
         ("tendon.area", "mm^2, > 0", ""),
     ],
 )

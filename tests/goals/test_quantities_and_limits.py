@@ -40,6 +40,17 @@ def test_static_quantities_are_those_of_the_landscape():
     assert values["mass"] == pytest.approx(1270 * math.pi * 0.00275**2 * 0.22 + 1200 * 5e-6 * 0.06, rel=1e-9)
 
 
+def test_the_folding_ratio_is_that_of_the_flat_folded_sheet():
+    letter = static_values(load_design("letter-fold"), ["sheet"])
+    # a letter in three parts; the thickness of 0.5 mm adds a margin to the folded outline
+    assert 2.9 < letter["folding_ratio"] < 3
+    assert letter["folded_height"] == pytest.approx(3 * 0.5e-3)
+    # two ring folds violate Kawasaki's condition, and a Kresling cell is built folded
+    for name in ("binder2025-thick", "kresling-cell"):
+        assert static_values(load_design(name), ["sheet"]) == {"folding_ratio": None, "folded_height": None}
+    assert read_limit(quantity_of(WING, "folding_ratio"), ">= 10 times").margin(12.0) == pytest.approx(0.2)
+
+
 def test_barriers_along_the_fold_are_those_of_the_landscape(landscape_of):
     landscape = landscape_of(WING)
     values = static_values(WING, ["fold"])

@@ -129,6 +129,14 @@ def test_angles_are_in_degrees_and_whole_numbers_have_no_unit(tmp_path, study_fi
     assert [float(row["pattern_sector_angle_deg"]) for row in rows] == pytest.approx([18, math.degrees(0.3)])
     assert [row["pattern_units"] for row in rows] == ["1", "1"]
     assert table["pattern_sector_angle"].values == pytest.approx([math.radians(18), 0.3])
+    # four layers of bars of 5 mm; a narrower fan has the shorter outline and the smaller area
+    assert table["folded_height"].values == pytest.approx(0.02)
+    assert [float(row["folding_ratio"]) for row in rows] == pytest.approx(table["folding_ratio"].values.ravel())
+    assert 2 < table["folding_ratio"].values[1, 0] < table["folding_ratio"].values[0, 0] < 2.1
+
+
+def test_only_a_study_of_patterns_has_folding_ratios(searched):
+    assert "folding_ratio" not in searched[1]
 
 
 def test_a_plain_run_reports_whether_the_wing_folded_and_opened(tmp_path, study_file):

@@ -1,4 +1,4 @@
-"""Packaged size of a structure: height, width and area of the smallest slab and box around a shape."""
+"""Packaged size of a structure: the smallest slab and box around a shape of a run, or around the flat-folded sheet."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import scipy
 
 from forficula.arrays import Array
 from forficula.dynamics import Record
+from forficula.pattern import flat_fold
 from forficula.serial import Metres, SquareMetres, Written
 from forficula.structure import Structure, goal_coordinates, goal_of, state_of
 
@@ -39,6 +40,35 @@ class Package:
     upwards: Annotated[Array, Written.NEVER]
     across: Annotated[Array, Written.NEVER]
     area_ratio: float = 1.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class FlatPackage:
+    """Size of a structure whose sheet is folded flat along all its creases, by geometry alone.
+
+    The layers lie on top of one another without the space that folds of thick layers need, and no layer collides.
+
+    Attributes:
+        folding_ratio: area of the open sheet divided by the area of the convex outline of the folded one, with a margin
+            of half the thickness of the thickest bar, plate or facet.
+        layers: largest number of facets on top of one another.
+        height: layers times that thickness, m.
+    """
+
+    folding_ratio: float
+    layers: int
+    height: Metres
+
+
+def flat_package(structure: Structure) -> FlatPackage | None:
+    """Compute the size of a structure whose sheet is folded flat; None without a sheet that folds flat."""
+    pattern = structure.appearance.pattern
+    fold = None if pattern is None else flat_fold(pattern)
+    if fold is None:
+        return None
+    radius = _radius(structure)
+    outline = package_of(fold.places, radius)
+    return FlatPackage(folding_ratio=fold.area / outline.area, layers=fold.layers, height=2 * radius * fold.layers)
 
 
 def package_of(places: Array, radius: float) -> Package:

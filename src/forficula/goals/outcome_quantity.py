@@ -19,14 +19,17 @@ ENERGY = Unit(display="mJ", si="J", example="5 mJ")
 FORCE = Unit(display="N", si="N", example="5 N")
 ANGLE = Unit(display="deg", si="rad", example="150 deg")
 SHARE = Unit(display="%", si="", example="95 %")
+RATIO = Unit(display="times", si="", example="10 times")
 _DRIVE_UNITS = {"N m": TORQUE, "N": FORCE, "m": LENGTH, "rad": ANGLE}
 
-# where a quantity comes from: the design itself; its parts; closed forms of hinges that tendons cross (ms); the energy
-# along its fold (0.2 s); slowly growing drives (up to seconds); a run; a run with its whole record; several runs that
-# search for the least value; runs of many variants within the tolerances
-Source = Literal["design", "parts", "hinges", "fold", "slow", "run", "record", "search", "neighbours"]
-SOURCES: tuple[Source, ...] = ("design", "parts", "hinges", "fold", "slow", "run", "record", "search", "neighbours")
-STATIC: tuple[Source, ...] = ("parts", "hinges", "fold", "slow")
+# where a quantity comes from: the design itself; its parts; its flat-folded sheet (ms); closed forms of hinges that
+# tendons cross (ms); the energy along its fold (0.2 s); slowly growing drives (up to seconds); a run; a run with its
+# whole record; several runs that search for the least value; runs of many variants within the tolerances
+Source = Literal["design", "parts", "sheet", "hinges", "fold", "slow", "run", "record", "search", "neighbours"]
+SOURCES: tuple[Source, ...] = (
+    *("design", "parts", "sheet", "hinges", "fold", "slow", "run", "record", "search", "neighbours"),
+)
+STATIC: tuple[Source, ...] = ("parts", "sheet", "hinges", "fold", "slow")
 
 PROBABILITY = "probability"
 
@@ -64,6 +67,12 @@ def quantities_of(design: Design) -> Mapping[str, OutcomeQuantity]:
     """Return all quantities for goals of a design, by name; keys of the design are allowed in addition."""
     structure = structure_of(design)
     quantities = [_quantity("mass", MASS, "total mass of the structure", "parts")]
+    if structure.appearance.pattern is not None:
+        what = "of the sheet folded flat along all creases"
+        quantities += [
+            _quantity("folding_ratio", RATIO, f"area of the open sheet / outline area {what}", "sheet"),
+            _quantity("folded_height", LENGTH, f"number of layers {what}, times the thickness", "sheet"),
+        ]
     if any(tendon.crossing is not None for tendon in structure.tendons):
         quantities += [
             _quantity("hinge_barrier", ENERGY, "smallest barrier of a single hinge that a tendon crosses", "hinges"),

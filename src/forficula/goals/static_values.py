@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from forficula.analysis.package import flat_package
 from forficula.design import Design
 from forficula.goals.outcome_quantity import Source
 from forficula.statics.survey import slow_drives
@@ -24,7 +25,7 @@ def static_values(design: Design, sources: Collection[Source]) -> Values:
 
     Args:
         design: the design.
-        sources: some of "parts", "hinges", "fold" and "slow".
+        sources: some of "parts", "sheet", "hinges", "fold" and "slow".
 
     Returns:
         None for a value that does not exist, such as the barrier without a second stable state.
@@ -35,6 +36,10 @@ def static_values(design: Design, sources: Collection[Source]) -> Values:
     structure, values = structure_of(design), Values()
     if "parts" in sources:
         values["mass"] = _mass(structure)
+    if "sheet" in sources and structure.appearance.pattern is not None:
+        folded = flat_package(structure)
+        values["folding_ratio"] = None if folded is None else folded.folding_ratio
+        values["folded_height"] = None if folded is None else folded.height
     if "hinges" in sources:
         values |= _hinges(structure)
     if "fold" in sources and structure.rigid_fold is not None:

@@ -12,6 +12,8 @@ from .facet_tree import FacetLink as FacetLink
 from .facet_tree import central_facet as central_facet
 from .facet_tree import edges_between as edges_between
 from .facet_tree import facet_tree as facet_tree
+from .facts.flat_fold import FlatFold as FlatFold
+from .facts.flat_fold import flat_fold as flat_fold
 from .facts.flat_folding import VertexCheck as VertexCheck
 from .facts.flat_folding import flat_folding_faults as flat_folding_faults
 from .facts.flat_folding import flat_folding_text as flat_folding_text
@@ -37,6 +39,8 @@ from .families.earwig import Tangent as Tangent
 from .families.earwig import earwig_pattern as earwig_pattern
 from .families.earwig import hub_points as hub_points
 from .families.earwig import ring_directions as ring_directions
+from .families.earwig import ring_ratios as ring_ratios
+from .families.earwig import ring_sectors as ring_sectors
 from .families.earwig import ring_vertices as ring_vertices
 from .families.earwig import tips as tips
 from .families.earwig import vein_gaps as vein_gaps

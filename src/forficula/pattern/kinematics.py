@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
-from forficula.pattern.families.earwig import EarwigFan, earwig_pattern
+from forficula.pattern.families.earwig import EarwigFan, earwig_pattern, ring_ratios, ring_sectors
 from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion, turn_about
 from forficula.pattern.shared_edges import shared_edges
 
@@ -77,12 +77,13 @@ def degree4_fold_angles(alpha: float, beta: float, proximal_fold_angle: ArrayLik
 def fan_fold_angles(fan: EarwigFan, pleat_angle: float) -> Array:
     """Compute the fold angles of a fan in mode "earwig" at every ring vertex.
 
-    All veins have the same fold angle, and so have all ring creases, with the senses of `earwig_pattern`:
-    tan(ring / 2) = sin(epsilon) / cos(sector_angle / 2) tan(pleat / 2).
+    All ring creases have the same fold angle, with the senses of `earwig_pattern`, and so have all veins of a fan
+    without different veins: tan(ring / 2) = sin(epsilon) / cos(sector_angle / 2) tan(pleat / 2). With different veins,
+    every vein has its own ratio, see `ring_ratios`.
 
     Args:
         fan: the fan.
-        pleat_angle: magnitude of the fold angle of the veins, 0 (flat) to pi (folded flat), rad.
+        pleat_angle: magnitude of the fold angle of the middle vein, 0 (flat) to pi (folded flat), rad.
 
     Returns:
         Fold angles, rad, shape (E,), in the order of the edges of `earwig_pattern`, nan on borders. With hub radius 0
@@ -95,10 +96,18 @@ def fan_fold_angles(fan: EarwigFan, pleat_angle: float) -> Array:
         raise InputError("pattern.ring_folds: rigid panels fold about one ring fold only, got 2")
     if not 0 <= pleat_angle <= math.pi:
         raise InputError(f"pleat_angle: need 0 to 180 deg, got {math.degrees(pleat_angle):.6g} deg")
-    square = math.pi / 2 - fan.sector_angle / 2
-    folds = degree4_fold_angles(square + fan.epsilon, square - fan.epsilon, pleat_angle, "earwig")
+    before, after = ring_sectors(fan)
+    ratios, middle = ring_ratios(fan), fan.units
+    ring = abs(degree4_fold_angles(float(after[middle]), float(before[middle]), pleat_angle, "earwig")[1])
+    half_cosine = 0.0 if pleat_angle == math.pi else math.cos(pleat_angle / 2)
+    pleats = 2 * np.arctan2(ratios[middle] * math.sin(pleat_angle / 2), ratios * half_cosine)
+    # exactly, also where the ratio is 0
+    pleats = np.where(ratios == ratios[middle], pleat_angle, pleats)
     pattern = earwig_pattern(fan)
-    sizes = np.array([abs(folds[1]) if role == "ring" else abs(folds[0]) for role in pattern.edges_role])
+    roles = np.array(pattern.edges_role)
+    sizes = np.full(len(roles), ring)
+    for role in ("proximal", "distal"):
+        sizes[roles == role] = pleats
     signed: Array = np.sign(pattern.edges_fold_angle) * sizes
     return signed
 

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import lru_cache
+from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
@@ -191,9 +192,9 @@ class FanDesign(Design):
 
     def _tendons_on_bars(self) -> None:
         """Refuse tendons on veins that do not exist, and tendons that do not end on their bars."""
-        last, lengths = self.fan.vein_count - 1, (self.pattern.proximal_length, self.pattern.distal_length)
+        last, lengths = self.fan.vein_count - 1, self.bar_lengths
         if isinstance(self.tendon, TendonSection):
-            check_on_bars("tendon", self.tendon, *lengths)
+            check_on_bars("tendon", self.tendon, *map(min, zip(*lengths, strict=True)))
             return
         for vein, tendon in enumerate(self.tendon):
             if tendon is not None and vein > last:
@@ -202,7 +203,7 @@ class FanDesign(Design):
                     f" {self.pattern.units}"
                 )
             if tendon is not None:
-                check_on_bars(f"tendon.{vein}", tendon, *lengths)
+                check_on_bars(f"tendon.{vein}", tendon, *lengths[vein])
 
     def _driven_veins_exist(self) -> None:
         """Refuse motors on veins that do not exist, and two motors on one vein."""
@@ -320,6 +321,11 @@ class FanDesign(Design):
         return (*self.tendon, *[None] * (count - len(self.tendon)))
 
     @property
+    def bar_lengths(self) -> tuple[tuple[float, float], ...]:
+        """Lengths of every vein up to the ring fold and beyond it, m, (vein, 2)."""
+        return tuple(zip(self.fan.proximal_lengths, self.fan.distal_lengths, strict=True))
+
+    @property
     def fan(self) -> EarwigFan:
         """The construction of the crease pattern."""
         two = self.pattern.ring_folds == 2
@@ -340,14 +346,19 @@ def _drawn_fan(section: FanPatternSection, pitch: float, gusset_height: float) -
         ring_folds=section.ring_folds,
         pitch=pitch,
         gusset_height=gusset_height,
+        proximal_shares=section.proximal_shares or (),
+        distal_shares=section.distal_shares or (),
+        hub_shares=section.hub_shares or (),
+        sector_shares=section.sector_shares or (),
     )
 
 
 @lru_cache(maxsize=64)
 def _gaps_at_ring(fan: EarwigFan) -> tuple[float, float]:
-    """Return the distances from vein to vein at the ring fold, m: between their axes, and along the ring."""
-    first, second = ring_vertices(fan)[:2]
-    return float(vein_gaps(fan, np.ones(1))[0]), math.dist(first, second)
+    """Return the least distances from vein to vein at the ring fold, m: between their axes, and along the ring."""
+    ring = ring_vertices(fan)
+    pairs = list(pairwise(ring))[: None if fan.varied else 1]
+    return float(vein_gaps(fan, np.ones(1))[0]), min(math.dist(first, second) for first, second in pairs)
 
 
 @lru_cache(maxsize=64)  # most designs derived from one design have the same start

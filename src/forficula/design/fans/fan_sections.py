@@ -25,6 +25,10 @@ from forficula.design.section import (
 from forficula.errors import InputError
 from forficula.quantities import show_quantity
 
+Share = Annotated[float, Field(strict=True)]
+# one number for each vein or panel, as a multiple of the common value
+VeinShares = tuple[Annotated[float, Field(strict=True, gt=0)], ...] | None
+
 # m, smaller than atoms and larger than planets: within this range every power of a length that a unit has is a float
 _SMALLEST, _LARGEST = 1e-12, 1e12
 MOST_UNITS = 10_000
@@ -36,7 +40,9 @@ class FanPatternSection(Section):
 
     about: ClassVar[str] = "The crease pattern of the sheet"
 
-    later: ClassVar[tuple[str, ...]] = ("ring_folds",)
+    later: ClassVar[tuple[str, ...]] = (
+        *("ring_folds", "proximal_shares", "distal_shares", "hub_shares", "sector_shares"),
+    )
 
     kind: Annotated[Literal["earwig-fan"], Field(description="family of crease patterns")]
     proximal_length: float = quantity(LENGTH, "length of a vein from the hub to the ring fold", above=0)
@@ -65,6 +71,39 @@ class FanPatternSection(Section):
         default=None,
         above=0,
     )
+    proximal_shares: Annotated[
+        VeinShares,
+        Field(
+            min_length=1,
+            description="length of every vein up to the ring fold, divided by proximal_length; all 1 if not given",
+            examples=[[1.0, 0.95, 0.9]],
+        ),
+    ] = None
+    distal_shares: Annotated[
+        VeinShares,
+        Field(
+            min_length=1,
+            description="length of every vein beyond the ring fold, divided by distal_length; all 1 if not given",
+            examples=[[1.0, 0.95, 0.9]],
+        ),
+    ] = None
+    hub_shares: Annotated[
+        VeinShares,
+        Field(
+            min_length=1,
+            description="radius of the circle that every vein is tangent to, divided by hub_radius; all 1 if not given",
+            examples=[[1.0, 0.95, 0.9]],
+        ),
+    ] = None
+    sector_shares: Annotated[
+        VeinShares,
+        Field(
+            min_length=1,
+            description="angle from every vein to the next one, divided by sector_angle, one number fewer than veins;"
+            " all 1 if not given",
+            examples=[[1.1, 0.9]],
+        ),
+    ] = None
 
     @model_validator(mode="after")
     def _of_a_size(self) -> FanPatternSection:
@@ -102,9 +141,6 @@ class VeinSection(Section):
         default=0.0,
         at_least=0,
     )
-
-
-Share = Annotated[float, Field(strict=True)]
 
 
 class MembraneSection(Section):

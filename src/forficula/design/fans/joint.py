@@ -132,6 +132,11 @@ class JointDesign(Design):
         return ("medium.density and medium.viscosity have no effect, because a joint has no panels",)
 
     @property
+    def bar_lengths(self) -> tuple[tuple[float, float], ...]:
+        """Lengths of the bars before and beyond the hinge, m, (1, 2)."""
+        return ((self.pattern.proximal_length, self.pattern.distal_length),)
+
+    @property
     def tendons(self) -> tuple[TendonSection, ...]:
         """The tendons of all hinges; a joint has one hinge."""
         return (self.tendon,)

@@ -79,7 +79,13 @@ def _allowed(field: FieldInfo) -> str:
         return words[0]
     reader = field_quantity(field)
     allowed = _quantity(reader) if reader else _plain(field)
-    return f"list of: {allowed}" if is_list(field) else allowed
+    return f"list of: {allowed}" if is_list(field) or _is_list_or_absent(field) else allowed
+
+
+def _is_list_or_absent(field: FieldInfo) -> bool:
+    """Return whether the only values of a field are lists and None."""
+    forms = get_args(field.annotation) if field.default is None else ()
+    return type(None) in forms and all(get_origin(form) is tuple for form in forms if form is not type(None))
 
 
 def _written(value: Any, reader: Quantity | None) -> str:

@@ -11,6 +11,7 @@ from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern, is_unfo
 from forficula.pattern.drawings.flat_faces import parts_of
 from forficula.pattern.facet_nodes import FacetNodes, facet_nodes
 from forficula.pattern.facet_tree import facet_tree
+from forficula.pattern.facts.flat_fold import flat_fold_text
 from forficula.pattern.facts.flat_folding import flat_folding_text
 from forficula.pattern.facts.rigid_folding import begins_as_assigned, folded_as_assigned
 from forficula.pattern.facts.rigidity import Rigidity, rigidity
@@ -50,7 +51,7 @@ class PatternFacts:
         roles: roles of edges that occur.
         size: size along x, y and z, m.
         flat: whether the sheet lies unfolded in one plane of constant z.
-        flat_folding: sentences about whether the sheet folds flat, and why.
+        flat_folding: sentences about whether the sheet folds flat, and why, and about the size of the folded sheet.
         loop: why the facets do not form a tree across their shared edges; empty where they do.
         not_counted: why the facts that follow are missing; empty where they are present.
         inside: facts about every interior vertex.
@@ -87,7 +88,7 @@ def pattern_facts(pattern: CreasePattern) -> PatternFacts:
         roles=tuple(dict.fromkeys(role for role in pattern.edges_role if role)),
         size=(x, y, z),
         flat=is_unfolded(pattern),
-        flat_folding=tuple(flat_folding_text(pattern)),
+        flat_folding=(*flat_folding_text(pattern), *flat_fold_text(pattern)),
         loop=_loop(pattern),
     )
     try:

@@ -60,7 +60,8 @@ def bare_veins(
         hinges += [*(aims[index] if aims else ()), *_hinges(design, index, vein, labels[index])]
         if choice is not None:
             carried = turned_inertia(masses, hinges[-1].body, hinges[-1].axis)
-            across = _crossings(design, choice, vein, len(hinges) - 1, carried)
+            length = design.bar_lengths[index][1]
+            across = _crossings(design, choice, vein, len(hinges) - 1, carried, length)
             tendon = _tendon(f"tendon{index}", choice, vein, first + vein.bars, across)
             key = f"tendon.{index}" if isinstance(design.tendon, tuple) else "tendon"
             tendons.append(replace(tendon, key=key, label=labels[index]))
@@ -74,7 +75,7 @@ def bare_veins(
         hinges=tuple(hinges),
         tendons=tuple(tendons),
         measures=(_distal_angle(hinges, len(veins[0].axes)),),
-        span=design.pattern.proximal_length + design.pattern.distal_length,
+        span=_longest_vein(design),
         mass=_bar_mass(design),
         gravity=design.protocol.gravity,
     )
@@ -217,32 +218,38 @@ def _longest(tendon: TendonSection, vein: Vein) -> float:
 
 
 def _crossings(
-    design: VeinDesign, tendon: TendonSection, vein: Vein, hinge: int, carried: float
+    design: VeinDesign, tendon: TendonSection, vein: Vein, hinge: int, carried: float, length: float
 ) -> tuple[Crossing | None, Crossing | None]:
     """Compute the crossing of a tendon at the ring fold, and the one with bars normal to it; None for several folds.
 
-    `carried` is the inertia about the hinge of the masses on the distal bar.
+    `carried` is the inertia about the hinge of the masses on the distal bar, `length` the length of this bar.
     """
     if len(vein.axes) > 1:
         return None, None
     proximal, distal = (vein.places[bar + 1] - vein.places[bar] for bar in range(2))
     bars = proximal / np.linalg.norm(proximal), distal / np.linalg.norm(distal)
-    crossing = _crossing(design, tendon, hinge, vein.axes[0], bars, carried)
-    return crossing, _crossing(design, tendon, hinge, *_SQUARE, carried)
+    crossing = _crossing(design, tendon, hinge, vein.axes[0], bars, carried, length)
+    return crossing, _crossing(design, tendon, hinge, *_SQUARE, carried, length)
 
 
 def _crossing(
-    design: VeinDesign, tendon: TendonSection, hinge: int, axis: Array, bars: tuple[Array, Array], carried: float
+    design: VeinDesign,
+    tendon: TendonSection,
+    hinge: int,
+    axis: Array,
+    bars: tuple[Array, Array],
+    carried: float,
+    length: float,
 ) -> Crossing:
     """Compute the crossing of a tendon at a distal hinge, between bars that point outwards in the flat sheet.
 
-    `carried` is the inertia about the axis of the masses on the distal bar.
+    `carried` is the inertia about the axis of the masses on the distal bar, `length` the length of this bar.
     """
     distal = bars[1]
     inertia = end_inertia(
         diameter=design.vein.diameter,
         density=design.vein.density,
-        length=design.pattern.distal_length,
+        length=length,
         along=float(distal @ axis),
         across=sine_between(distal, axis),
     )
@@ -257,9 +264,14 @@ def _crossing(
     )
 
 
+def _longest_vein(design: VeinDesign) -> float:
+    """Return the length of the longest vein from the hub to the tip, in the units of the design."""
+    return max(proximal + distal for proximal, distal in design.bar_lengths)
+
+
 def _bar_mass(design: VeinDesign) -> float:
-    """Compute the mass of a vein of the whole length, kg."""
-    span = design.pattern.proximal_length + design.pattern.distal_length
+    """Compute the mass of the longest vein, kg."""
+    span = _longest_vein(design)
     mass = design.vein.density * span * math.pi / 4 * design.vein.diameter**2
     if not 0 < mass < math.inf:
         raise InputError(

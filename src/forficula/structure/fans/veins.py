@@ -11,7 +11,15 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.design import FanDesign
 from forficula.design.places import margin_edge, row_bars
-from forficula.pattern import CreasePattern, EarwigFan, earwig_pattern, ring_directions, vein_gaps, vein_roles
+from forficula.pattern import (
+    CreasePattern,
+    EarwigFan,
+    earwig_pattern,
+    ring_directions,
+    ring_ratios,
+    vein_gaps,
+    vein_roles,
+)
 from forficula.quantities import show_value
 from forficula.structure.appearance import Appearance
 from forficula.structure.fans.fan_masses import fan_masses, fan_panels
@@ -44,6 +52,8 @@ _STRIPS = 3
 # least distance from a vein's axis, in panel thicknesses, at which neighbouring panels can touch: nearer, they are
 # joined
 _BESIDE = 5.0
+# difference of the ratios of veins that counts as rounding
+_EQUAL = 1e-9
 _SHARES = np.linspace(0, 1, 1001)
 
 
@@ -51,30 +61,49 @@ def vein_structure(design: FanDesign) -> Structure:
     """Build bars, hinges, tendons and membranes on the creases of a fan, in the units of its design."""
     fan, pattern = design.fan, earwig_pattern(design.fan)
     built = structure_of_veins(design, veins_on(pattern, ring_directions(fan)))
-    section, rigid = design.pattern, fan.ring_folds == 1
+    section, one_fold = design.pattern, fan.ring_folds == 1
+    most = "longest " if fan.varied else ""
     sizes = {
-        "proximal length": section.proximal_length,
-        "distal length": section.distal_length,
-        "hub radius": section.hub_radius,
-        **({} if rigid else {"pitch": fan.pitch, "lowest gusset": fan.gusset_height}),
+        f"{most}proximal length": max(fan.proximal_lengths),
+        f"{most}distal length": max(fan.distal_lengths),
+        **({} if fan.hub_shares else {"hub radius": section.hub_radius}),
+        **({} if one_fold else {"pitch": fan.pitch, "lowest gusset": fan.gusset_height}),
     }
     text = (
         f"A fan of {fan.vein_count} veins and {fan.vein_count - 1} membrane panels, each vein"
-        f" {show_value(section.proximal_length, 'm')} long up to the ring fold and"
-        f" {show_value(section.distal_length, 'm')} beyond it"
+        f" {_lengths(fan.proximal_lengths)} long up to the ring fold and"
+        f" {_lengths(fan.distal_lengths)} beyond it"
     )
-    if not rigid:
+    if not one_fold:
         text += (
             f", which is two folds with a gusset between them; folded layers are {show_value(fan.pitch, 'm')} apart,"
             " and the gusset of each layer is higher than that of the layer inside it by twice this distance"
         )
-    circles = {"hub": section.hub_radius}
+    # veins that touch different circles touch no common one
+    circles = {} if fan.hub_shares else {"hub": section.hub_radius}
     appearance = replace(built.appearance, text=text, sizes=sizes, pattern=pattern, circles=circles)
+    equal = bool(np.ptp(ring_ratios(fan)) <= _EQUAL)
     return replace(
         built,
-        appearance=appearance if rigid else replace(appearance, bodies="three for every vein"),
-        rigid_fold=fan_fold(design, built) if rigid else None,
-        remarks=() if rigid else (_NOT_RIGID,),
+        appearance=appearance if one_fold else replace(appearance, bodies="three for every vein"),
+        rigid_fold=fan_fold(design, built) if one_fold and equal else None,
+        remarks=(_NOT_RIGID,) if not one_fold else () if equal else (_unequal_pleats(fan),),
+    )
+
+
+def _lengths(lengths: Sequence[float]) -> str:
+    """Return a length, or a range of lengths."""
+    least, most = min(lengths), max(lengths)
+    return show_value(least, "m") if least == most else f"{show_value(least, 'm')} to {show_value(most, 'm')}"
+
+
+def _unequal_pleats(fan: EarwigFan) -> str:
+    """Return why there is no energy along a rigid fold, with the range of the veins' ratios."""
+    ratios = ring_ratios(fan)
+    return (
+        "rigid panels of different veins fold flat with one degree of freedom, but every vein at its own rate: the"
+        f" ratio of the tangents of half the ring's and half the vein's fold angle is {ratios.min():.3g} to"
+        f" {ratios.max():.3g}; the energy along a rigid fold is only computed for veins that fold at the same rate"
     )
 
 
@@ -230,11 +259,11 @@ def fan_fold(design: FanDesign, structure: Structure) -> RigidFold:
 
 
 def ring_ratio(fan: EarwigFan) -> float:
-    """Compute m, the ratio of the tangents of half the ring's and half the veins' fold angle.
+    """Compute m, the ratio of the tangents of half the ring's and half the middle vein's fold angle.
 
     See docs/model/theory.md, section "Fan pattern".
     """
-    return math.sin(fan.epsilon) / math.cos(fan.sector_angle / 2)
+    return float(ring_ratios(fan)[fan.units])
 
 
 def camber_angle(design: FanDesign) -> float | None:
@@ -292,7 +321,7 @@ def overlapping_length(design: FanDesign) -> float:
     """
     close = _SHARES[vein_gaps(design.fan, _SHARES) <= design.vein.diameter]
     overlap = float(close[-1]) + 1 / (len(_SHARES) - 1) if len(close) else 0.0
-    return min(max(overlap, design.membrane.proximal_rows[0]), 1.0) * design.pattern.proximal_length
+    return min(max(overlap, design.membrane.proximal_rows[0]), 1.0) * max(design.fan.proximal_lengths)
 
 
 def panel_surface(design: FanDesign, veins: Sequence[Vein], number: int) -> Surface:

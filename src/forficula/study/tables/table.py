@@ -10,7 +10,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from forficula.analysis import SPRUNG, Ending, Verdict
+<<<<<<< HEAD
 from forficula.analysis.margin import combined_row_margin, margin_column
+=======
+from forficula.analysis.package import flat_package
+>>>>>>> species
 from forficula.arrays import Array
 from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
@@ -48,8 +52,13 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         the energy of the tendons and, if they exist, of the hinges' springs in every state; and the least value of
         every searched transition. The attribute
         `transitions` has the transitions, see `table_transitions`; `whole` is the noun for the structure in sentences.
+<<<<<<< HEAD
         A study of named changes that searches nothing also has the margin of every transition and of the whole run.
         If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run.
+=======
+        If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run. If the
+        pattern varies, `folding_ratio` and `folded_height` have the size of the flat-folded sheet.
+>>>>>>> species
     """
     from forficula.study.tables.study_table import StudyTable
 
@@ -82,6 +91,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
             del variables["reference_outcome"]
         else:
             variables["reference_outcome"] += ({"torque": search.reference, "units": search.first.unit.si},)
+    if any(key.startswith("pattern.") for point in study.points for key in point):
+        variables |= _folded_sizes([designs[number] for number in range(len(results))], dimensions, shape)
     automatic = (isinstance(design, Design) and design.protocol.timestep == "auto" for design in designs.values())
     if search is None and any(automatic):
         steps = np.array([_nan(result.get("timestep_s")) for result in results]).reshape(shape)
@@ -103,6 +114,30 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     table = StudyTable(variables, coordinates, attributes)
     table.study = study
     return table
+
+
+def _folded_sizes(
+    designs: Sequence[Design | str], dimensions: tuple[str, ...], shape: tuple[int, ...]
+) -> dict[str, Any]:
+    """Return the sizes of the flat-folded sheets of designs; none if no sheet folds flat."""
+    sizes = [flat_package(structure_of(design)) if isinstance(design, Design) else None for design in designs]
+    if not any(sizes):
+        return {}
+    ratios = np.array([math.nan if size is None else size.folding_ratio for size in sizes]).reshape(shape)
+    heights = np.array([math.nan if size is None else size.height for size in sizes]).reshape(shape)
+    what = "of the sheet folded flat along all creases"
+    return {
+        "folding_ratio": (
+            dimensions,
+            ratios,
+            {"units": "", "long_name": f"area of the open sheet / outline area {what}"},
+        ),
+        "folded_height": (
+            dimensions,
+            heights,
+            {"units": "m", "long_name": f"number of layers {what}, times the thickness"},
+        ),
+    }
 
 
 def _confirmations(rows: Mapping[str, Row]) -> dict[str, int]:
@@ -156,7 +191,9 @@ def _columns(study: Study, table: xarray.Dataset) -> list[str]:
     late = [f"{transition.name}_time" for transition in structure.transitions[1:]]
     early = [name for name in numbers if name not in (*late, "residual")]
     holds = [transition.state for transition in structure.transitions]
-    return [name for name in (*early, "status", *late, "verdict", "residual", "timestep", *holds) if name in table]
+    folded = ("folding_ratio", "folded_height")
+    columns = (*early, *folded, "status", *late, "verdict", "residual", "timestep", *holds)
+    return [name for name in columns if name in table]
 
 
 def _by_value(

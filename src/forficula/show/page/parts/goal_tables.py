@@ -25,6 +25,7 @@ _RULED_OUT_BY = {
     "not built": "cannot be built",
     "design": "its own values",
     "parts": "its parts",
+    "sheet": "its flat-folded sheet",
     "hinges": "closed forms of its hinges",
     "fold": "the energy along its fold",
     "slow": "slowly growing drives",
