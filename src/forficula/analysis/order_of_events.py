@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -72,18 +74,31 @@ def group_motions(record: Record, stage: int) -> tuple[GroupMotion, ...]:
     return tuple(sorted(moving, key=lambda motion: motion.middle))
 
 
-def event_texts(record: Record) -> list[str]:
-    """Return one sentence for each driven stage in which groups of hinges move one after another.
+def ordered_motions(record: Record, stage: int) -> tuple[GroupMotion, ...]:
+    """Return the motions of a driven stage if groups move one after another; else none.
 
     Middles of travel that differ by no more than the interval between two rows of the record count as simultaneous.
     """
-    texts = []
-    for number, end in enumerate(record.stages):
-        motions = group_motions(record, number) if stage_drives(end.stage) else ()
-        apart = record.design.protocol.sample_interval
-        if motions and motions[-1].middle - motions[0].middle > apart:
-            texts.append(_text(end.stage.name, end.start, motions, apart))
-    return texts
+    motions = group_motions(record, stage)
+    apart = record.design.protocol.sample_interval
+    return motions if motions and motions[-1].middle - motions[0].middle > apart else ()
+
+
+def event_texts(record: Record) -> list[str]:
+    """Return one sentence for each driven stage in which groups of hinges move one after another."""
+    return [
+        _text(record, number, motions)
+        for number, end in enumerate(record.stages)
+        if stage_drives(end.stage) and (motions := ordered_motions(record, number))
+    ]
+
+
+def moment_texts(record: Record, stage: int, moments: Sequence[float]) -> list[str]:
+    """Return times of a run, s, since the start of a stage: in one unit, to the interval between two rows."""
+    start = record.stages[stage].start
+    unit, factor = reading_unit("s", max(moments) - start)
+    digits = max(0, -math.floor(math.log10(factor * record.design.protocol.sample_interval)))
+    return [f"{factor * (moment - start):.{digits}f} {unit}" for moment in moments]
 
 
 def _roles(record: Record) -> dict[str, list[int]]:
@@ -125,21 +140,15 @@ def _crossing(time: Array, progress: Array, row: int, level: float) -> float:
     return float(time[row - 1] + (level - before) / (after - before) * (time[row] - time[row - 1]))
 
 
-def _text(stage: str, start: float, motions: tuple[GroupMotion, ...], apart: float) -> str:
-    unit, factor = reading_unit("s", motions[-1].middle - start)
-    digits = max(0, -int(np.floor(np.log10(factor * apart))))
-
-    def moments(motion: GroupMotion) -> list[str]:
-        return [f"{factor * (moment - start):.{digits}f} {unit}" for moment in (motion.begin, motion.middle)]
-
+def _text(record: Record, stage: int, motions: tuple[GroupMotion, ...]) -> str:
+    moments = moment_texts(record, stage, [moment for motion in motions for moment in (motion.begin, motion.middle)])
+    apart = record.design.protocol.sample_interval
     first, *others = motions
-    begin, middle = moments(first)
     text = (
-        f'Stage "{stage}", times since its start: the {first.group} begins to move at {begin} and passes the middle of'
-        f" its travel at {middle}"
+        f'Stage "{record.stages[stage].stage.name}", times since its start: the {first.group} begins to move at'
+        f" {moments[0]} and passes the middle of its travel at {moments[1]}"
     )
-    for before, motion in zip(motions[:-1], others, strict=True):
-        begin, middle = moments(motion)
+    for before, motion, begin, middle in zip(motions[:-1], others, moments[2::2], moments[3::2], strict=True):
         order = "then" if motion.middle - before.middle > apart else "and"
         text += f", {order} the {motion.group} at {begin} and {middle}"
     return f"{text}."

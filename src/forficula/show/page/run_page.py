@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from forficula.analysis import Outcome, run_warnings
+from forficula.analysis.order_of_events import event_texts
 from forficula.analysis.storage import storage_texts
 from forficula.design import Design, design_text
 from forficula.dynamics import Record, timestep_warnings, versions
@@ -85,10 +86,11 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
     design = record.design
     known = [*structure_warnings(design, record.structure), *timestep_warnings(design), *run_warnings(record)]
     warnings = [*outcome_remarks(record, outcome), *storage_texts(record, outcome), *known]
+    events = [paragraph(text) for text in event_texts(record)]
     return "".join(
         (
             section("What to know", remarks(warnings) or paragraph("There are no warnings.")),
-            section("Outcome", *outcome_tables(outcome), strength_table(record), name="outcome"),
+            section("Outcome", *events, *outcome_tables(outcome), strength_table(record), name="outcome"),
             section("Dimensionless groups", groups_table(record), name="groups"),
             section("Design", *design_tables(design), name="design"),
             section("Run it again", *_repeat(design, run_versions or versions()), name="repeat"),
