@@ -38,7 +38,7 @@ _PLOTS_LEFT, _PLOTS_RIGHT, _PLOTS_LOW, _PLOTS_HIGH, _PLOTS_GAP = 0.08, 0.735, 0.
 # share of a time below which the next smaller unit is used: 300.0 ms is easier to follow than 0.3 s
 _HALF = 0.5
 _MOST_ENTRIES = 7  # largest number of entries that fit into the legend's area
-_ORDER, _ORDER_LETTERS = 0.42, 70  # left end of the order of events, in widths of the frame, and its letters per line
+_ORDER, _ORDER_LETTERS = 0.69, 50  # right end of the order of events, in widths of the frame, and its letters per line
 _LEAD = 0.04  # time shown before and after a move, as a share of it
 
 
@@ -70,7 +70,7 @@ class FilmFrame:
             figure.text(0.03, 0.97, record.design.name, va="top", color="0.35")
             self._words = figure.text(0.03, 0.925, "", fontsize=11, fontweight="bold", va="top")
             self._clock = figure.text(0.03, 0.865, "", va="top", color="0.25")
-            self._order = figure.text(_ORDER, 0.865, "", va="top", color="0.25")
+            self._order = figure.text(_ORDER, 0.97, "", va="top", ha="right", color="0.25", fontsize=7)
             self._cursors = _plots(figure, record, cuts)
             if record.structure.tendons:
                 _colour_bar(figure, self._norm)
