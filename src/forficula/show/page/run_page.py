@@ -22,7 +22,7 @@ from forficula.show.page.parts.design_rows import design_title
 from forficula.show.page.parts.design_tables import design_tables
 from forficula.show.page.parts.html import escaped, paragraph, remarks, section, table
 from forficula.show.page.parts.outcome_tables import groups_table, outcome_tables, strength_table
-from forficula.show.page.parts.plots import energy_plot, plot_data, reading_plot
+from forficula.show.page.parts.plots import energy_plot, mechanisms_plot, plot_data, reading_plot
 from forficula.show.page.parts.run_sentences import (
     energy_text,
     outcome_remarks,
@@ -71,7 +71,9 @@ def run_page(record: Record, outcome: Outcome, *, engine: bool = False) -> str:
     trial = "" if live is None else '<section id="try" aria-label="try it"></section>\n'
     elements = elements.replace('<div id="plots">', f'{paragraph(fold.missing, "note")}{trial}<div id="plots">')
     body = f"<header><h1>{escaped(title)}</h1>{sentence}</header>\n<main>{elements}{numbers(record, outcome)}</main>"
+    stack = mechanisms_plot(record, clip)
     data = playback_data(clip) | {"paths": [] if fold.path is None else [fold_view(fold.path, beside_run=True)]}
+    data["plots"] += plot_data([] if stack is None else [stack])
     return page_html(f"{title}: {outcome.status}", body, data, live)
 
 

@@ -16,7 +16,7 @@ from matplotlib.patches import Patch
 
 from forficula.analysis.energy_by_mechanism import EnergyShares, energy_shares
 from forficula.analysis.order_of_events import group_motions
-from forficula.arrays import Array, Flags
+from forficula.arrays import Array, Flags, Indices
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.names import listed
@@ -38,12 +38,13 @@ from forficula.show.style import (
     is_narrow,
     letter_panels,
 )
-from forficula.structure import Mechanism, mechanisms_of
+from forficula.structure import Mechanism, Structure, mechanisms_of
 
 # colour of a mechanism by the kind of its elements, unless another mechanism has it already
 _PREFERRED = (("tendons", BLUE), ("membranes", ORANGE), ("hinges", SKY), ("springs", GREEN), ("couplings", PURPLE))
 _PALETTE = (BLUE, ORANGE, SKY, GREEN, PURPLE, YELLOW)
 _PALER = 0.55  # share of white in the colours of further mechanisms
+LOSSES = "losses"  # name of the topmost area
 _MOTION, _LOST, _WEIGHT = VERMILION, "#D0D0D0", "#8C8C8C"
 _MARKERS = ("o", "s", "D", "^", "p", "h")  # of groups of hinges
 _MOST_PANELS, _MOST_ACROSS = 6, 3
@@ -127,7 +128,7 @@ def energy_spans(record: Record) -> list[Span]:
     return spans
 
 
-def energy_bands(record: Record, shares: EnergyShares, rows: Flags) -> list[Band]:
+def energy_bands(record: Record, shares: EnergyShares, rows: Flags | Indices) -> list[Band]:
     """Return the areas of a stack in some rows, the lowest first; losses count from the first of these rows."""
     mechanisms = mechanisms_of(record.structure)
     bands = [
@@ -138,7 +139,7 @@ def energy_bands(record: Record, shares: EnergyShares, rows: Flags) -> list[Band
         bands.append(Band(name="weight", colour=_WEIGHT, energy=shares.weight[rows]))
     lost = shares.lost[rows]
     bands.append(Band(name="motion", colour=_MOTION, energy=shares.kinetic[rows]))
-    bands.append(Band(name="losses", colour=_LOST, energy=lost - lost[0]))
+    bands.append(Band(name=LOSSES, colour=_LOST, energy=lost - lost[0]))
     return bands
 
 
@@ -152,6 +153,12 @@ def mechanism_colours(mechanisms: tuple[Mechanism, ...]) -> list[str]:
         free = [colour for colour in (*wanted[:1], *palette) if colour not in colours]
         colours.append(free[0] if free else palette[len(colours) % len(palette)])
     return colours
+
+
+def supply_text(structure: Structure) -> str:
+    """Return the name of the energy to which all areas add up."""
+    work = f" plus work of the {acting(structure)}" if structure.motors else ""
+    return f"energy at the start{work}"
 
 
 def _rows(record: Record, shares: EnergyShares, span: Span) -> Flags:
@@ -232,9 +239,8 @@ def _handles(
     first = np.arange(len(record.time)) == 0
     bands = energy_bands(record, shares, first)
     handles: list[Patch | Line2D] = []
-    work = f"work of the {acting(record.structure)}" if record.structure.motors else "energy at the start"
-    plus = f"energy at the start\nplus {work}" if record.structure.motors else work
-    handles.append(Line2D([], [], color=BLACK, lw=1.1, label=plus))
+    edge = supply_text(record.structure).replace(" plus ", "\nplus ")
+    handles.append(Line2D([], [], color=BLACK, lw=1.1, label=edge))
     handles += [Patch(facecolor=band.colour, label=band.name) for band in reversed(bands)]
     stages = [span.stage for span in spans if span.stage is not None]
     if any(stage.end < span.end for stage, span in zip(stages, spans, strict=False)):
