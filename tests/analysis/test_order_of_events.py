@@ -69,7 +69,7 @@ def test_one_group_or_simultaneous_groups_have_no_sentence(planted, turn):
 def test_a_motion_that_a_pulse_triggers_ends_after_the_drive(planted):
     """A ring that has turned by a tenth when the drive ends, and completes its travel afterwards."""
     record = planted(ring=(0.19, 0.29, 170), turn=(0.11, 0.13, 90))
-    turn, ring = group_motions(record, 1)
+    _, ring = group_motions(record, 1)
     assert ring.middle == pytest.approx(0.24)
     assert np.degrees(ring.travel) == pytest.approx(170)
 

@@ -34,9 +34,7 @@ def joined_structure(parts):
         for item in part.hinges:
             flaps = None if item.flaps is None else tuple(point + start for point in item.flaps)
             hinges.append(
-                replace(
-                    item, name=f"{name}.{item.name}", role=f"{name}.{item.role}", body=body(item.body), flaps=flaps
-                )
+                replace(item, name=f"{name}.{item.name}", role=f"{name}.{item.role}", body=body(item.body), flaps=flaps)
             )
         for item in part.bars:
             tables["bars"].append(replace(on_points(item), body=body(item.body)))
@@ -92,6 +90,6 @@ def joined_run(parts):
             sampled = np.array(sampled).reshape(values.shape[1], len(first.time)).T
             shape = (len(first.time), *record.series[name].shape[1:])
             sampled = sampled.reshape(shape)
-            columns.append(sampled + [0.0, distance, 0.0] if name.endswith("_position") else sampled)
+            columns.append(sampled + np.array([0.0, distance, 0.0]) if name.endswith("_position") else sampled)
         series[name] = np.concatenate(columns, axis=1)
     return replace(first, structure=structure, series=series)

@@ -15,10 +15,11 @@ const LETTERS = 12;
  * Return {svg, width, height} of a chart in the colours of a light page.
  *
  * name: of the vertical axis, with its unit; lines: names for the legend; word: before them; under, over: functions that
- * return shapes relative to the plot's upper left corner; looks: of the lines, by default those of their numbers.
+ * return shapes relative to the plot's upper left corner; lookOf: look of a line by index, by default that of its number.
  */
-export function chartDrawing(chart, { name, lines, word = "", under = () => [], over = () => [], looks = chart.data.slice(1).map((_, index) => lineLook(index)) }) {
+export function chartDrawing(chart, { name, lines, word = "", under = () => [], over = () => [], lookOf = lineLook }) {
   return onPaper(() => {
+    const looks = chart.data.slice(1).map((_, index) => lookOf(index));
     const [across, upwards] = [chart.bbox.width / devicePixelRatio, chart.bbox.height / devicePixelRatio];
     const sideways = LABEL + chart.axes[1]._size;
     const width = sideways + across + RIGHT;

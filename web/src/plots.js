@@ -165,7 +165,7 @@ function lookOf({ lines, stacked }, index) {
 /** Buttons that save a chart; under, over: as for `chartDrawing`. */
 export function saveButtons(plot, chartOf, { under, over }) {
   const what = plot.owner ? `${plot.title}, ${plot.owner}` : plot.title;
-  const drawing = () => chartDrawing(chartOf(), { name: `${plot.title} (${plot.unit})`, lines: keyTexts(plot), word: plot.word, under, over, looks: plot.stacked ? plot.lines.map((_, index) => lookOf(plot, index)) : undefined });
+  const drawing = () => chartDrawing(chartOf(), { name: `${plot.title} (${plot.unit})`, lines: keyTexts(plot), word: plot.word, under, over, lookOf: plot.stacked ? (index) => lookOf(plot, index) : undefined });
   return makeSaveButtons(what, () => fileName(what), drawing);
 }
 

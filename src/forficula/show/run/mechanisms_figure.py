@@ -145,7 +145,8 @@ def energy_bands(record: Record, shares: EnergyShares, rows: Flags | Indices) ->
 
 def mechanism_colours(mechanisms: tuple[Mechanism, ...]) -> list[str]:
     """Return a colour for every mechanism: that of the kind of its elements, or the next one that is free."""
-    pale = [to_hex((1 - _PALER) * np.array(to_rgb(colour)) + _PALER) for colour in _PALETTE]
+    shares = (np.array(to_rgb(colour)) for colour in _PALETTE)
+    pale = [to_hex(tuple(((1 - _PALER) * share + _PALER).tolist())) for share in shares]
     palette = [*_PALETTE, *pale]
     colours: list[str] = []
     for mechanism in mechanisms:
@@ -232,9 +233,7 @@ def _look(marker: str) -> dict[str, Any]:
     return {"marker": marker, "mfc": BLACK if marker == "v" else "white", "mec": BLACK, "mew": 0.7, "ms": 4}
 
 
-def _handles(
-    record: Record, shares: EnergyShares, spans: list[Span], groups: dict[str, str]
-) -> list[Patch | Line2D]:
+def _handles(record: Record, shares: EnergyShares, spans: list[Span], groups: dict[str, str]) -> list[Patch | Line2D]:
     """Return the entries of the legend, the areas from top to bottom."""
     first = np.arange(len(record.time)) == 0
     bands = energy_bands(record, shares, first)

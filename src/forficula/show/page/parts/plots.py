@@ -11,7 +11,8 @@ import numpy as np
 from forficula.analysis.energy_by_mechanism import energy_shares
 from forficula.arrays import Array
 from forficula.dynamics import Record
-from forficula.quantities import reading_unit
+from forficula.names import listed
+from forficula.quantities import reading_unit, show_value
 from forficula.show.page.data.packing import packed
 from forficula.show.page.parts.run_sentences import reading_text
 from forficula.show.page.playback import Clip, mark_readings
@@ -103,11 +104,16 @@ def mechanisms_plot(record: Record, clip: Clip) -> Plot | None:
         )
         for number, band in enumerate(bands)
     ]
-    edge = supply_text(record.structure)
-    lines.append(Line(name=edge, clip=0, values=factor * supplied, since=lost))
+    lines.append(Line(name="supplied", clip=0, values=factor * supplied, since=lost))
+    total = sum(shares.stored.values(), np.zeros(len(record.time)))
+    moments = np.searchsorted(record.time, [mark.time for mark in clip.marks])
+    stored = [
+        f"{show_value(energy, 'J')} {mark.name}"
+        for energy, mark in zip(total[moments].tolist(), clip.marks, strict=True)
+    ]
     text = (
-        f"The upper edge is the {edge}. Work and losses count from the start of the displayed time. Motion is the kinetic"
-        " energy."
+        f"Supplied is the {supply_text(record.structure)}. Work and losses count from the start of the displayed time."
+        f" Motion is the kinetic energy.{f' Stored: {listed(stored)}.' if stored else ''}"
     )
     return Plot(title="energy by mechanism", unit=unit, lines=tuple(lines), text=text, stacked=True)
 
