@@ -252,7 +252,7 @@ def _handles(record: Record, shares: EnergyShares, spans: list[Span], groups: di
 
 def _add_legend(figure: Figure, beside: Axes | None, handles: list[Patch | Line2D], width: float) -> None:
     if beside is None:
-        fit_legend(figure, handles, 2, room=width, loc="outside upper left", columnspacing=1.2)
+        fit_legend(figure, handles, 2, room=width, loc="outside lower left", columnspacing=1.2)
     else:
         fit_legend(beside, handles, 1, room=_LEGEND, loc="upper left", borderaxespad=0, handlelength=1.6)
 
