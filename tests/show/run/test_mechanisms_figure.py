@@ -6,6 +6,7 @@ import pytest
 from forficula.analysis.energy_by_mechanism import energy_shares
 from forficula.design import load_design
 from forficula.show.run.mechanisms_figure import draw_mechanisms, energy_bands, energy_spans, mechanism_colours
+from forficula.show.run.outcome_table import print_events
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
 from forficula.structure import Mechanism
 from forficula.study.running.runs import run
@@ -95,3 +96,13 @@ def test_mechanisms_have_different_colours():
     assert len(set(colours)) == len(parts)
     # the kinds of a structure without mechanisms have the colours of other figures
     assert mechanism_colours(parts[:5]) == ["#0072B2", "#E69F00", "#56B4E9", "#009E73", "#CC79A7"]
+
+
+def test_the_terminal_says_in_which_order_groups_of_hinges_move(reference_run, letter_run, capsys):
+    print_events(reference_run)
+    output = " ".join(capsys.readouterr().out.split())
+    assert output.count("Stage ") == 2
+    assert 'Stage "fold", times since its start: the turn begins to move at 2 ms' in output
+    # a single group of hinges
+    print_events(letter_run)
+    assert not capsys.readouterr().out

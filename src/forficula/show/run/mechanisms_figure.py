@@ -71,7 +71,7 @@ class Band:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Span:
+class EnergySpan:
     """Part of a run that one panel shows.
 
     Attributes:
@@ -109,11 +109,11 @@ def draw_mechanisms(record: Record, width: float = PAGE_WIDTH) -> Figure:
         return describe(figure, _text(record, shares, spans))
 
 
-def energy_spans(record: Record) -> list[Span]:
+def energy_spans(record: Record) -> list[EnergySpan]:
     """Return the parts of a run to show: each driven stage with the motion after it, or else the whole run."""
     driven = [end for end in record.stages if stage_drives(end.stage)]
     if not 0 < len(driven) <= _MOST_PANELS:
-        return [Span(start=float(record.time[0]), end=float(record.time[-1]))]
+        return [EnergySpan(start=float(record.time[0]), end=float(record.time[-1]))]
     spans = []
     for stage, following in pairwise([*driven, None]):
         assert stage is not None
@@ -124,7 +124,7 @@ def energy_spans(record: Record) -> list[Span]:
         last = max(float(record.time[rows][moving[-1]]), stage.goal_time or stage.start)
         # the first row after the motion, so that the areas fill the panel
         end = record.time[rows][record.time[rows] >= min(last + _AFTER * (last - stage.start), limit)][0]
-        spans.append(Span(start=stage.start, end=float(end) if end > stage.start else limit, stage=stage))
+        spans.append(EnergySpan(start=stage.start, end=float(end) if end > stage.start else limit, stage=stage))
     return spans
 
 
@@ -162,7 +162,7 @@ def supply_text(structure: Structure) -> str:
     return f"energy at the start{work}"
 
 
-def _rows(record: Record, shares: EnergyShares, span: Span) -> Flags:
+def _rows(record: Record, shares: EnergyShares, span: EnergySpan) -> Flags:
     """Return the rows of a span in which all energies are known, (time,)."""
     sound = np.isfinite(shares.supplied) & np.isfinite(shares.held) & np.isfinite(shares.lost)
     if record.diverged_at is not None:
@@ -189,7 +189,7 @@ def _panels(count: int, width: float) -> tuple[Figure, list[Axes], Axes | None]:
     return figure, panels, legend
 
 
-def _draw_stack(axes: Axes, record: Record, shares: EnergyShares, rows: Flags, span: Span, factor: float) -> None:
+def _draw_stack(axes: Axes, record: Record, shares: EnergyShares, rows: Flags, span: EnergySpan, factor: float) -> None:
     """Draw the areas and the line of the energy supplied."""
     unit, scale = reading_unit("s", span.end - span.start)
     time, low = scale * (record.time[rows] - span.start), np.zeros(int(rows.sum()))
@@ -204,7 +204,7 @@ def _draw_stack(axes: Axes, record: Record, shares: EnergyShares, rows: Flags, s
     axes.set_xlabel(f"time since its start ({unit})" if span.stage else f"time ({unit})")
 
 
-def _mark_events(axes: Axes, record: Record, span: Span, groups: dict[str, str]) -> None:
+def _mark_events(axes: Axes, record: Record, span: EnergySpan, groups: dict[str, str]) -> None:
     """Mark the end of the drive, the goal, and the middle of the travel of each group of hinges.
 
     Args:
@@ -233,7 +233,9 @@ def _look(marker: str) -> dict[str, Any]:
     return {"marker": marker, "mfc": BLACK if marker == "v" else "white", "mec": BLACK, "mew": 0.7, "ms": 4}
 
 
-def _handles(record: Record, shares: EnergyShares, spans: list[Span], groups: dict[str, str]) -> list[Patch | Line2D]:
+def _handles(
+    record: Record, shares: EnergyShares, spans: list[EnergySpan], groups: dict[str, str]
+) -> list[Patch | Line2D]:
     """Return the entries of the legend, the areas from top to bottom."""
     first = np.arange(len(record.time)) == 0
     bands = energy_bands(record, shares, first)
@@ -257,7 +259,7 @@ def _add_legend(figure: Figure, beside: Axes | None, handles: list[Patch | Line2
         fit_legend(beside, handles, 1, room=_LEGEND, loc="upper left", borderaxespad=0, handlelength=1.6)
 
 
-def _text(record: Record, shares: EnergyShares, spans: list[Span]) -> str:
+def _text(record: Record, shares: EnergyShares, spans: list[EnergySpan]) -> str:
     """Describe the stack of every span: the largest energies, the losses and what is missing."""
     sentences = []
     for span in spans:
