@@ -34,10 +34,10 @@ def texts(figure):
 
 # figures that differ from those of the complete structure
 CHANGED = {
-    "whole": ("pattern", "angles", "energy", "folding", "package"),
+    "whole": ("pattern", "angles", "energy", "folding", "mechanisms", "package"),
     "with a pattern": ("pattern",),
-    "without tendons": ("pattern", "energy", "folding"),
-    "without motors": ("angles", "energy", "folding"),
+    "without tendons": ("pattern", "energy", "folding", "mechanisms"),
+    "without motors": ("angles", "energy", "folding", "mechanisms"),
     "unmeasured": ("angles",),
 }
 

@@ -15,19 +15,20 @@ const LETTERS = 12;
  * Return {svg, width, height} of a chart in the colours of a light page.
  *
  * name: of the vertical axis, with its unit; lines: names for the legend; word: before them; under, over: functions that
- * return shapes relative to the plot's upper left corner.
+ * return shapes relative to the plot's upper left corner; lookOf: look of a line by index, by default that of its number.
  */
-export function chartDrawing(chart, { name, lines, word = "", under = () => [], over = () => [] }) {
+export function chartDrawing(chart, { name, lines, word = "", under = () => [], over = () => [], lookOf = lineLook }) {
   return onPaper(() => {
+    const looks = chart.data.slice(1).map((_, index) => lookOf(index));
     const [across, upwards] = [chart.bbox.width / devicePixelRatio, chart.bbox.height / devicePixelRatio];
     const sideways = LABEL + chart.axes[1]._size;
     const width = sideways + across + RIGHT;
-    const legend = legendShapes(word, lines, sideways, width - RIGHT);
+    const legend = legendShapes(word, lines, looks, sideways, width - RIGHT);
     const top = legend.height + 8;
     const plot = [
       ...under(),
       ...gridShapes(chart, across, upwards),
-      { kind: "clip", x: 0, y: 0, width: across, height: upwards, shapes: lineShapes(chart) },
+      { kind: "clip", x: 0, y: 0, width: across, height: upwards, shapes: lineShapes(chart, looks) },
       { kind: "path", points: [[0, 0], [0, upwards], [across, upwards]], stroke: styleColour("--ink") },
       ...over(),
       ...labelShapes(chart, name, across, upwards, sideways),
@@ -38,7 +39,7 @@ export function chartDrawing(chart, { name, lines, word = "", under = () => [], 
 }
 
 /** Entries of the legend in rows between two ends, and the height of the rows. */
-function legendShapes(word, lines, left, right) {
+function legendShapes(word, lines, looks, left, right) {
   const measure = document.createElement("canvas").getContext("2d");
   measure.font = `${LETTERS}px system-ui, sans-serif`;
   const shapes = [];
@@ -54,8 +55,9 @@ function legendShapes(word, lines, left, right) {
   if (word) shapes.push({ kind: "text", x: place(word, 0), y, text: word, size: LETTERS, fill });
   for (const [index, text] of lines.entries()) {
     const at = place(text, SAMPLE);
-    const { colour, dash } = lineLook(index);
-    shapes.push({ kind: "path", points: [[at, y - 4], [at + SAMPLE - 6, y - 4]], stroke: colour, lineWidth: 1.6, dash });
+    const { colour, dash, area } = looks[index];
+    if (area) shapes.push({ kind: "rect", x: at, y: y - 9, width: SAMPLE - 6, height: 9, fill: colour });
+    else shapes.push({ kind: "path", points: [[at, y - 4], [at + SAMPLE - 6, y - 4]], stroke: colour, lineWidth: 1.6, dash });
     shapes.push({ kind: "text", x: at + SAMPLE, y, text, size: LETTERS, fill });
   }
   return { shapes, height: shapes.length ? y + 4 : 0 };
@@ -72,16 +74,19 @@ function gridShapes(chart, across, upwards) {
   return [...ticksOf(chart, 0, "x").map(([x]) => line([x, 0], [x, upwards])), ...ticksOf(chart, 1, "y").map(([y]) => line([0, y], [across, y]))];
 }
 
-function lineShapes(chart) {
+function lineShapes(chart, looks) {
   const [moments, ...columns] = chart.data;
   return columns.map((values, index) => {
-    const { colour, dash } = lineLook(index);
+    const { colour, dash, area } = looks[index];
     const points = [];
     for (let at = 0; at < moments.length; at++) {
       if (values[at] === null || values[at] === undefined || Number.isNaN(values[at])) continue;
       points.push([chart.valToPos(moments[at], "x"), chart.valToPos(values[at], "y")]);
     }
-    return { kind: "path", points, stroke: colour, lineWidth: 1.6, dash };
+    if (!area || !points.length) return { kind: "path", points, stroke: colour, lineWidth: 1.6, dash };
+    const foot = chart.valToPos(0, "y");
+    const ends = [points.at(-1), points[0]].map(([x]) => [x, foot]);
+    return { kind: "path", points: [...points, ...ends], fill: colour, stroke: styleColour("--page"), lineWidth: 0.5 };
   });
 }
 

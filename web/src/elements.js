@@ -34,16 +34,17 @@ export function drawn(path, size) {
   return drawing;
 }
 
-/** A sample of a plot's line. */
-export function lineSample({ colour, dash }) {
+/** A sample of a plot's line or area. */
+export function lineSample({ colour, dash, area }) {
   const space = "http://www.w3.org/2000/svg";
   const drawing = document.createElementNS(space, "svg");
   drawing.setAttribute("viewBox", "0 0 24 8");
   drawing.setAttribute("aria-hidden", "true");
   drawing.classList.add("sample");
   const line = document.createElementNS(space, "path");
-  line.setAttribute("d", "M0 4H24");
-  line.setAttribute("stroke", colour);
+  line.setAttribute("d", area ? "M0 0H24V8H0Z" : "M0 4H24");
+  if (area) line.style.fill = colour;
+  line.setAttribute("stroke", area ? "none" : colour);
   line.setAttribute("stroke-dasharray", dash.join(" "));
   drawing.append(line);
   return drawing;

@@ -76,7 +76,7 @@ function makePlot(plot, values, sharing, clips, clock) {
   function drawKey() {
     const { word } = plot;
     const samples = keyTexts(plot).map((text, index) =>
-      make("li", {}, lineSample(lineLook(plot.lines[index].look ?? index)), text),
+      make("li", {}, lineSample(lookOf(plot, index)), text),
     );
     key.replaceChildren(...(word ? [make("li", {}, word)] : []), ...samples);
   }
@@ -155,15 +155,23 @@ function keyTexts({ lines, word }) {
   return lines.map(({ name }) => (word ? name.slice(word.length + 1) : name));
 }
 
+/** Look of a line of a plot: that of its number, of an area, or of the line over stacked areas. */
+function lookOf({ lines, stacked }, index) {
+  const { area, look } = lines[index];
+  if (area) return { colour: area, dash: [], area: true };
+  return stacked ? { colour: styleColour("--ink"), dash: [] } : lineLook(look ?? index);
+}
+
 /** Buttons that save a chart; under, over: as for `chartDrawing`. */
 export function saveButtons(plot, chartOf, { under, over }) {
   const what = plot.owner ? `${plot.title}, ${plot.owner}` : plot.title;
-  const drawing = () => chartDrawing(chartOf(), { name: `${plot.title} (${plot.unit})`, lines: keyTexts(plot), word: plot.word, under, over });
+  const drawing = () => chartDrawing(chartOf(), { name: `${plot.title} (${plot.unit})`, lines: keyTexts(plot), word: plot.word, under, over, lookOf: plot.stacked ? (index) => lookOf(plot, index) : undefined });
   return makeSaveButtons(what, () => fileName(what), drawing);
 }
 
 /** The lines over the clock's time; those of several clips share one row of times. */
 function tables(plot, values, clips, span) {
+  if (plot.stacked) return stackedTable(plot, values, clips[plot.lines[0].clip], span.origins[plot.lines[0].clip] + span.start, span);
   const byLine = plot.lines.map((line, index) => [
     Float64Array.from(clips[line.clip].time, (moment) => moment - span.origins[line.clip]),
     values[index],
@@ -172,6 +180,31 @@ function tables(plot, values, clips, span) {
     return [byLine[0]?.[0] ?? [], ...byLine.map((table) => table[1])];
   }
   return uPlot.join(byLine);
+}
+
+/** Upper edges of stacked areas, the topmost first, then lines over them; some count from the start of the span. */
+function stackedTable({ lines }, values, clip, start, span) {
+  const counted = lines.map(({ since }, index) => {
+    const first = since === undefined ? 0 : valueAt(clip.time, values[since], start);
+    return Float64Array.from(values[index], (value) => value - first);
+  });
+  const below = new Float64Array(clip.time.length);
+  for (let index = lines.length - 1; index >= 0; index--) {
+    if (!lines[index].area) continue;
+    for (let frame = 0; frame < below.length; frame++) below[frame] += counted[index][frame];
+    counted[index].set(below);
+  }
+  return [Float64Array.from(clip.time, (moment) => moment - span.origins[lines[0].clip]), ...counted];
+}
+
+/** Areas down to zero, each over those below it, and lines over them. */
+function stackedSeries(plot) {
+  return plot.lines.map(({ area }, index) => ({
+    stroke: () => (area ? styleColour("--page") : lookOf(plot, index).colour),
+    ...(area ? { fill: area, fillTo: 0 } : {}),
+    width: area ? 0.5 : 1.6,
+    points: { show: false },
+  }));
 }
 
 function options(plot, sharing, clips, clock, width) {
@@ -186,7 +219,7 @@ function options(plot, sharing, clips, clock, width) {
     scales: { x: { time: false, auto: false, distr: 100, fwd: clock.shareAt, bwd: clock.momentAt }, y: { range } },
     series: [
       {},
-      ...lineSeries(plot.lines),
+      ...(plot.stacked ? stackedSeries(plot) : lineSeries(plot.lines)),
     ],
     axes: [
       {

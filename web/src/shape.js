@@ -19,7 +19,7 @@ import {
 import { barMaterial, placeTube } from "./bars.js";
 import { TENDONS } from "./clip.js";
 import { makeEfforts } from "./efforts.js";
-import { ENERGY_COLOURS, MOUNTAIN, STRAIN_COLOURS, VALLEY, regionTint, styleColour } from "./scheme.js";
+import { ENERGY_COLOURS, MOUNTAIN, STRAIN_COLOURS, VALLEY, barTint, regionTint, styleColour } from "./scheme.js";
 import { sag } from "./slack.js";
 import { makeStrains } from "./strain.js";
 
@@ -242,7 +242,8 @@ function makeTubes(tubes, sides, nearer) {
 
   function paint() {
     const colours = { M: new Color(MOUNTAIN), V: new Color(VALLEY), B: new Color(styleColour("--bar")) };
-    for (const [index, tube] of tubes.entries()) object.setColorAt(index, colours[tube.crease]);
+    for (const [index, { crease, region }] of tubes.entries())
+      object.setColorAt(index, region === undefined ? colours[crease] : new Color(barTint(region)));
     if (tubes.length) object.instanceColor.needsUpdate = true;
   }
 

@@ -129,10 +129,11 @@ def _simulated(design: Design, *, confirm: bool) -> Record:
 
 def _print_details(record: Record, outcome: Outcome, folder: Path) -> None:
     """Print the tables of a run below its verdict, and the assumptions that decide its result, where known."""
-    from forficula.show import print_outcome, print_storage, print_strength
+    from forficula.show import print_events, print_outcome, print_storage, print_strength
     from forficula.study.assumptions.assumptions_file import known_assumptions, known_text
 
     print_outcome(record.design.name, outcome, verdict=False)
+    print_events(record)
     print_storage(record, outcome)
     print_strength(record)
     known = known_assumptions(record.design, folder)

@@ -6,6 +6,7 @@ from .run.angles_figure import draw_angles as draw_angles
 from .run.energies_figure import draw_energies as draw_energies
 from .run.folding_figure import draw_folding as draw_folding
 from .run.outcome_table import outcome_table as outcome_table
+from .run.outcome_table import print_events as print_events
 from .run.outcome_table import print_outcome as print_outcome
 from .run.outcome_table import print_storage as print_storage
 from .run.outcome_table import print_strength as print_strength
@@ -19,6 +20,7 @@ __all__ = [
     "draw_folding",
     "draw_pattern",
     "outcome_table",
+    "print_events",
     "print_outcome",
     "print_storage",
     "print_strength",

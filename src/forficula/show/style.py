@@ -42,11 +42,12 @@ ENDINGS = (".png", *COPY_ENDINGS)
 COPIES = "figures"
 
 # Okabe and Ito 2008, Color Universal Design: eight colours that all kinds of colour vision distinguish.
-BLACK, ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = (
+BLACK, ORANGE, SKY, GREEN, YELLOW, BLUE, VERMILION, PURPLE = (
     "#000000",
     "#E69F00",
     "#56B4E9",
     "#009E73",
+    "#F0E442",
     "#0072B2",
     "#D55E00",
     "#CC79A7",

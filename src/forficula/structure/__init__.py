@@ -22,11 +22,13 @@ from forficula.structure.goals import (
     transition_of,
 )
 from forficula.structure.mass import gathered_mass, inertia_about, mass_of
+from forficula.structure.mechanisms import mechanisms_of
 from forficula.structure.motors_and_measures import Measure, Motor, RigidFold, StageGoal
 from forficula.structure.parts import (
     GROUND,
     Bar,
     Body,
+    BodyGroup,
     Closure,
     Contact,
     Coupling,
@@ -34,6 +36,7 @@ from forficula.structure.parts import (
     Facet,
     Hinge,
     LengthLimit,
+    Mechanism,
     Medium,
     Membrane,
     MembraneLaw,
@@ -71,6 +74,7 @@ __all__ = [
     "Appearance",
     "Bar",
     "Body",
+    "BodyGroup",
     "Closure",
     "Contact",
     "Coupling",
@@ -81,6 +85,7 @@ __all__ = [
     "Hinge",
     "LengthLimit",
     "Measure",
+    "Mechanism",
     "Medium",
     "Membrane",
     "MembraneLaw",
@@ -137,6 +142,7 @@ __all__ = [
     "mass_of",
     "measure_of",
     "measure_stops",
+    "mechanisms_of",
     "outer_ends",
     "point_distances",
     "read_angles",

@@ -481,3 +481,37 @@ class Panel:
     corners: Array
     carriers: Sequence[int]
     width: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mechanism:
+    """A named group of elements that store energy, such as the tendons of a wing; numbers are those of the structure.
+
+    Attributes:
+        name: name of the mechanism.
+        hinges: numbers of the joints and creases whose springs belong to the mechanism.
+        springs: numbers of the springs between points.
+        tendons: numbers of the tendons.
+        membranes: numbers of the membranes.
+        couplings: numbers of the elastic couplings between joints.
+    """
+
+    name: str
+    hinges: tuple[int, ...] = ()
+    springs: tuple[int, ...] = ()
+    tendons: tuple[int, ...] = ()
+    membranes: tuple[int, ...] = ()
+    couplings: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class BodyGroup:
+    """A named group of bodies, which drawings show in one colour.
+
+    Attributes:
+        name: name of the group, in legends.
+        bodies: numbers of the bodies.
+    """
+
+    name: str
+    bodies: tuple[int, ...]

@@ -14,12 +14,14 @@ from forficula.structure.motors_and_measures import Measure, Motor, RigidFold, S
 from forficula.structure.parts import (
     Bar,
     Body,
+    BodyGroup,
     Closure,
     Contact,
     Coupling,
     Facet,
     Hinge,
     LengthLimit,
+    Mechanism,
     Medium,
     Membrane,
     Plate,
@@ -68,6 +70,9 @@ class Structure:
         stops: compliance of the stops of joints and of length limits.
         contact: contact between bodies; None if bodies pass through each other.
         gravity: acceleration along -z, m/s^2.
+        mechanisms: groups of elements that store energy, each element in one group; if empty, elements are grouped by
+            kind. See `mechanisms_of`.
+        groups: groups of bodies that drawings distinguish by colour; with fewer than two, colours depend on roles.
         appearance: words, sizes and pattern for drawings and sentences.
     """
 
@@ -102,6 +107,8 @@ class Structure:
     stops: Stops = field(default_factory=lambda: Stops(time_constant=2e-3))
     contact: Contact | None = None
     gravity: float = 0.0
+    mechanisms: tuple[Mechanism, ...] = ()
+    groups: tuple[BodyGroup, ...] = ()
     appearance: Appearance = field(default_factory=Appearance)
 
     def __repr__(self) -> str:

@@ -202,3 +202,11 @@ def test_a_film_of_strains_colours_the_membrane_alone_and_needs_one(reference_ru
     plates, _ = plates_run()
     with pytest.raises(InputError, match="strain: need a structure with a membrane"):
         write_film(plates, tmp_path / "plates.gif", size=SIZE, rate=RATE, strain=True)
+
+
+def test_while_the_wing_moves_the_film_says_when_its_groups_of_hinges_are_half_way(frame, cuts):
+    fold = next(cut for cut in cuts if cut.words == "fold" and cut.slowed is not None)
+    frame.draw(fold, fold.first)
+    assert frame._order.get_text() == "half-way: turn at 6 ms, ring at 26 ms"
+    frame.draw(state(cuts, "b folded"), fold.last)
+    assert not frame._order.get_text()

@@ -197,7 +197,7 @@ def test_a_material_holds_no_tests_to_draw_another_width_from(folders, tmp_path)
 
 
 def test_an_unknown_figure_is_refused_with_the_nearest_and_all(folders, tmp_path):
-    kinds = "angles, cycles, energy, folding, package, pattern, strain"
+    kinds = "angles, cycles, energy, folding, mechanisms, package, pattern, strain"
     rule = f'need one of {kinds} for .*run, got "energies"; did you mean energy?'
     with pytest.raises(InputError, match=rule):
         write_figure(folders / "run", "energies", tmp_path / "a.pdf")

@@ -22,13 +22,13 @@ _PARTS = """() => { const box = (each) => { const { x, y, width, height } = each
     ground: getComputedStyle(document.body).backgroundColor.match(/\\d+/g).slice(0, 3).map(Number) }; }"""
 
 
-def check_shown(opened, scheme="light", *, beside=False):
+def check_shown(opened, scheme="light", *, rows=None):
     """Check that a structure is drawn, on the ground of the scheme, with plots and a legend, none over another.
 
     Args:
         opened: a page.
         scheme: light or dark.
-        beside: whether its plots are in one row.
+        rows: number of rows of its plots; None if it does not matter.
     """
     page = opened.page
     page.locator(".stage").first.scroll_into_view_if_needed()
@@ -49,5 +49,5 @@ def check_shown(opened, scheme="light", *, beside=False):
         for second in boxes[:number]:
             across, upwards = (min(first[at + 2], second[at + 2]) - max(first[at], second[at]) for at in (0, 1))
             assert min(across, upwards) < 1, "one thing lies on another"
-    if beside:
-        assert len({round(top) for _, top, _, _ in result["plots"]}) == 1, "plots below one another"
+    if rows is not None:
+        assert len({round(top) for _, top, _, _ in result["plots"]}) == rows, "plots below one another"

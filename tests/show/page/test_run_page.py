@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from forficula.analysis import summary
+from forficula.analysis.energy_by_mechanism import energy_shares
 from forficula.design import load_design
 from forficula.dynamics import versions
 from forficula.show.page import write_run_page
@@ -504,7 +505,7 @@ def test_the_wing_plots_and_legend_do_not_overlap(opened, width, height, scheme)
     opened.show(width, height, scheme)
     for state in (0, 1):
         go_to(opened, state)
-        check_shown(opened, scheme, beside=width > 1000)
+        check_shown(opened, scheme, rows=2 if width > 1000 else None)
 
 
 @pytest.mark.parametrize(
@@ -524,7 +525,7 @@ def test_the_overlap_check_detects_missing_elements(opened, fault, what):
     opened.page.evaluate(fault)
     try:
         with pytest.raises(AssertionError, match=what):
-            check_shown(opened, beside=True)
+            check_shown(opened, rows=2)
     finally:
         for changed in (".plots", "canvas", ".legend", "body"):
             opened.page.locator(changed).first.evaluate("each => each.removeAttribute('style')")
@@ -613,3 +614,28 @@ def test_nothing_is_drawn_while_nothing_changes(opened):
     opened.page.keyboard.press("ArrowRight")
     opened.settle()
     assert opened.page.evaluate(frames) > before
+
+
+def test_areas_of_the_energies_add_up_to_the_energy_put_in_since_the_start_of_the_shown_time(opened, short_run):
+    page, shares = opened.page, energy_shares(short_run)
+    names = [item.inner_text() for item in page.locator(".plots figure").nth(3).locator(".key li").all()]
+    assert names == ["losses", "motion", "membrane", "tendons", "supplied"]
+    for span in (0, 2):
+        page.evaluate("(span) => { forficula.clock.setSpan(forficula.clock.spans[span]); }", span)
+        opened.settle()
+        moments, top, motion, membrane, tendons, supplied = np.array(
+            page.evaluate("forficula.plots.charts[3].data.map((row) => Array.from(row))")
+        )
+        start = page.evaluate("forficula.clock.span.start")
+        rows = np.searchsorted(short_run.time, moments)
+        lost = shares.lost - np.interp(start, short_run.time, shares.lost)
+        assert tendons == pytest.approx(shares.stored["tendons"][rows], abs=1e-6)
+        assert motion - membrane == pytest.approx(shares.kinetic[rows], abs=1e-6)
+        assert top == pytest.approx((shares.held + lost)[rows], abs=1e-3)
+        assert supplied - top == pytest.approx(shares.missing[rows], abs=1e-3)
+    page.evaluate("forficula.clock.setSpan(forficula.clock.spans[0])")
+
+
+def test_the_order_of_events_is_on_the_page(opened):
+    said = opened.page.locator("#outcome p").first.inner_text()
+    assert said.startswith('Stage "fold", times since its start: the turn begins to move at ')

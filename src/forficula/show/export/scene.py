@@ -12,7 +12,7 @@ from forficula.dynamics import Record
 from forficula.kept_frames import kept_frames
 from forficula.show.page.data.shape_mesh import ShapeMesh, shape_mesh
 from forficula.show.page.playback import diverged_rows
-from forficula.show.structure.painted_shape import tint
+from forficula.show.structure.painted_shape import bar_tint, tint
 from forficula.show.structure.shape import Shape, shape_of, vertex_places
 from forficula.show.style import BLUE, VERMILION
 from forficula.structure import GROUND, Structure
@@ -167,7 +167,15 @@ def _faces(shape: Shape) -> list[tuple[tuple[int, ...], int]]:
 def _rods(shape: Shape, mesh: ShapeMesh) -> list[SceneRod]:
     """Return bars, lines on faces, and tendons; creases are unbroken and distinguished by colour only."""
     radii = {tube.kind: tube.radius for tube in mesh.tubes}
-    rods = [SceneRod(kind="bar", colour=_CREASES[bar.crease], ends=bar.ends, radius=bar.radius) for bar in shape.bars]
+    rods = [
+        SceneRod(
+            kind="bar",
+            colour=_CREASES[bar.crease] if bar.region is None else bar_tint(bar.region),
+            ends=bar.ends,
+            radius=bar.radius,
+        )
+        for bar in shape.bars
+    ]
     for line in shape.lines:
         colour = _CREASES[line.crease]
         rods += [

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -14,6 +15,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
+from forficula.analysis.order_of_events import moment_texts, ordered_motions
 from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, round_below, show_value
@@ -36,6 +38,7 @@ _PLOTS_LEFT, _PLOTS_RIGHT, _PLOTS_LOW, _PLOTS_HIGH, _PLOTS_GAP = 0.08, 0.735, 0.
 # share of a time below which the next smaller unit is used: 300.0 ms is easier to follow than 0.3 s
 _HALF = 0.5
 _MOST_ENTRIES = 7  # largest number of entries that fit into the legend's area
+_ORDER, _ORDER_LETTERS = 0.69, 50  # right end of the order of events, in widths of the frame, and its letters per line
 _LEAD = 0.04  # time shown before and after a move, as a share of it
 
 
@@ -67,13 +70,14 @@ class FilmFrame:
             figure.text(0.03, 0.97, record.design.name, va="top", color="0.35")
             self._words = figure.text(0.03, 0.925, "", fontsize=11, fontweight="bold", va="top")
             self._clock = figure.text(0.03, 0.865, "", va="top", color="0.25")
+            self._order = figure.text(_ORDER, 0.97, "", va="top", ha="right", color="0.25", fontsize=7)
             self._cursors = _plots(figure, record, cuts)
             if record.structure.tendons:
                 _colour_bar(figure, self._norm)
             if self._strains is not None:
                 _strain_bar(figure, self._strains)
             _key(figure, self._shape, record, strain)
-            self._moving = [self._words, self._clock, *(line for _, _, line in self._cursors)]
+            self._moving = [self._words, self._clock, self._order, *(line for _, _, line in self._cursors)]
             for artist in self._moving:
                 artist.set_animated(True)
             self._canvas.draw()  # type: ignore[no-untyped-call]
@@ -97,6 +101,7 @@ class FilmFrame:
         painted = paint_shape(surface, self._view, colours, faces)
         self._words.set_text(cut.words)
         self._clock.set_text(_clock_text(cut, time))
+        self._order.set_text(_order_text(self._record, cut))
         for shown, scale, cursor in self._cursors:
             now = float(np.clip(time, shown.first, shown.last))
             cursor.set_xdata([scale * (now - _zero(shown))] * 2)
@@ -243,6 +248,19 @@ def _clock_text(cut: FilmCut, time: float) -> str:
     unit, factor = reading_unit("s", _HALF * (cut.last - cut.first))
     slower = f"{cut.slowed:.3g} times slower" if cut.slowed >= 1 else f"{1 / cut.slowed:.3g} times faster"
     return f"{factor * (time - _zero(cut)):.{_decimals(factor * (cut.last - cut.first))}f} {unit}, {slower}"
+
+
+def _order_text(record: Record, cut: FilmCut) -> str:
+    """Return when groups of hinges pass the middle of their travel, if they move one after another."""
+    if cut.stage is None or cut.slowed is None:
+        return ""
+    stage = record.stages.index(cut.stage)
+    motions = ordered_motions(record, stage)
+    if not motions:
+        return ""
+    moments = moment_texts(record, stage, [motion.middle for motion in motions])
+    groups = (f"{motion.group} at {moment}" for motion, moment in zip(motions, moments, strict=True))
+    return textwrap.fill(f"half-way: {', '.join(groups)}", _ORDER_LETTERS)
 
 
 def _decimals(largest: float) -> int:

@@ -23,6 +23,7 @@ from forficula.show.page.run_page import run_page
 from forficula.show.run.angles_figure import draw_angles
 from forficula.show.run.energies_figure import draw_energies
 from forficula.show.run.folding_figure import draw_folding
+from forficula.show.run.mechanisms_figure import draw_mechanisms
 from forficula.show.run.missed_goal import needed_torque
 from forficula.show.run.package_figure import draw_package
 from forficula.show.run.storage_figure import draw_storage
@@ -30,7 +31,7 @@ from forficula.show.structure.pattern_figure import draw_pattern
 from forficula.show.style import VERMILION, Drawing, copy_files, figure_style, save_figures
 
 _HEADING, _LETTERS = 8.0, 15  # size of a heading in pt, and its letters per inch
-STRAIN = "strain"  # name of a figure
+STRAIN, MECHANISMS = "strain", "mechanisms"  # names of figures that are drawn only on request
 _KINDS = ("pattern", "angles", "energy", "folding", "package", "storage")  # names of a run's figures
 _SMALLER = 0.9  # largest area of a package, as a share of the area at the start
 
@@ -62,7 +63,8 @@ def _write_files(record: Record, outcome: Outcome, folder: Path, *, engine: bool
     write_run_files(record, outcome, folder)
     write_text(folder / "model.xml", compile_model(record.design).xml)
     drawings = run_drawings(record, outcome)
-    drawings.pop(STRAIN, None)  # drawn only on request
+    for name in (STRAIN, MECHANISMS):
+        drawings.pop(name, None)
     save_figures(drawings, folder, copies)
     write_run_page(record, outcome, folder / "report.html", engine=engine)
 
@@ -80,6 +82,7 @@ def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
         "pattern": lambda width: draw_pattern(record.structure, width),
         "angles": lambda width: _marked(draw_angles(record, outcome, width, needed), outcome),
         "energy": lambda width: _marked(draw_energies(record, width), outcome),
+        MECHANISMS: lambda width: _marked(draw_mechanisms(record, width), outcome),
         "folding": lambda width: _marked(draw_folding(record, outcome, width), outcome),
         **({STRAIN: strain} if record.structure.membranes else {}),
         **(package if folds else {}),

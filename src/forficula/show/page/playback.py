@@ -15,7 +15,7 @@ from forficula.dynamics import Record, StageEnd
 from forficula.kept_frames import kept_frames
 from forficula.quantities import reading_unit
 from forficula.show.page.data.packing import packed
-from forficula.show.page.data.shape_mesh import ShapeMesh, moving_points, shape_mesh
+from forficula.show.page.data.shape_mesh import ShapeMesh, Tube, moving_points, shape_mesh
 from forficula.show.page.parts.efforts import Efforts, efforts_data, efforts_of
 from forficula.show.run.energies_figure import largest_energies, stored_energies
 from forficula.show.run.state_names import state_letters, table_name
@@ -220,9 +220,7 @@ def clip_data(clip: Clip) -> dict[str, Any]:
         "triangles": mesh.triangles.ravel().tolist(),
         "regions": mesh.regions.tolist(),
         "solid": list(mesh.solid),
-        "tubes": [
-            {"kind": tube.kind, "crease": tube.crease, "ends": tube.ends, "radius": tube.radius} for tube in mesh.tubes
-        ],
+        "tubes": [_tube_data(tube) for tube in mesh.tubes],
         "built": packed(mesh.built, "f4") if clip.structure.membranes else None,
         "faces": mesh.faces.tolist() if clip.structure.membranes else None,
         "membraneLaw": _law_data(clip.structure),
@@ -251,6 +249,11 @@ def clip_data(clip: Clip) -> dict[str, Any]:
         "tendonParts": places[-1],
         "tendonEnergy_J": packed(clip.tendon_energy, "f4"),
     }
+
+
+def _tube_data(tube: Tube) -> dict[str, Any]:
+    data = {"kind": tube.kind, "crease": tube.crease, "ends": tube.ends, "radius": tube.radius}
+    return data if tube.region is None else data | {"region": tube.region}
 
 
 def _law_data(structure: Structure) -> dict[str, float | str] | None:
@@ -330,7 +333,8 @@ def legend_data(clips: Sequence[Clip]) -> list[dict[str, str]]:
     """Return the legend of all clips as data for JSON: a sample that the page's script knows, and a text."""
     entries: dict[str, str] = {}
     for clip in clips:
-        looks, tubes = clip.structure.appearance, clip.mesh.tubes
+        # the region's entry explains bars of a group of bodies
+        looks, tubes = clip.structure.appearance, [tube for tube in clip.mesh.tubes if tube.region is None]
         letters = {tube.crease for tube in tubes if tube.kind in ("bar", "crease")}
         folded = {tube.kind for tube in tubes if tube.crease in ("M", "V")}
         for letter, name, stroke in (("M", "mountain", "dash-dotted"), ("V", "valley", "dashed")):

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from forficula.analysis import Outcome, run_warnings
+from forficula.analysis.order_of_events import event_texts
 from forficula.analysis.storage import storage_texts
 from forficula.design import Design, design_text
 from forficula.dynamics import Record, timestep_warnings, versions
@@ -21,7 +22,7 @@ from forficula.show.page.parts.design_rows import design_title
 from forficula.show.page.parts.design_tables import design_tables
 from forficula.show.page.parts.html import escaped, paragraph, remarks, section, table
 from forficula.show.page.parts.outcome_tables import groups_table, outcome_tables, strength_table
-from forficula.show.page.parts.plots import energy_plot, plot_data, reading_plot
+from forficula.show.page.parts.plots import energy_plot, mechanisms_plot, plot_data, reading_plot
 from forficula.show.page.parts.run_sentences import (
     energy_text,
     outcome_remarks,
@@ -70,7 +71,9 @@ def run_page(record: Record, outcome: Outcome, *, engine: bool = False) -> str:
     trial = "" if live is None else '<section id="try" aria-label="try it"></section>\n'
     elements = elements.replace('<div id="plots">', f'{paragraph(fold.missing, "note")}{trial}<div id="plots">')
     body = f"<header><h1>{escaped(title)}</h1>{sentence}</header>\n<main>{elements}{numbers(record, outcome)}</main>"
+    stack = mechanisms_plot(record, clip)
     data = playback_data(clip) | {"paths": [] if fold.path is None else [fold_view(fold.path, beside_run=True)]}
+    data["plots"] += plot_data([] if stack is None else [stack])
     return page_html(f"{title}: {outcome.status}", body, data, live)
 
 
@@ -85,10 +88,11 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
     design = record.design
     known = [*structure_warnings(design, record.structure), *timestep_warnings(design), *run_warnings(record)]
     warnings = [*outcome_remarks(record, outcome), *storage_texts(record, outcome), *known]
+    events = [paragraph(text) for text in event_texts(record)]
     return "".join(
         (
             section("What to know", remarks(warnings) or paragraph("There are no warnings.")),
-            section("Outcome", *outcome_tables(outcome), strength_table(record), name="outcome"),
+            section("Outcome", *events, *outcome_tables(outcome), strength_table(record), name="outcome"),
             section("Dimensionless groups", groups_table(record), name="groups"),
             section("Design", *design_tables(design), name="design"),
             section("Run it again", *_repeat(design, run_versions or versions()), name="repeat"),

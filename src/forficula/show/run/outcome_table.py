@@ -12,6 +12,7 @@ from rich.text import Text
 from forficula.analysis import Outcome, State, Verdict
 from forficula.analysis.branch import branch_taken, branch_text
 from forficula.analysis.confirmation import confirmation_text
+from forficula.analysis.order_of_events import event_texts
 from forficula.analysis.package import smallest_package
 from forficula.analysis.storage import storage_texts
 from forficula.dynamics import Record
@@ -66,6 +67,12 @@ def print_verdict(name: str, outcome: Outcome) -> None:
 def print_outcome(name: str, outcome: Outcome, *, verdict: bool = True) -> None:
     """Print the outcome of a run, with the verdict if wanted."""
     Console(width=110, highlight=False).print(outcome_table(name, outcome, verdict=verdict))
+
+
+def print_events(record: Record) -> None:
+    """Print the order in which groups of hinges move."""
+    if texts := event_texts(record):
+        Console(width=110, highlight=False).print(Text(), *map(Text, texts), sep="\n")
 
 
 def print_storage(record: Record, outcome: Outcome) -> None:

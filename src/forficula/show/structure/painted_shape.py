@@ -22,8 +22,11 @@ from forficula.structure import Structure
 
 # colours of the regions of sheets and plates, in their order
 TINTS = ("#E2CF9F", "#C5BCD9", "#B7CFA2", "#D6AEB9", "#9CC4DD", "#CFCFCF")
+# colours of bars of the same regions if these are groups of bodies: the same hues, darker
+BAR_TINTS = ("#A87400", "#5D4A96", "#3C7A3A", "#A14B77", "#00639C", "#5C5C5C")
 BAR = "#3A3A3A"
 _BACK = "#AEBFCB"  # back of a facet, the side away from which valleys fold
+_UNDERSIDE = 0.84  # brightness of the back of a facet in a group of bodies
 _CREASE, _CASING = "#6E6E6E", "#FFFFFF"
 # direction to the light: right, up and towards the eye, as on the pages (web/src/stage.js)
 _LIGHT = np.array([-0.45, 0.75, 1.0])
@@ -103,7 +106,7 @@ def paint_shape(
         _faces(surface, view, face_colours),
         ribbons(surface.lines[plain], view, _CREASE, _THIN * radius, _ON_FACE * radius),
         ribbons(surface.lines[~plain], view, folds, _FOLDED * radius, _ON_FACE * radius),
-        _tubes(surface.bars, surface.radii, view),
+        _tubes(surface.bars, surface.radii, view, _bar_colours(surface)),
         # the casing is wider than the tendon on top of it
         ribbons(tendons, view, _CASING, _CASED * radius, _ON_BAR * radius),
         ribbons(tendons, view, shades, _TENDON * radius, (_ON_BAR + _ON_FACE) * radius),
@@ -147,17 +150,28 @@ def tint(region: int) -> str:
     return TINTS[region % len(TINTS)]
 
 
+def bar_tint(region: int) -> str:
+    """Return the colour of the bars of a region that is a group of bodies."""
+    return BAR_TINTS[region % len(BAR_TINTS)]
+
+
+def _bar_colours(surface: DrawnSurface) -> Array:
+    """Return red, green and blue of each bar, 0 to 1, (bar, 3)."""
+    regions = [-1] * len(surface.bars) if surface.bar_regions is None else surface.bar_regions.tolist()
+    return np.array([to_rgb(BAR if region < 0 else bar_tint(region)) for region in regions]).reshape(-1, 3)
+
+
 def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, width: float) -> list[Patch | Line2D]:
     """Return the entries of a legend, with lines of a width in points."""
     handles: list[Patch | Line2D] = [
         Patch(facecolor=tint(region), label=name) for region, name in enumerate(shape.regions)
     ]
-    if structure.facets:
+    if structure.facets and not shape.grouped:
         handles.append(Patch(facecolor=_BACK, label="back of a facet"))
     if any(line.hinge is not None for line in shape.lines):
         for colour, name in ((VERMILION, "mountain"), (BLUE, "valley"), (_FLAT, "pale: nearly flat")):
             handles.append(Line2D([], [], color=colour, lw=0.75 * width, label=name))
-    if shape.bars:
+    if any(bar.region is None for bar in shape.bars):
         handles.append(Line2D([], [], color=BAR, lw=width, label=structure.appearance.bar))
     if shape.tendons:
         handles.append(Line2D([], [], color=tendon_colour, lw=width, label="tendon"))  # type: ignore[arg-type]
@@ -179,7 +193,8 @@ def _faces(surface: DrawnSurface, view: Viewpoint, textures: Array | None) -> tu
     cells = np.concatenate([surface.faces[~twisted], _cells(surface.faces[twisted])])
     colours = np.concatenate([tints[~twisted], np.repeat(tints[twisted], _CELLS**2, axis=0)])
     if surface.two_sided:
-        colours[_normals(cells) @ view.towards < 0] = to_rgb(_BACK)
+        behind = _normals(cells) @ view.towards < 0
+        colours[behind] = to_rgb(_BACK) if surface.bar_regions is None else _UNDERSIDE * colours[behind]
     return cells, colours * _facing(cells, view)[:, np.newaxis]
 
 
@@ -263,8 +278,15 @@ def _squares(places: Array, view: Viewpoint, half: float, above: float) -> tuple
     return quads, np.tile(to_rgb(BAR), (len(places), 1))
 
 
-def _tubes(bars: Array, radii: Array, view: Viewpoint) -> tuple[Array, Array]:
-    """Return corners and colours of round bars with flat ends, m, (bar, end, axis), of radii, m, (bar,)."""
+def _tubes(bars: Array, radii: Array, view: Viewpoint, colours: Array) -> tuple[Array, Array]:
+    """Return corners and colours of round bars with flat ends.
+
+    Args:
+        bars: m, (bar, end, axis).
+        radii: m, (bar,).
+        view: viewpoint.
+        colours: red, green, blue, 0 to 1, (bar, 3).
+    """
     along = _unit(bars[:, 1] - bars[:, 0])
     # any direction that is not along the bar
     across = _unit(np.cross(along, np.eye(3)[np.argmin(np.abs(along), axis=1)]))
@@ -282,7 +304,9 @@ def _tubes(bars: Array, radii: Array, view: Viewpoint) -> tuple[Array, Array]:
     )
     bright = outwards.reshape(-1, 3) @ view.towards
     visible = bright > 0
-    return quads[visible], (_DULL + _LUSTRE * bright[visible, np.newaxis] ** 4) * to_rgb(BAR)
+    shades = np.tile(colours, (len(quads) // max(len(colours), 1), 1))
+    # a bright colour would exceed white where the bar shines
+    return quads[visible], np.minimum((_DULL + _LUSTRE * bright[visible, np.newaxis] ** 4) * shades[visible], 1.0)
 
 
 def ribbons(

@@ -39,11 +39,13 @@ class DrawnBar:
         ends: its two vertices.
         radius: radius, m.
         crease: letter of the crease on which it lies; "B" for none.
+        region: region whose hue it has, which is a group of bodies; None without one.
     """
 
     ends: tuple[int, int]
     radius: float
     crease: str
+    region: int | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,7 +76,9 @@ class Shape:
         built: vertices in the built shape, m, (vertex, 3).
         faces: of sheets and plates, three or four vertices each, counterclockwise seen from above the built shape.
         face_region: region of each face, (face,).
-        regions: names of the regions, such as "distal panel".
+        regions: names of the regions: of groups of bodies if the structure has two or more, else of parts such as
+            "distal panel".
+        grouped: whether regions are groups of bodies.
         solid: whether the region consists of plates and not of a sheet, (region,).
         bars: bars, in the structure's order.
         lines: rims, creases and edges of plates.
@@ -92,6 +96,7 @@ class Shape:
     faces: tuple[tuple[int, ...], ...]
     face_region: Indices
     regions: tuple[str, ...]
+    grouped: bool
     solid: tuple[bool, ...]
     bars: tuple[DrawnBar, ...]
     lines: tuple[ShapeLine, ...]
@@ -117,11 +122,17 @@ def shape_of(structure: Structure) -> Shape:
     """Return the drawn parts of a structure."""
     vertices = _Vertices()
     faces: list[tuple[int, ...]] = []
+    # name of the part to which each face belongs, and its body
     names: list[str] = []
+    carriers: list[int] = []
     first = len(structure.points)
-    # facets include the membranes that lie on them
-    for membrane in () if structure.facets else structure.membranes:
-        _add_sheet(vertices, structure, membrane, first, faces, names)
+    corner_bodies = {
+        structure.points[point].body for facet in structure.facets for point in (*facet.points, *facet.inside)
+    }
+    for membrane in structure.membranes:
+        # facets include the membranes that lie on them
+        if not set(membrane.bodies.tolist()) <= corner_bodies:
+            _add_sheet(vertices, structure, membrane, first, faces, names, carriers)
         first += len(membrane.bodies)
     for point in drawn_points(structure):
         vertices.at(point, point, 0.0)
@@ -131,10 +142,12 @@ def shape_of(structure: Structure) -> Shape:
         for ends, count in _sides(faces).items()
         if count == 1 and not _along_bar(structure, (keys[end] for end in ends))
     ]
+    on_sheets = len(faces)
     triangles, _ = facet_triangles(structure)
     faces += (tuple(vertices.at(point, point, 0.0) for point in corners) for corners in triangles.tolist())
     names += ["facet"] * len(triangles)
-    sheets, edges = set(names), list[ShapeLine]()
+    carriers += (max(structure.points[point].body for point in corners) for corners in triangles.tolist())
+    before_plates, edges = len(faces), list[ShapeLine]()
     anchors = np.concatenate([built_points(structure), *(membrane.built for membrane in structure.membranes)])
     for plate in structure.plates:
         corners = [vertices.at(point, point, 0.0) for point in plate.points]
@@ -142,6 +155,7 @@ def shape_of(structure: Structure) -> Shape:
         pieces = drawn_pieces(anchors[list(plate.points)])
         faces += (tuple(corners[corner] for corner in piece) for piece in pieces)
         names += [structure.bodies[plate.body].role] * len(pieces)
+        carriers += [plate.body] * len(pieces)
     on_sheet = len(vertices.numbers)
     tendons = tuple(
         (vertices.at(*_place(structure, ends[0])), vertices.at(*_place(structure, ends[1])))
@@ -154,7 +168,11 @@ def shape_of(structure: Structure) -> Shape:
     letters, creases = _creases(structure, anchors, built[:on_sheet], faces, names)
     if structure.facets:
         creases = facet_lines(structure, lambda point: vertices.at(point, point, 0.0))
-    regions = tuple(dict.fromkeys(names))
+        creases += _between_regions(faces[:on_sheets], names[:on_sheets])
+    groups = _groups(structure)
+    group_names = tuple(dict.fromkeys(groups.values()))
+    named = [groups.get(body, name) for body, name in zip(carriers, names, strict=True)]
+    regions = tuple(dict.fromkeys((*group_names, *named)))
     hinged = {hinge.body for hinge in structure.hinges}
     used, places = np.unique(pairs, return_inverse=True)
     return Shape(
@@ -163,14 +181,16 @@ def shape_of(structure: Structure) -> Shape:
         share=share,
         built=built,
         faces=tuple(faces),
-        face_region=np.array([regions.index(name) for name in names], dtype=np.int64),
+        face_region=np.array([regions.index(name) for name in named], dtype=np.int64),
         regions=regions,
-        solid=tuple(region not in sheets for region in regions),
+        grouped=bool(groups),
+        solid=tuple(region in set(named[before_plates:]) - set(named[:before_plates]) for region in regions),
         bars=tuple(
             DrawnBar(
                 ends=(vertices.at(bar.points[0], bar.points[0], 0.0), vertices.at(bar.points[1], bar.points[1], 0.0)),
                 radius=bar.diameter / 2,
-                crease=letter,
+                crease="B" if bar.body in groups else letter,
+                region=regions.index(groups[bar.body]) if bar.body in groups else None,
             )
             for bar, letter in zip(structure.bars, letters, strict=True)
         ),
@@ -184,6 +204,13 @@ def shape_of(structure: Structure) -> Shape:
         thickness=max((bar.diameter for bar in structure.bars), default=_line_thickness(structure, built, creases)),
         span=structure.span,
     )
+
+
+def _groups(structure: Structure) -> dict[int, str]:
+    """Return the name of the group of each body, if the structure has two groups of bodies or more."""
+    if len(structure.groups) < 2:
+        return {}
+    return {body: group.name for group in structure.groups for body in group.bodies}
 
 
 def vertex_places(shape: Shape, anchors: Array) -> Array:
@@ -220,6 +247,7 @@ def _add_sheet(
     first: int,
     faces: list[tuple[int, ...]],
     names: list[str],
+    carriers: list[int],
 ) -> None:
     """Add the faces of a membrane, and of the strips between it and the bars to which it is glued."""
     roots, nodes = [], []
@@ -237,6 +265,7 @@ def _add_sheet(
         outermost = max((int(membrane.bodies[corner]) for corner in corners), key=lambda body: depths[body])
         faces.append(tuple(face))
         names.append(f"{structure.bodies[outermost].role} panel")
+        carriers.append(outermost)
 
     pieces = _quads(membrane.triangles, membrane.built)
     once = _sides(pieces)

@@ -30,6 +30,7 @@ class DrawnSurface:
         tendons: ends of tendons, m, (tendon, end, axis).
         thickness: reference for the width of lines, m.
         span: span of the structure, m.
+        bar_regions: region whose hue each bar has, -1 for none, (bar,); None if regions are not groups of bodies.
     """
 
     faces: Array
@@ -43,6 +44,7 @@ class DrawnSurface:
     tendons: Array
     thickness: float
     span: float
+    bar_regions: Indices | None = None
 
 
 def surface_at(record: Record, shape: Shape, time: float) -> DrawnSurface:
@@ -72,6 +74,7 @@ def surface_of(shape: Shape, places: Array, folds: Array, *, two_sided: bool) ->
     corners = np.array([(*face, face[-1])[:4] for face in shape.faces], dtype=np.int64).reshape(-1, 4)
     ends = [pair for line in shape.lines for pair in zip(line.path[:-1], line.path[1:], strict=True)]
     angles = np.append(folds, np.nan)
+    groups = [-1 if bar.region is None else bar.region for bar in shape.bars]
     hinges = [-1 if line.hinge is None else line.hinge for line in shape.lines for _ in line.path[1:]]
     return DrawnSurface(
         faces=vertices[corners],
@@ -85,6 +88,7 @@ def surface_of(shape: Shape, places: Array, folds: Array, *, two_sided: bool) ->
         tendons=vertices[np.array(shape.tendons, dtype=np.int64).reshape(-1, 2)],
         thickness=shape.thickness,
         span=shape.span,
+        bar_regions=np.array(groups, dtype=np.int64) if shape.grouped else None,
     )
 
 

@@ -35,12 +35,14 @@ class Tube:
         crease: "M" mountain, "V" valley or "B" border; "B" for a tendon.
         ends: two vertices.
         radius: m.
+        region: region whose hue a bar has, which is a group of bodies; None for others.
     """
 
     kind: str
     crease: str
     ends: tuple[int, int]
     radius: float
+    region: int | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -91,7 +93,9 @@ def shape_mesh(structure: Structure) -> ShapeMesh:
         for number, (face, region) in enumerate(zip(shape.faces, shape.face_region.tolist(), strict=True))
         for one, other in pairwise(face[1:])
     ]
-    tubes = [Tube(kind="bar", crease=bar.crease, ends=bar.ends, radius=bar.radius) for bar in shape.bars]
+    tubes = [
+        Tube(kind="bar", crease=bar.crease, ends=bar.ends, radius=bar.radius, region=bar.region) for bar in shape.bars
+    ]
     for line in shape.lines:
         if line.kind == "crease":
             ends = _dashes(shape, line, between, share)

@@ -8,11 +8,15 @@ from typing import Any
 
 import numpy as np
 
+from forficula.analysis.energy_by_mechanism import energy_shares
 from forficula.arrays import Array
-from forficula.quantities import reading_unit
+from forficula.dynamics import Record
+from forficula.names import listed
+from forficula.quantities import reading_unit, show_value
 from forficula.show.page.data.packing import packed
 from forficula.show.page.parts.run_sentences import reading_text
 from forficula.show.page.playback import Clip, mark_readings
+from forficula.show.run.mechanisms_figure import LOSSES, energy_bands, supply_text
 from forficula.show.structure.labels import parts_of
 
 
@@ -25,12 +29,16 @@ class Line:
         clip: index of the clip whose frames give the time.
         values: values in the plot's unit, (time,), or a reference to the clip's data: name of the readings and index.
         look: number of its colour and dashes; its index in the plot by default.
+        area: colour of the area between the line and the next one, in a plot of stacked areas; "" for a line.
+        since: index of the line whose value at the start of the displayed time is subtracted; None to subtract nothing.
     """
 
     name: str
     clip: int
     values: Array | tuple[str, int]
     look: int | None = None
+    area: str = ""
+    since: int | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,12 +50,14 @@ class Plot:
         unit: unit of the values.
         lines: one or more.
         text: a sentence that says what the plot shows.
+        stacked: whether lines with areas are thicknesses of areas on top of each other, the topmost first.
     """
 
     title: str
     unit: str
     lines: tuple[Line, ...]
     text: str
+    stacked: bool = False
 
 
 def reading_plot(clip: Clip, number: int) -> Plot:
@@ -74,6 +84,40 @@ def energy_plot(title: str, energies: Sequence[tuple[str, int, Array]], text: st
     return Plot(title=title, unit=unit, lines=lines, text=text)
 
 
+def mechanisms_plot(record: Record, clip: Clip) -> Plot | None:
+    """Return the plot of energies by mechanism as stacked areas; None if an energy is not known in every frame."""
+    rows = np.searchsorted(record.time, clip.time)
+    shares = energy_shares(record)
+    bands = [*reversed(energy_bands(record, shares, rows))]
+    supplied = shares.supplied[rows]
+    if not all(np.isfinite(values).all() for values in (supplied, *(band.energy for band in bands))):
+        return None
+    unit, factor = reading_unit("J", float(supplied.max()))
+    lost = next(number for number, band in enumerate(bands) if band.name == LOSSES)
+    lines = [
+        Line(
+            name=band.name,
+            clip=0,
+            values=factor * band.energy,
+            area=band.colour,
+            since=number if number == lost else None,
+        )
+        for number, band in enumerate(bands)
+    ]
+    lines.append(Line(name="supplied", clip=0, values=factor * supplied, since=lost))
+    total = sum(shares.stored.values(), np.zeros(len(record.time)))
+    moments = np.searchsorted(record.time, [mark.time for mark in clip.marks])
+    stored = [
+        f"{show_value(energy, 'J')} {mark.name}"
+        for energy, mark in zip(total[moments].tolist(), clip.marks, strict=True)
+    ]
+    text = (
+        f"Supplied is the {supply_text(record.structure)}. Work and losses count from the start of the displayed time."
+        f" Motion is the kinetic energy.{f' Stored: {listed(stored)}.' if stored else ''}"
+    )
+    return Plot(title="energy by mechanism", unit=unit, lines=tuple(lines), text=text, stacked=True)
+
+
 def plot_data(plots: Sequence[Plot]) -> list[dict[str, Any]]:
     """Return plots as data for JSON."""
     return [
@@ -84,6 +128,7 @@ def plot_data(plots: Sequence[Plot]) -> list[dict[str, Any]]:
             # common name of lines whose names differ only in their numbers
             "word": parts_of([line.name for line in plot.lines]).heading,
             "lines": [_line_data(line) for line in plot.lines],
+            **({"stacked": True} if plot.stacked else {}),
         }
         for plot in plots
     ]
@@ -93,6 +138,10 @@ def _line_data(line: Line) -> dict[str, Any]:
     values, data = line.values, {"name": line.name, "clip": line.clip}
     if line.look is not None:
         data["look"] = line.look
+    if line.area:
+        data["area"] = line.area
+    if line.since is not None:
+        data["since"] = line.since
     if isinstance(values, tuple):
         return data | {"readings": values[0], "part": values[1]}
     return data | {"values": packed(values, "f4")}
