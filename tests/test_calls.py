@@ -16,8 +16,8 @@ from tests.letters import QUICK
 
 
 @pytest.fixture(scope="module")
-def design(letter_run):
-    return letter_run.design
+def design():
+    return ff.load_design("letter-fold", QUICK)
 
 
 @pytest.fixture(scope="module")
