@@ -16,8 +16,8 @@ from tests.letters import QUICK
 
 
 @pytest.fixture(scope="module")
-def design(letter_run):
-    return letter_run.design
+def design():
+    return ff.load_design("letter-fold", QUICK)
 
 
 @pytest.fixture(scope="module")
@@ -113,7 +113,7 @@ def test_figures_are_drawn_of_whatever_a_call_hands_back(tmp_path, record):
         ff.save({}, tmp_path)
 
 
-@pytest.mark.usefixtures("no_column_figures")
+@pytest.mark.usefixtures("undrawn")
 def test_every_result_that_is_saved_is_written_as_a_page_too(tmp_path, design):
     results = {
         "landscape": ff.landscape("binder2025-joint"),
@@ -137,6 +137,7 @@ def test_every_result_that_is_saved_is_written_as_a_page_too(tmp_path, design):
             ff.page(other, tmp_path / "none.html")
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_table_is_saved_with_the_files_that_its_command_writes(tmp_path, design):
     study = ff.new_study(design, {"tendon.left.stiffness": ["0.4 N/cm", "0.5 N/cm"]})
     table = ff.run_study(study, tmp_path / "runs")

@@ -144,7 +144,9 @@ def test_importing_commands_starts_no_process_and_needs_no_module_of_one_system(
         "import sys\n"
         "for name in ('fcntl_', 'resource', 'termios', 'pwd', 'grp'):\n"
         "    sys.modules[name] = None\n"
-        "import forficula.cli, forficula.calls, forficula.workbench.worker\n"
+        "import forficula.cli, forficula.workbench.server\n"
+        "assert not {'matplotlib', 'mujoco'} & set(sys.modules), 'only tasks need them, in processes of their own'\n"
+        "import forficula.calls, forficula.workbench.tasks\n"
         "print('imported')\n"
     )
     done = subprocess.run([sys.executable, script], capture_output=True, text=True, check=True)

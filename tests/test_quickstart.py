@@ -3,12 +3,15 @@
 import copy
 import json
 
+import pytest
+
 from tests.test_docs import DOCS, cells, loaded
 
 notebook = loaded("extensions/notebook")
 PATH = DOCS / "quickstart.ipynb"
 
 
+@pytest.mark.usefixtures("no_column_figures")
 def test_the_notebook_runs_and_its_stored_outputs_are_those_of_its_cells(tmp_path, monkeypatch):
     assert cells.evaluate("1 + 1", {}) == 2
     monkeypatch.chdir(tmp_path)

@@ -16,22 +16,8 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING, Any, Literal
 
-from forficula.analysis import measure
 from forficula.errors import InputError
-from forficula.reproduction import shown_tendon
-from forficula.show.folder.landscape_folder import write_landscape
-from forficula.show.folder.run_folder import write_run
-from forficula.statics import energy_landscape
-from forficula.study.running.law_timestep import with_timestep_for_law
-from forficula.study.running.runs import run
-from forficula.workbench.requests import (
-    DesignRequest,
-    DragRequest,
-    FoldRequest,
-    Opened,
-    reading_for_page,
-    requested_design,
-)
+from forficula.workbench.requests import DesignRequest, Opened, reading_for_page
 
 if TYPE_CHECKING:
     from forficula.workbench.fold_responses import FoldResponses
@@ -130,8 +116,8 @@ def _work(pipe: Connection, opened: Opened, temporary: Path) -> None:
     # the page shows warnings about a design; the terminal has shown those of the opened one
     warnings.simplefilter("ignore", UserWarning)
     threading.Thread(target=_leave_with_parent, daemon=True).start()
-    # import before the first task arrives
-    import forficula.workbench.responses  # noqa: F401
+    # imported before the first task arrives, and in this process only: the server needs 1.5 s less to start
+    import forficula.workbench.tasks  # noqa: F401
     from forficula.workbench.fold_responses import FoldResponses
 
     folds = FoldResponses()
@@ -177,10 +163,12 @@ def _answer(
     task: Task, request: DesignRequest, opened: Opened, folder: Path, folds: FoldResponses, report: Report
 ) -> tuple[str, Any]:
     """Return the kind and the content of the answer to a task."""
+    from forficula.workbench.tasks import task_result
+
     try:
         # a task may read other files that a page names, such as a material
         with reading_for_page(opened):
-            return "done", _result(task, request, opened, folder, folds, report)
+            return "done", task_result(task, request, opened, folder, folds, report)
     except StoppedError:
         return "stopped", None
     except InputError as error:
@@ -192,59 +180,3 @@ def _answer(
     except Exception as error:
         traceback.print_exc()
         return "failed", f"{type(error).__name__}: {error}"
-
-
-def _result(
-    task: Task, request: DesignRequest, opened: Opened, folder: Path, folds: FoldResponses, report: Report
-) -> Any:
-    """Return the result of a task; None if the result is in the folder, or was reported in parts."""
-    from forficula.workbench.responses import design_response, model_response, pattern_response
-
-    match task:
-        case "design":
-            return design_response(request, opened)
-        case "model":
-            return model_response(request, opened)
-        case "pattern":
-            return pattern_response(request, opened)
-        case "landscape":
-            _write_landscape(request, opened, folder, report)
-        case "run":
-            _write_run(request, opened, folder, report)
-        case "fold":
-            assert isinstance(request, FoldRequest)
-            folds.follow(request, opened, report)
-        case "drag":
-            assert isinstance(request, DragRequest)
-            return folds.drag(request)
-    return None
-
-
-def _write_landscape(request: DesignRequest, opened: Opened, folder: Path, report: Report) -> None:
-    """Compute the energy landscape of a design, as `forficula landscape --no-simulation` does, and write its results.
-
-    Raises:
-        InputError: the design cannot be read or built.
-    """
-    design = requested_design(request, opened)
-    report("building the structure")
-    landscape = energy_landscape(design, progress=lambda step: report(f"surveying: {step}"))
-    report("drawing")
-    write_landscape(landscape, folder, None, shown_tendon(design))
-
-
-def _write_run(request: DesignRequest, opened: Opened, folder: Path, report: Report) -> None:
-    """Simulate a design through its protocol, as `forficula run` does, and write its results.
-
-    Raises:
-        InputError: the design cannot be read or built.
-    """
-    design = with_timestep_for_law(requested_design(request, opened))
-    report("building the structure")
-    record = run(
-        design,
-        lambda stage, time, longest: report(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated"),
-        confirm=True,
-    )
-    report("drawing")
-    write_run(record, measure(record), folder, engine=False)
