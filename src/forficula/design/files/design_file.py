@@ -397,7 +397,6 @@ def _over(
     return {**both, "tendon": tendons_over(tables.get("tendon"), upper["tendon"], veins=veins, si=si)}
 
 
-<<<<<<< HEAD
 def _assembly_over(
     tables: dict[str, Any],
     upper: dict[str, Any],
@@ -423,7 +422,8 @@ def _assembly_over(
     others = {key: value for key, value in upper.items() if key not in (*names, "parts")}
     below = {key: value for key, value in tables.items() if key not in parts}
     return {**lay(below, others), **parts, "parts": list(names)}
-=======
+
+
 def _without_removed(tables: dict[str, Any]) -> dict[str, Any]:
     """Return tables without the sections that "none" removes: those that a design need not have."""
     fields = design_class(tables).model_fields
@@ -433,7 +433,6 @@ def _without_removed(tables: dict[str, Any]) -> dict[str, Any]:
         if value == REMOVED and key in fields and fields[key].default is None and section_fields(fields[key].annotation)
     }
     return {key: value for key, value in tables.items() if key not in removed}
->>>>>>> redundancy
 
 
 def _without_other_pattern(tables: dict[str, Any], kind: str | None) -> dict[str, Any]:

@@ -10,11 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from forficula.analysis import SPRUNG, Ending, Verdict
-<<<<<<< HEAD
 from forficula.analysis.margin import combined_row_margin, margin_column
-=======
 from forficula.analysis.package import flat_package
->>>>>>> species
 from forficula.arrays import Array
 from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
@@ -52,13 +49,9 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         the energy of the tendons and, if they exist, of the hinges' springs in every state; and the least value of
         every searched transition. The attribute
         `transitions` has the transitions, see `table_transitions`; `whole` is the noun for the structure in sentences.
-<<<<<<< HEAD
         A study of named changes that searches nothing also has the margin of every transition and of the whole run.
-        If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run.
-=======
         If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run. If the
         pattern varies, `folding_ratio` and `folded_height` have the size of the flat-folded sheet.
->>>>>>> species
     """
     from forficula.study.tables.study_table import StudyTable
 
