@@ -21,7 +21,7 @@ from sphinx.util.typing import OptionSpec
 
 from forficula.cli import app as cli
 from forficula.design.files.key_table import KeyFact, key_facts
-from forficula.design.files.kinds import KEYED, KINDS
+from forficula.design.files.kinds import KEYED
 from forficula.design.section import Section
 from forficula.errors import InputError
 from forficula.goals.goal_file import GoalFile
