@@ -30,15 +30,18 @@ from forficula.structure.assembly.placement import part_motion
 from forficula.structure.assembly.protocol import JoinedPart, with_assembly_protocol
 from forficula.structure.fans.crossing import tendon_crossing
 from forficula.structure.mass import inertia_about, mass_of
+from forficula.structure.mechanisms import ELEMENT_KINDS, mechanisms_of
 from forficula.structure.parts import (
     GROUND,
     Bar,
     Body,
+    BodyGroup,
     Closure,
     Coupling,
     Facet,
     Hinge,
     LengthLimit,
+    Mechanism,
     Medium,
     Membrane,
     Plate,
@@ -175,9 +178,50 @@ def assembly_structure(design: AssemblyDesign, build: Callable[[Design], Structu
         structure = replace(structure, span=float(np.ptp(built_points(structure), axis=0).max()))
     _check_kinds(structure)
     structure = _with_joints(structure, design)
+    if len(parts) > 1:
+        structure = _grouped(structure, parts)
     structure = _with_inertia(structure, parts)
     _check_masses(structure)
     return with_assembly_protocol(structure, design, [_joined_part(part, numbers) for part in parts])
+
+
+def _grouped(structure: Structure, parts: Sequence[_Part]) -> Structure:
+    """Return a structure with the mechanisms of its parts, one for each joint that stores energy, and parts in colours.
+
+    The body of a hinge between parts has the colour of the part that it carries.
+    """
+    numbers = {hinge.name: number for number, hinge in enumerate(structure.hinges)}
+    first = dict.fromkeys(ELEMENT_KINDS, 0)
+    mechanisms: list[Mechanism] = []
+    for part in parts:
+        for mechanism in mechanisms_of(part.structure):
+            elements = {
+                kind: tuple(first[kind] + number for number in getattr(mechanism, kind))
+                for kind in ELEMENT_KINDS
+                if kind != "hinges"
+            }
+            hinges = (numbers[part.called(part.structure.hinges[number].name)] for number in mechanism.hinges)
+            mechanisms.append(Mechanism(name=f"{part.name}: {mechanism.name}", hinges=tuple(hinges), **elements))
+        for kind in ELEMENT_KINDS:
+            first[kind] += len(getattr(part.structure, kind))
+    of_parts = {part.called(hinge.name) for part in parts for hinge in part.structure.hinges}
+    for kind in ELEMENT_KINDS:
+        for number, element in enumerate(getattr(structure, kind)):
+            joint = element.name not in of_parts if kind == "hinges" else number >= first[kind]
+            stores = element.stiffness > 0 if kind == "hinges" else not (kind == "couplings" and element.rigid)
+            if joint and stores:
+                mechanisms.append(Mechanism(name=element.name, **{kind: (number,)}))
+    groups = tuple(
+        BodyGroup(
+            name=part.name,
+            bodies=(
+                *((part.base,) if part.base != GROUND and structure.bodies[part.base].role == "base" else ()),
+                *range(part.bodies, part.bodies + len(part.structure.bodies)),
+            ),
+        )
+        for part in parts
+    )
+    return replace(structure, mechanisms=tuple(mechanisms), groups=groups)
 
 
 def _check_kinds(structure: Structure) -> None:
