@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 
-from forficula.design import AnyDesign, Protocol, as_design
+from forficula.design import AnyDesign, Protocol, as_design, stage_drives
 from forficula.errors import InputError
 from forficula.names import one_of
 from forficula.statics.drag import DraggedPoint
@@ -125,7 +125,8 @@ def check_quasi_static(structure: Structure, protocol: Protocol) -> None:
         InputError: the protocol has such a stage; the message says why.
     """
     stages = [number for number, stage in enumerate(protocol.stages) if stage.quasi_static]
-    reason = _why_not_quasi_static(structure) if stages else ""
+    names = {name for number in stages for name in stage_drives(protocol.stages[number])}
+    reason = _why_not_quasi_static(structure, names) if stages else ""
     if reason:
         raise InputError(
             f'protocol.stages.{stages[0]}.motion: need "dynamic" for the stage "{protocol.stages[stages[0]].name}" of'
@@ -133,8 +134,12 @@ def check_quasi_static(structure: Structure, protocol: Protocol) -> None:
         )
 
 
-def _why_not_quasi_static(structure: Structure) -> str:
-    """Return why statics cannot compute a quasi-static stage of a structure, as a clause; empty if it can."""
+def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
+    """Return why statics cannot compute quasi-static stages with some drives, as a clause; empty if it can."""
+    drives = [drive_of(structure, name) for name in names]
+    motors = [
+        motor for number, motor in enumerate(structure.motors) if any(drive.strengths[number] for drive in drives)
+    ]
     laws = [tendon.law for tendon in structure.tendons]
     if any(law.branches for law in laws):
         return "the law of a tendon has Maxwell branches, whose force depends on time"
@@ -145,11 +150,11 @@ def _why_not_quasi_static(structure: Structure) -> str:
     if any(hinge.friction for hinge in structure.hinges):
         return "hinges have dry friction, with which they rest anywhere in a range"
     if is_net(structure):
-        displaced = structure.plates and any(motor.kind == "displacement" for motor in structure.motors)
+        displaced = structure.plates and any(motor.kind == "displacement" for motor in motors)
         return "a drive displaces points of plates" if displaced else ""
     if any(body.slides for body in structure.bodies) or structure.closures or structure.springs:
         return "its bodies slide, form loops or have springs between them"
-    if any(motor.kind != "torque" or motor.gains for motor in structure.motors):
+    if any(motor.kind != "torque" for motor in motors):
         return "a drive of its bodies on joints is not a torque"
     return ""
 
