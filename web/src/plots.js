@@ -158,7 +158,7 @@ function keyTexts({ lines, word }) {
 /** Look of a line of a plot: that of its number, of an area, or of the line over stacked areas. */
 function lookOf({ lines, stacked }, index) {
   const { area, look } = lines[index];
-  if (area) return { colour: area, dash: [], area: true };
+  if (area) return { colour: area.startsWith("--") ? styleColour(area) : area, dash: [], area: true };
   return stacked ? { colour: styleColour("--ink"), dash: [] } : lineLook(look ?? index);
 }
 
@@ -201,7 +201,7 @@ function stackedTable({ lines }, values, clip, start, span) {
 function stackedSeries(plot) {
   return plot.lines.map(({ area }, index) => ({
     stroke: () => (area ? styleColour("--page") : lookOf(plot, index).colour),
-    ...(area ? { fill: area, fillTo: 0 } : {}),
+    ...(area ? { fill: () => lookOf(plot, index).colour, fillTo: 0 } : {}),
     width: area ? 0.5 : 1.6,
     points: { show: false },
   }));

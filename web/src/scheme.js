@@ -7,7 +7,7 @@ export const VALLEY = "#0072b2";
 const TINTS = ["#e2cf9f", "#c5bcd9", "#b7cfa2", "#d6aeb9", "#9cc4dd", "#cfcfcf"];
 
 // colours of bars of the same regions if these are groups of bodies: the same hues, darker
-const BAR_TINTS = ["#a87400", "#5d4a96", "#3c7a3a", "#a14b77", "#00639c", "#5c5c5c"];
+const BAR_TINTS = ["#735826", "#54458a", "#35693a", "#8c4467", "#0b5a8a", "#525252"];
 
 export function barTint(region) {
   return BAR_TINTS[region % BAR_TINTS.length];

@@ -23,7 +23,7 @@ from forficula.structure import Structure
 # colours of the regions of sheets and plates, in their order
 TINTS = ("#E2CF9F", "#C5BCD9", "#B7CFA2", "#D6AEB9", "#9CC4DD", "#CFCFCF")
 # colours of bars of the same regions if these are groups of bodies: the same hues, darker
-BAR_TINTS = ("#A87400", "#5D4A96", "#3C7A3A", "#A14B77", "#00639C", "#5C5C5C")
+BAR_TINTS = ("#735826", "#54458A", "#35693A", "#8C4467", "#0B5A8A", "#525252")
 BAR = "#3A3A3A"
 _BACK = "#AEBFCB"  # back of a facet, the side away from which valleys fold
 _UNDERSIDE = 0.84  # brightness of the back of a facet in a group of bodies

@@ -29,7 +29,8 @@ class Line:
         clip: index of the clip whose frames give the time.
         values: values in the plot's unit, (time,), or a reference to the clip's data: name of the readings and index.
         look: number of its colour and dashes; its index in the plot by default.
-        area: colour of the area between the line and the next one, in a plot of stacked areas; "" for a line.
+        area: colour of the area below the line in a plot of stacked areas, or its name in the page's style, such as
+            "--grid"; "" for a line.
         since: index of the line whose value at the start of the displayed time is subtracted; None to subtract nothing.
     """
 
@@ -99,7 +100,7 @@ def mechanisms_plot(record: Record, clip: Clip) -> Plot | None:
             name=band.name,
             clip=0,
             values=factor * band.energy,
-            area=band.colour,
+            area="--grid" if number == lost else band.colour,
             since=number if number == lost else None,
         )
         for number, band in enumerate(bands)
