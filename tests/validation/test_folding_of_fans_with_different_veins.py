@@ -203,7 +203,7 @@ def test_layers_of_strips_are_counted():
 
 
 def crossed_facets(pattern, folded):
-    """Return pairs of facets without a common vertex of which a side of one passes through the other."""
+    """Return pairs of facets without a common vertex, where a side of one facet passes through the other."""
     faces = pattern.faces_vertices
     triangles = [(number, face[:1] + face[at : at + 2]) for number, face in enumerate(faces) for at in (1, 2)]
     pairs = set()
