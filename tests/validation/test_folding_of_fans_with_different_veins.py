@@ -22,6 +22,7 @@ from forficula.pattern import (
     earwig_pattern,
     fan_fold_angles,
     flat_fold,
+    folded_coordinates,
     kawasaki_residuals,
     ring_ratios,
     sectors_between,
@@ -199,3 +200,35 @@ def test_layers_of_strips_are_counted():
     strip = structure_of(load_design("letter-fold"))
     assert flat_package(strip).layers == 3
     assert replace(flat_package(strip), folding_ratio=3.0).folding_ratio > flat_package(strip).folding_ratio
+
+
+def crossed_facets(pattern, folded):
+    """Return pairs of facets without a common vertex, where a side of one facet passes through the other."""
+    faces = pattern.faces_vertices
+    triangles = [(number, face[:1] + face[at : at + 2]) for number, face in enumerate(faces) for at in (1, 2)]
+    pairs = set()
+    for one, corners in triangles:
+        for other, through in triangles:
+            if set(faces[one]) & set(faces[other]):
+                continue
+            plane = folded[list(through)]
+            normal = np.cross(plane[1] - plane[0], plane[2] - plane[0])
+            for start, end in zip(folded[list(corners)], np.roll(folded[list(corners)], -1, axis=0), strict=True):
+                before, after = (start - plane[0]) @ normal, (end - plane[0]) @ normal
+                if before * after >= 0:
+                    continue
+                place = start + before / (before - after) * (end - start)
+                sides = np.cross(np.roll(plane, -1, axis=0) - plane, place - plane) @ normal
+                if sides.min() > 1e-12 * (normal @ normal):
+                    pairs.add((one, other))
+    return pairs
+
+
+def test_rigid_panels_of_the_named_fan_do_not_pass_through_each_other(agree):
+    fan = load_design("graded-fan").fan
+    pattern = earwig_pattern(fan)
+    counts = [
+        len(crossed_facets(pattern, folded_coordinates(pattern, fan_fold_angles(fan, math.radians(pleat)))))
+        for pleat in (30, 90, 150, 175)
+    ]
+    agree("pairs of facets that cross at pleats of 30 to 175 deg", counts, 0, by="sides through triangles")
