@@ -8,7 +8,15 @@ import pytest
 
 from forficula.errors import InputError
 from forficula.statics.net.energy import built_shape, load_slope
-from forficula.statics.net.load import acceleration, check_load, held_displacements, no_load, point_forces, pressure
+from forficula.statics.net.load import (
+    acceleration,
+    check_load,
+    held_displacements,
+    no_load,
+    point_forces,
+    pressure,
+    same_load,
+)
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net
 from tests.statics.net.nets import truss
@@ -65,3 +73,11 @@ def test_a_load_of_another_net_is_refused():
 def test_a_load_that_carries_the_whole_away_is_refused():
     with pytest.raises(InputError, match="support: need some that hold the whole against the load, got 6"):
         minimum(TETRAHEDRON, built_shape(TETRAHEDRON), acceleration(TETRAHEDRON, np.array([0, 0, 1.0])), 1.0)
+
+
+def test_loads_are_equal_if_all_their_forces_torques_and_displacements_are():
+    net = truss([[0, 0, 0], [1, 0, 0]], [[0, 1]], stiffness=1.0, held=[0])
+    push = point_forces(net, np.array([1]), np.array([[1.0, 0.0, 0.0]]))
+    assert same_load(push, replace(push, forces=push.forces.copy()))
+    assert not same_load(push, replace(push, forces=2 * push.forces))
+    assert not same_load(push, held_displacements(net, np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])))
