@@ -42,15 +42,18 @@ def everything_in(folder):
     return sorted(str(path.relative_to(folder)) for path in folder.rglob("*"))
 
 
-# the command line, which leaves the figures of runs empty
+# the command line, which leaves the figures and the fold paths of runs out
 UNDRAWN = """\
 import sys
 from forficula.cli import main
 from forficula.files import write_bytes
 from forficula.show.folder import run_folder
+from forficula.show.page import run_page
+from forficula.show.page.data.shown_path import Fold
 def save_nothing(drawings, folder, copies):
     return {stem: str(write_bytes(folder / f"{stem}.png", b"")) for stem in drawings}
 run_folder.save_figures = save_nothing
+run_page.fold_of = lambda structure: Fold(path=None, missing="Not computed.")
 """
 # the same, which dies while it replaces what is there
 DYING = f"""\
