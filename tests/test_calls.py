@@ -25,7 +25,7 @@ def record(letter_run):
     return letter_run
 
 
-@pytest.mark.usefixtures("no_column_figures")
+@pytest.mark.usefixtures("undrawn")
 def test_every_example_is_true(tmp_path, monkeypatch, record):
     monkeypatch.chdir(tmp_path)
     known = {"ff": ff, "design": ff.load_design("letter-fold", QUICK), "result": record}

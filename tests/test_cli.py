@@ -42,15 +42,23 @@ def everything_in(folder):
     return sorted(str(path.relative_to(folder)) for path in folder.rglob("*"))
 
 
-# the command line, which leaves the figures of runs empty and dies while it replaces what is there
-DYING = """\
-import os, signal, sys
+# the command line, which leaves the figures and the fold paths of runs out
+UNDRAWN = """\
+import sys
 from forficula.cli import main
 from forficula.files import write_bytes
 from forficula.show.folder import run_folder
+from forficula.show.page import run_page
+from forficula.show.page.data.shown_path import Fold
 def save_nothing(drawings, folder, copies):
     return {stem: str(write_bytes(folder / f"{stem}.png", b"")) for stem in drawings}
 run_folder.save_figures = save_nothing
+run_page.fold_of = lambda structure: Fold(path=None, missing="Not computed.")
+"""
+# the same, which dies while it replaces what is there
+DYING = f"""\
+{UNDRAWN}
+import os, signal
 replace = os.replace
 def die(source, target):
     replace(source, target)
@@ -653,7 +661,6 @@ def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an
         assert said in call(*arguments, "--out", out).err
 
 
-@pytest.mark.usefixtures("no_figures")
 def test_figures_of_a_run_are_png_and_others_where_they_are_wanted(in_an_empty_folder, call):
     ff.save_design(flap({"protocol.stages.0.until": "creases > 5 deg"}), in_an_empty_folder / "flap.toml")
 
@@ -675,7 +682,6 @@ def test_unknown_formats_of_figures_are_refused_before_anything_runs(refusal, wr
     assert message == f'--figures: need one or more of png, svg, pdf, with commas, got "{wrong}"'
 
 
-@pytest.mark.usefixtures("no_figures")
 def test_assumptions_leave_a_table_that_a_run_of_the_same_design_then_names(in_an_empty_folder, call):
     quick = flap({"protocol.stages.0.until": "creases > 5 deg"})
     ff.save_design(quick, in_an_empty_folder / "flap.toml")
@@ -834,7 +840,6 @@ def test_ctrl_c_stops_a_run_with_one_line_and_leaves_nothing(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.usefixtures("no_figures")
 def test_a_landscape_over_two_keys_is_a_map_beside_a_study(tmp_path, write_study_file, call):
     study = write_study_file(
         tmp_path / "small.toml",
@@ -1113,7 +1118,6 @@ def test_new_writes_sample_tests_for_the_name_of_a_table(in_an_empty_folder, cal
     assert len(list(in_an_empty_folder.glob("mine-made-up-*.csv"))) == 3
 
 
-@pytest.mark.usefixtures("no_figures")
 def test_stages_are_addressed_by_name(in_an_empty_folder, call):
     call(
         "run",
@@ -1130,14 +1134,13 @@ def test_stages_are_addressed_by_name(in_an_empty_folder, call):
     assert stages["release folded"].time_limit == 2.5
 
 
-@pytest.mark.usefixtures("no_figures")
 def test_the_verdict_comes_before_warnings_and_the_page_last(in_an_empty_folder, call, monkeypatch):
     opened = []
     monkeypatch.setattr("webbrowser.open", opened.append)
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     done = process(
         "-c",
-        "import sys; sys.stderr = sys.stdout; from forficula.cli import main\n"
+        UNDRAWN + "sys.stderr = sys.stdout\n"
         "main(['run', 'wing.toml', '--set', 'protocol.timestep=10 ms', '--no-confirm', '--tolerate'])",
     )
     # a slow machine says what it waits for
@@ -1185,7 +1188,6 @@ VISCOUS = 'name = "{0}"\nsource = ""\n[modulus]\nlinear = "4.8 MPa"\n[viscosity]
 
 
 @pytest.mark.filterwarnings("default:protocol.timestep")
-@pytest.mark.usefixtures("no_figures")
 def test_a_run_with_a_viscous_law_keeps_its_energy(in_an_empty_folder, call):
     (in_an_empty_folder / "viscous.toml").write_text(VISCOUS.format("viscous", 3))
     law = ("--set", "tendon.law=viscous.toml", "--set", "tendon.area=5 mm^2", "--no-confirm", "--no-engine")

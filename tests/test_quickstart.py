@@ -11,7 +11,7 @@ notebook = loaded("extensions/notebook")
 PATH = DOCS / "quickstart.ipynb"
 
 
-@pytest.mark.usefixtures("no_column_figures")
+@pytest.mark.usefixtures("undrawn")
 def test_the_notebook_runs_and_its_stored_outputs_are_those_of_its_cells(tmp_path, monkeypatch):
     assert cells.evaluate("1 + 1", {}) == 2
     monkeypatch.chdir(tmp_path)
