@@ -195,8 +195,7 @@ def _angle_expansion(sides: Array) -> Expansion:
         block = sign * first[product][..., None, None] * _UNIT
         curvature[..., one, other] += block
         curvature[..., other, one] += block
-    for first_number, row in enumerate(second):
-        for second_number, factor in enumerate(row):
-            outer = slopes[first_number][..., :, None] * slopes[second_number][..., None, :]
-            curvature += factor[..., None, None] * outer
+    for factors, rising in zip(second, slopes, strict=True):
+        for factor, other_rising in zip(factors, slopes, strict=True):
+            curvature += factor[..., None, None] * rising[..., :, None] * other_rising[..., None, :]
     return np.arctan2(s, c), np.asarray(slope), curvature

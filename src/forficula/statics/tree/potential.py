@@ -30,7 +30,8 @@ from forficula.structure import Motor, Structure, joint_count, mass_of, springs_
 
 # Steps in which a structure is followed: shorter ones end in the same equilibria.
 _LONGEST_STEP = 0.1  # rad
-_QUIET = 1e-6  # torque that counts as zero, as a share of the largest torque of the stiffest part
+# torque that counts as zero, as a share of the largest torque of the stiffest part, also where springs couple joints
+_QUIET, _QUIET_COUPLED = 1e-6, 1e-9
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -351,7 +352,7 @@ def rest(
         (value, slope, curvature), (more, steeper, stiffer) = expansion, pull(angles)
         return value + more, slope + steeper, curvature + stiffer
 
-    steps: Any = {"longest_step": longest_step or _LONGEST_STEP, "force": _QUIET * torque_scale(structures)}
+    steps: Any = {"longest_step": longest_step or _LONGEST_STEP, "force": _quiet(structures)}
     if ties is None:
         return descend(energy, start, lower, upper, follow=follow, **steps)
     spread = ties.spread
@@ -405,6 +406,14 @@ def torque_scale(structures: Ensemble) -> float:
     if structures.springs is not None and not any(scales):
         return float(structures.springs.stiffness.max()) * structures.structure.span**2
     return max(scales)
+
+
+def _quiet(structures: Ensemble) -> float:
+    """Return the torque that counts as zero in the search for an equilibrium, N m.
+
+    Where springs couple joints, parts of different mechanisms may be softer by orders of magnitude than the stiffest.
+    """
+    return (_QUIET_COUPLED if structures.coupled else _QUIET) * torque_scale(structures)
 
 
 def slight_energy(structures: Ensemble) -> float:
