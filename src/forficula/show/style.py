@@ -16,7 +16,6 @@ from matplotlib import colormaps, rc_context, rcParams, rcParamsDefault
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.colors import Colormap, LinearSegmentedColormap
 from matplotlib.figure import Figure
@@ -237,6 +236,9 @@ def save_figure(figure: Figure, path: Path) -> None:
                 metadata |= {"Description": text, "Creator": "forficula", "Date": None}
                 FigureCanvasSVG(figure).print_svg(content, metadata=metadata)  # type: ignore[no-untyped-call]
             case _:
+                # imports a library of fonts in 0.1 s, which no other format needs
+                from matplotlib.backends.backend_pdf import FigureCanvasPdf
+
                 metadata |= {"Subject": text, "Creator": "forficula", "CreationDate": None}
                 FigureCanvasPdf(figure).print_pdf(content, metadata=metadata)  # type: ignore[no-untyped-call]
     written = content.getvalue()
