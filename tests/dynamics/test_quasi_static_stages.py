@@ -62,6 +62,20 @@ def test_a_moving_structure_comes_to_rest_before_statics_takes_over():
     assert outcome.energy_balance.settling is not None
 
 
+def test_a_snap_that_meets_the_goal_ends_a_slow_stage_and_a_slow_stage_after_it_first_comes_to_rest():
+    record = run(joint(slow("open", "unfold", "opened"), slow("unload", "none", "rest")))
+    opened, unload = record.stages[3:]
+    assert len(opened.lost) == 1
+    assert not opened.at_rest
+    last = int(np.argmin(np.abs(record.time - opened.end)))
+    assert angles(record)[last] == pytest.approx(0, abs=0.01)
+    assert record.series["kinetic_energy"][last] > 1e-3
+    # the torque keeps the joint at its stop while it comes to rest, and then falls to 0
+    assert (unload.share, unload.lost, unload.at_rest) == (1.0, (), True)
+    assert np.degrees(angles(record)[-1]) == pytest.approx(-3)
+    assert measure(record).energy_balance.residual < 1e-3
+
+
 def test_a_slow_stage_without_rest_ends_the_run():
     record = run(joint(slow("load", "unfold", HALF, 0.01), stage("release")))
     assert len(record.stages) == 4

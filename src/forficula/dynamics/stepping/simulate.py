@@ -114,7 +114,7 @@ def _records(
     under_way: deque[tuple[Indices, Array, Pending]] = deque()
     few = _FEW * stepper.threads * stepper.together
     while moving.any():
-        # before others can follow a leader into its next stage, the leader rests
+        # a structure that ends a stage in this pass rests until the next one, so that its followers can copy its state
         resting = np.flatnonzero(moving & tracker.at_rest).tolist()
         while len(
             rows := _next_rows(moving & ~tracker.ended & ~tracker.at_rest, [rows for rows, *_ in under_way], few)

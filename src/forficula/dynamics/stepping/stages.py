@@ -140,9 +140,13 @@ class StageTracker:
         held = self._goal_held(rows, number, reached, goal_since)
         stuck = resting & self._short(rows, number, reached, rest_since)
         settling = self._settling[rows]
+        arrived = held
         if settling.any():
             settled = resting & (number - rest_since >= self._plan.settled[rows, None])
-            held, stuck = np.where(settling[:, None], settled, held), stuck & ~settling[:, None]
+            # the motion that follows a lost equilibrium may meet the goal, the motion before statics begins may not
+            snapping = np.array([bool(self._lost[row]) for row in rows]) & self._plan.has_bounds[rows, stage]
+            arrived = held & snapping[:, None]
+            held, stuck = np.where(settling[:, None], settled | arrived, held), stuck & ~settling[:, None]
         over = held | stuck | (number - self._limit_start[rows, None] >= self._plan.limit[rows, stage][:, None])
         end = _first(over, count) + 1
         taken = np.minimum(np.minimum(end, sound), count)
@@ -157,13 +161,17 @@ class StageTracker:
                 self.ended[row] = self._stopped[row] = True
             elif end[place] <= count:
                 last = end[place] - 1
-                if settling[place] and held[place, last]:
+                if settling[place] and held[place, last] and not arrived[place, last]:
                     self.at_rest[rows[place]] = True
                     self._goal_since[rows[place]] = self._rest_since[rows[place]] = -1
                     continue
                 self._begun[int(rows[place])] = position[place, last]
                 if settling[place]:
-                    self._end_stage(int(rows[place]), None, at_rest=False, at_goal=False)
+                    self._end_moving(
+                        int(rows[place]),
+                        int(goal_since[place, last]) if arrived[place, last] else None,
+                        at_rest=bool(resting[place, last] and arrived[place, last]),
+                    )
                     continue
                 goal_step = int(goal_since[place, last]) if held[place, last] else None
                 self._finish_stage(int(rows[place]), goal_step, resting[place, last], reached[place, last])
@@ -175,7 +183,8 @@ class StageTracker:
         A goal that is met only for an instant may be a bounce.
         """
         stage = self.stage[rows]
-        taken_to_goal = (goal_since - self.stage_start[rows, None]) * self._plan.has_bounds[rows, stage][:, None]
+        start = np.where(self._settling[rows], self._limit_start[rows], self.stage_start[rows])
+        taken_to_goal = (goal_since - start[:, None]) * self._plan.has_bounds[rows, stage][:, None]
         hold = np.maximum(self._plan.hold[rows, stage][:, None], self._plan.least_hold[rows, None] * taken_to_goal)
         return np.asarray(reached & (number - goal_since >= hold))
 
@@ -273,9 +282,19 @@ class StageTracker:
         """
         self.steps[row] += steps
         self._share[row], self._begun[row] = share, position
-        self._carried[row] = (1 - share) * self._before[row] + share * self._after(row)
+        self._carry(row)
         rests = at_goal or bool(self._plan.ends_at_rest[row, self.stage[row]])
         self._end_stage(row, int(self.steps[row]) if rests else None, at_rest=True, at_goal=rests)
+
+    def _end_moving(self, row: int, goal_step: int | None, *, at_rest: bool) -> None:
+        """End the quasi-static stage of a structure that moves, at its goal or because it does not come to rest."""
+        self._carry(row)
+        self._end_stage(row, goal_step, at_rest=at_rest, at_goal=goal_step is not None)
+
+    def _carry(self, row: int) -> None:
+        """Keep the settings of the motors at the end of a quasi-static stage, from which the next one continues."""
+        share = self._share[row]
+        self._carried[row] = (1 - share) * self._before[row] + share * self._after(row)
 
     def _after(self, row: int) -> Array:
         """Return the settings of the motors at the full strength of the present stage's drives, (motor,)."""
@@ -303,7 +322,7 @@ class StageTracker:
         continued = before >= 0 and bool(self._plan.quasi_static[row, before])
         released = self._displaces & (self._after(row) == 0)
         self._before[row] = np.where(released, 0.0, self._carried[row]) if continued else 0.0
-        self._settling[row], self.at_rest[row] = True, continued
+        self._settling[row], self.at_rest[row] = True, continued and self.ends[row][-1].at_rest
 
     def progress(self, row: int) -> tuple[str, float, float]:
         """Return the name of a structure's stage, the time so far and the longest time of its protocol, s."""
