@@ -260,7 +260,7 @@ def test_an_entry_without_a_required_key_is_refused(wing):
             {"tendon.1.stiffness": "1 N/cm"},
             "tendon.1: vein 1 has no tendon, those with one are 0, 2; give it a [[tendon]] first",
         ),
-        ({"tendon.2": "1 N/cm"}, 'tendon.2: need a table under [tendon.2], got "1 N/cm"'),
+        ({"tendon.2": "1 N/cm"}, 'tendon.2: need a table under [tendon.2], or "none", got "1 N/cm"'),
         (
             {"tendon.2.vein": 1},
             "tendon.2.vein: unknown key, got 1; the key vein is for a table under [[tendon]]",

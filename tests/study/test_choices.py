@@ -207,8 +207,8 @@ def test_a_base_value_that_is_a_word_is_distinguished_from_numbers(tmp_path):
 @pytest.mark.parametrize(
     ("head", "tail", "message"),
     [
-        ('vary = "one at a time"', "", 'vary: need "grid" or "one-at-a-time", got "one at a time"'),
-        ("vary = 3", "", 'vary: need "grid" or "one-at-a-time", got 3'),
+        ('vary = "one at a time"', "", 'vary: need "grid", "one-at-a-time" or "pairs", got "one at a time"'),
+        ("vary = 3", "", 'vary: need "grid", "one-at-a-time" or "pairs", got 3'),
         ("", TENDONS, 'grid: needs vary = "one-at-a-time"; otherwise all factors are a grid, under [factors]'),
         (ALONE, "[grid]", 'grid: need a table with at least one, such as "tendon.stiffness" = '),
         (ALONE, f"[grid]\n{DAMPING}", "grid.hinge.damping: is under [factors], too; need it in one of them"),

@@ -68,6 +68,9 @@ def test_every_key_of_a_study_is_listed(name):
     known = {fact.key for fact in key_facts("", StudyFile)}
     for key, value in tables.items():
         inside = [f"{key}.{name}" for name in value] if isinstance(value, dict) else [key]
+        if isinstance(value, list) and isinstance(value[0], dict):
+            entries = {name: entry for table in value for name, entry in table.items()}
+            inside = [f"{key}.0.{name}{'.KEY' * isinstance(entry, dict)}" for name, entry in entries.items()]
         for item in inside:
             output = re.sub(r"^(settings|factors|grid)\..*", r"\1.KEY", item)
             assert re.sub(r"\.[a-z]+_(torques|with)$", r".DRIVE_\1", output) in known
