@@ -32,7 +32,8 @@ def headline(landscape: EnergyLandscape) -> str:
 def _barriers(landscape: EnergyLandscape) -> str:
     """Return the barriers of the two-way transition whose lower barrier is the largest.
 
-    Transitions between states that the protocol names precede all others. Without a known saddle between the states of a tree, it is the barrier of one hinge that folds alone.
+    Transitions between states that the protocol names precede all others. Without a known saddle between the states of
+    a tree, it is the barrier of one hinge that folds alone.
     """
     names = [state.name for state in landscape.states]
     if landscape.net is None and landscape.fold_path is None and not landscape.passes:
