@@ -12,6 +12,7 @@ from forficula.analysis.simulated_rests import rest_distances
 from forficula.show.folder.landscape_folder import landscape_drawings, write_landscape
 from forficula.show.folder.presentation import folder_drawings
 from forficula.show.landscape.barriers_figure import draw_barriers
+from forficula.show.landscape.headline import headline
 from forficula.show.landscape.landscape_table import landscape_table
 from forficula.show.landscape.net_pictures import _aligned
 from forficula.show.landscape.slow_paths_figure import draw_slow_paths
@@ -77,6 +78,15 @@ def test_every_kind_of_line_of_a_path_is_in_the_legend(landscape):
     # panels have letters, and moments numbers
     assert [text.get_text() for axes in plots for text in axes.texts if text.get_weight() == "bold"] == ["A", "B"]
     assert {"1", "2"} <= {text.get_text() for text in plots[0].texts}
+
+
+def test_the_headline_names_barriers_between_states_of_the_protocol_first(landscape):
+    other = dataclasses.replace(landscape.states[1], name="state 3", energy=1.0, withstands=())
+    far = dataclasses.replace(landscape.passes[0], ends=(0, 2), barriers=(9.0, 8.0), energy=9.0)
+    more = dataclasses.replace(landscape, states=(*landscape.states, other), passes=(*landscape.passes, far))
+    barriers = [headline(shown).split("; ")[1] for shown in (landscape, more)]
+    assert barriers[0] == barriers[1]
+    assert "state 3" not in barriers[1]
 
 
 def test_equilibria_at_a_stop_do_not_set_the_scale_of_the_strengths(landscape):

@@ -32,7 +32,8 @@ def headline(landscape: EnergyLandscape) -> str:
 def _barriers(landscape: EnergyLandscape) -> str:
     """Return the barriers of the two-way transition whose lower barrier is the largest.
 
-    Without a known saddle between the states of a tree, it is the barrier of one hinge that folds alone.
+    Transitions between states that the protocol names precede all others. Without a known saddle between the states of
+    a tree, it is the barrier of one hinge that folds alone.
     """
     names = [state.name for state in landscape.states]
     if landscape.net is None and landscape.fold_path is None and not landscape.passes:
@@ -43,6 +44,8 @@ def _barriers(landscape: EnergyLandscape) -> str:
     for one, other in combinations(names[:_MOST_NAMED], 2):
         with suppress(InputError):  # no saddle was found between them
             result[one, other] = barrier(landscape, one, other), barrier(landscape, other, one)
+    named = {rest.name for rest in landscape.rests}
+    result = {ends: heights for ends, heights in result.items() if named.issuperset(ends)} or result
     if not result:
         return "no barrier was found between them" if len(names) > 1 else ""
     one, other = max(result, key=lambda ends: min(result[ends]))
