@@ -18,6 +18,8 @@ Cases = NDArray[np.int64]
 Energy = Callable[[Array, Cases], tuple[Array, Array, Array]]
 # Takes the numbers of the moving cases, and the positions of all cases, (case, coordinate).
 Follow = Callable[[Cases, Array], None]
+# Takes positions, (row, coordinate), and the numbers of their cases, (row,). Returns which need no further steps, (row,).
+Enough = Callable[[Array, Cases], Flags]
 
 _MOST_STEPS = 5000
 # share of a path beyond which a stretch without slope is a neutral range instead of a minimum
@@ -61,6 +63,7 @@ def descend(
     longest_step: float,
     force: float,
     follow: Follow | None = None,
+    enough: Enough | None = None,
 ) -> Equilibria:
     """Follow an energy downhill to an equilibrium, in steps short enough to stay in its valley.
 
@@ -76,6 +79,7 @@ def descend(
         longest_step: in the space of the coordinates.
         force: largest slope that counts as zero; slopes of the size of their rounding count as zero as well.
         follow: called after every step with the numbers of the cases that are not at rest and all positions.
+        enough: returns which cases are not followed further after a step, although they are not at rest.
     """
     lower, upper = (np.array(np.broadcast_to(bound, start.shape)) for bound in (lower, upper))
     position = np.clip(start, lower, upper)
@@ -113,6 +117,10 @@ def descend(
             slope[taken], curvature[taken] = new_slope[better], new_curvature[better]
         if follow is not None:
             follow(moving, position)
+        if enough is not None and (ended := enough(position[rows], moving)).any():
+            moving = rows = moving[~ended]
+            if not len(moving):
+                break
     return Equilibria(position=position, energy=value, slope=slope, stiffness=stiffness, rests=rests)
 
 

@@ -13,13 +13,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from forficula.arrays import Array, Indices
+from forficula.arrays import Array, Flags, Indices
 from forficula.design import Design, key_value
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.statics.tree.couplings import Ties, Twists, ties_of, twist_energy, twists_of
 from forficula.statics.tree.elements import Expansion
-from forficula.statics.tree.equilibrium import Cases, Equilibria, Follow, descend
+from forficula.statics.tree.equilibrium import Cases, Enough, Equilibria, Follow, descend
 from forficula.statics.tree.flaps import Flaps, crease_angles, crease_energy, flaps_of, folded_energy
 from forficula.statics.tree.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.tree.lines import Lines, largest_pull, line_energy, lines_of
@@ -315,6 +315,7 @@ def rest(
     within: float = np.inf,
     longest_step: float | None = None,
     follow: Follow | None = None,
+    enough: Enough | None = None,
     pull: Callable[[Array], Expansion] | None = None,
 ) -> Equilibria:
     """Let structures move slowly from given angles to where they rest under torques.
@@ -331,6 +332,8 @@ def rest(
         within: largest turn of each hinge, rad.
         longest_step: rad; shorter steps follow the steepest descent more closely.
         follow: called after every step with the numbers of the cases that are not at rest and all angles.
+        enough: returns which structures are not followed further, from angles, (row, hinge), and the numbers of their
+            cases, (row,).
         pull: returns a further energy that acts on the structures, with gradient and Hessian by the angles; None for
             none.
     """
@@ -354,7 +357,7 @@ def rest(
 
     steps: Any = {"longest_step": longest_step or _LONGEST_STEP, "force": _quiet(structures)}
     if ties is None:
-        return descend(energy, start, lower, upper, follow=follow, **steps)
+        return descend(energy, start, lower, upper, follow=follow, enough=enough, **steps)
     spread = ties.spread
 
     def tied_energy(coordinates: Array, cases: Cases) -> Expansion:
@@ -365,7 +368,13 @@ def rest(
         if follow is not None:
             follow(cases, ties.angles(coordinates))
 
-    result = descend(tied_energy, ties.start(start), *ties.bounds(lower, upper), follow=follow_tied, **steps)
+    def tied_enough(coordinates: Array, cases: Cases) -> Flags:
+        assert enough is not None
+        return enough(ties.angles(coordinates), cases)
+
+    ended = None if enough is None else tied_enough
+    bounds = ties.bounds(lower, upper)
+    result = descend(tied_energy, ties.start(start), *bounds, follow=follow_tied, enough=ended, **steps)
     position = ties.angles(result.position)
     return replace(result, position=position, slope=energy(position, np.arange(count))[1])
 

@@ -37,6 +37,7 @@ _FIRST_STEP = 1e-4  # first and shortest step, as a share of the largest torque 
 _SNAP_STEP = 0.05  # rad, longest step of a snap, in the space of the hinges' angles
 _SEED = 30  # of random shifts
 _NEAR = 0.1  # rad, largest turn of hinges from step to step without a snap
+_LEFT = 0.99 * _NEAR
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -288,7 +289,7 @@ def least_slow_torque(
             return SlowTransition(torque=least, position=position, paths=() if record is None else record.paths())
         tried = np.minimum(torque[left] + step[left], most[left])
         result = _pushed_rest(structures, left, position[left], drive, tried, within=_NEAR)
-        leaves = np.abs(result - position[left]).max(axis=1) > 0.99 * _NEAR
+        leaves = _turned(result, position[left]) > _LEFT
         fine = step[left] <= np.maximum(_ACCURACY * tried, _FIRST_STEP * most[left])
         snaps = leaves & fine
         if snaps.any():
@@ -371,11 +372,22 @@ def _pushed_rest(
     start: Array,
     drive: Drive,
     torque: Array,
-    within: float = np.inf,
+    within: float | None = None,
 ) -> Array:
     """Return the angles at which some structures rest under a torque, within a largest turn of each hinge."""
+
+    def left(angles: Array, rows: Indices) -> Flags:
+        return np.asarray(_turned(angles, start[rows]) > _LEFT)
+
     torques = torque[:, None] * _by_unit(drive)
-    return rest(structures.only(cases), start, torques, within=within).position
+    enough = None if within is None else left
+    limit = np.inf if within is None else within
+    return rest(structures.only(cases), start, torques, within=limit, enough=enough).position
+
+
+def _turned(angles: Array, start: Array) -> Array:
+    """Return the largest turn of a hinge from where it started, rad, (case,)."""
+    return np.asarray(np.abs(angles - start).max(axis=1))
 
 
 def _by_unit(drive: Drive) -> Array:
