@@ -241,13 +241,13 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
         stored = stored - torques[:, motor] * turned.sum(axis=1)
     energy += stored
     slope += -(torques @ structures.drives) - moment @ structures.crossings
-    diagonal = np.arange(structures.size)
-    curvature[:, diagonal, diagonal] += stiffness @ structures.crossings
+    diagonal = np.einsum("...ii->...i", curvature)  # a view
+    diagonal += stiffness @ structures.crossings
     if structures.stiffness.any():
         turned = structures.stiffness * (angles - structures.rest_angles)
         energy += np.sum(turned * (angles - structures.rest_angles), axis=1) / 2
         slope += turned
-        curvature[:, diagonal, diagonal] += structures.stiffness
+        diagonal += structures.stiffness
     return energy, slope, curvature
 
 

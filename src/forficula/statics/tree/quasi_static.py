@@ -38,6 +38,7 @@ _SNAP_STEP = 0.05  # rad, longest step of a snap, in the space of the hinges' an
 _SEED = 30  # of random shifts
 _NEAR = 0.1  # rad, largest turn of hinges from step to step without a snap
 _LEFT = 0.99 * _NEAR
+_FAR = 0.55 * _NEAR
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -137,8 +138,10 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
     led = rest(structures, position)
     if structures.coupled:
         return led
-    beyond = state_beyond(structures, transition)
     stays = np.isfinite(torque) & at_goal(structures, led.position, goal_of(structures.structure, transition.released))
+    if stays.all():
+        return led
+    beyond = state_beyond(structures, transition)
     return Equilibria(
         position=np.where(stays[:, None], led.position, beyond.position),
         energy=np.where(stays, led.energy, beyond.energy),
@@ -289,7 +292,8 @@ def least_slow_torque(
             return SlowTransition(torque=least, position=position, paths=() if record is None else record.paths())
         tried = np.minimum(torque[left] + step[left], most[left])
         result = _pushed_rest(structures, left, position[left], drive, tried, within=_NEAR)
-        leaves = _turned(result, position[left]) > _LEFT
+        turned = _turned(result, position[left])
+        leaves = turned > _LEFT
         fine = step[left] <= np.maximum(_ACCURACY * tried, _FIRST_STEP * most[left])
         snaps = leaves & fine
         if snaps.any():
@@ -310,7 +314,7 @@ def least_slow_torque(
                 record.add(int(left[row]), tried[row], result[row])
         arrived = kept & reached
         least[left[arrived]] = tried[arrived]
-        step[left] *= np.where(snaps, 1.0, np.where(kept, 2.0, 0.5))
+        step[left] *= np.where(snaps | kept & (turned > _FAR), 1.0, np.where(kept, 2.0, 0.5))
 
 
 class _PathRecord:

@@ -166,7 +166,7 @@ def strain_energy(patch: Patch, gradient: Array) -> Expansion:
     cases, count, volumes = len(gradient), gradient.shape[1], patch.volumes
     columns = gradient.reshape(cases, count, -1, 2, 3)
     # strains along, across, and twice the shear, and their derivatives
-    squares = (columns @ np.swapaxes(columns, 3, 4)).reshape(*columns.shape[:3], 4)
+    squares = (columns @ columns.swapaxes(3, 4)).reshape(*columns.shape[:3], 4)
     strain = np.empty((*columns.shape[:3], 3))
     np.subtract(squares[..., ::3], 1, out=strain[..., :2])
     strain[..., :2] /= 2
@@ -177,7 +177,7 @@ def strain_energy(patch: Patch, gradient: Array) -> Expansion:
     halves[..., :4:3, :], halves[..., 4:, :] = columns, columns[..., ::-1, :]
     stress = volumes * (strain @ patch.law)
     pull = stress[..., None, :] @ by_column
-    curvature = np.swapaxes(by_column, 3, 4) @ (volumes[..., None] * (patch.law[:, None] @ by_column))
+    curvature = by_column.swapaxes(3, 4) @ (volumes[..., None] * (patch.law[:, None] @ by_column))
     # stress part of the Hessian, column by column and coordinate by coordinate
     blocks = np.einsum("...aibi->...abi", curvature.reshape(*columns.shape[:3], 2, 3, 2, 3))
     blocks += stress.take(_BY_COLUMNS, axis=3)[..., None]
@@ -185,10 +185,15 @@ def strain_energy(patch: Patch, gradient: Array) -> Expansion:
     return energy, pull.reshape(cases, count, -1, 3), curvature
 
 
-def _limit_energy(spring: float, lengths: Array, apart: Array) -> Expansion:
-    """Compute the energy of limits, which pull only beyond their lengths, from the vectors (case, limit, 1, 3)."""
+def _limit_energy(spring: float, lengths: Array, apart: Array) -> Expansion | None:
+    """Compute the energy of limits, which pull only beyond their lengths, from the vectors (case, limit, 1, 3).
+
+    It is None if no limit pulls.
+    """
     distance = np.sqrt(np.einsum("...i,...i", apart, apart))
     beyond = np.maximum(distance - lengths[:, None], 0.0)
+    if not beyond.any():
+        return None
     along = apart / distance[..., None]
     ratio = (beyond / distance)[..., None, None]
     outer = along[..., :, None] * along[..., None, :]
