@@ -25,7 +25,7 @@ class Lines:
 
     Attributes:
         laid: a piece for each tendon.
-        law: of the tendons; its numbers are (case, tendon).
+        law: of the tendons; its numbers are (case, tendon), or (1, tendon) if all cases have the same tendons.
         shortest: length below which a tendon has no direction, m, (tendon,).
     """
 

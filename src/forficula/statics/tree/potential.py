@@ -50,7 +50,8 @@ class Ensemble:
         ties: groups of joints that rigid couplings tie together; None if there are none.
         crossed: numbers of the hinges that single tendons lie across, by tendon.
         crossings: incidence of these tendons and hinges, (tendon, hinge).
-        tendons: the hinges of these tendons as one object whose functions take angles (case, tendon).
+        tendons: the hinges of these tendons as one object whose functions take angles (case, tendon); its numbers are
+            (case, tendon), or (1, tendon) if all cases have the same tendons.
         stiffness: of the hinges' springs, N m/rad, (hinge,).
         rest_angles: of the hinges' springs, rad, (hinge,).
         motors: numbers of the joints of every motor.
@@ -96,12 +97,14 @@ class Ensemble:
 
     def only(self, cases: Indices) -> Ensemble:
         """Select cases by index; repeats are allowed."""
+        if len(self.tendons.proximal_arm) == 1:
+            return replace(self, cases=len(cases))
         lines = None if self.lines is None else self.lines.only(cases)
         return replace(self, tendons=_rows(self.tendons, cases), lines=lines, cases=len(cases))
 
     def repeated(self, count: int) -> Ensemble:
         """Return copies of the first case."""
-        return self.only(np.zeros(count, dtype=np.int64))
+        return replace(self.only(np.zeros(1, dtype=np.int64)), cases=count)
 
 
 def ensemble_of(designs: Sequence[Design]) -> Ensemble:
@@ -233,16 +236,18 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
     energy, slope, curvature = sheet_energy(structures.sheet, angles)
     for part in _optional_parts(structures, angles, torques):
         energy, slope, curvature = energy + part[0], slope + part[1], curvature + part[2]
-    tendons, crossing = structures.tendons, angles[:, structures.crossed]
-    tendon_energy, moment, stiffness = tendons.expansion(crossing)
-    stored = tendon_energy.sum(axis=1)
+    stored, diagonal = np.zeros(len(angles)), np.einsum("...ii->...i", curvature)  # a view of the diagonals
+    pressing = -(torques @ structures.drives)
+    if len(structures.crossings):
+        stored, moment, stiffness = structures.tendons.expansion(angles[:, structures.crossed])
+        stored = stored.sum(axis=1)
+        pressing -= moment @ structures.crossings
+        diagonal += stiffness @ structures.crossings
     for motor, (joints, gains) in enumerate(zip(structures.motors, structures.gains, strict=True)):
         turned = angles[:, joints] if gains is None else gains * angles[:, joints]
-        stored = stored - torques[:, motor] * turned.sum(axis=1)
+        stored -= torques[:, motor] * np.add.reduce(turned, axis=1)
     energy += stored
-    slope += -(torques @ structures.drives) - moment @ structures.crossings
-    diagonal = np.einsum("...ii->...i", curvature)  # a view
-    diagonal += stiffness @ structures.crossings
+    slope += pressing
     if structures.stiffness.any():
         turned = structures.stiffness * (angles - structures.rest_angles)
         energy += np.sum(turned * (angles - structures.rest_angles), axis=1) / 2
@@ -343,12 +348,13 @@ def rest(
     fixed = list(fixed)
     lower[:, fixed] = upper[:, fixed] = start[:, fixed]
     lower, upper = np.where(held, start, lower), np.where(held, start, upper)
-    some, which, ties = structures, np.arange(count), structures.ties
+    some, ties = structures, structures.ties
 
     def energy(angles: Array, cases: Cases) -> Expansion:
-        nonlocal some, which
-        if not np.array_equal(cases, which):
-            some, which = structures.only(cases), cases
+        nonlocal some
+        # cases come to rest one after another, so that as many cases are the same cases
+        if len(cases) != some.cases:
+            some = structures.only(cases)
         expansion = potential(some, angles, torques[cases])
         if pull is None:
             return expansion
