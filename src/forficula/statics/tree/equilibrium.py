@@ -83,35 +83,39 @@ def descend(
     """
     lower, upper = (np.array(np.broadcast_to(bound, start.shape)) for bound in (lower, upper))
     position = np.clip(start, lower, upper)
-    value, slope, curvature = energy(position, np.arange(len(position)))
+    moving = np.arange(len(position))
+    value, slope, curvature = energy(position, moving)
     # contiguous, because the last bits of sums by row depend on the order in memory
     position, slope = np.ascontiguousarray(position), np.ascontiguousarray(slope)
     radius = np.full(len(position), longest_step)
     stiffness, rests = np.full(len(position), np.nan), np.zeros(len(position), dtype=bool)
-    moving = np.arange(len(position))
     rows: slice | Cases = slice(None)  # all cases, without copies, while all of them move
     for _ in range(_MOST_STEPS):
         at, down = position[rows], -slope[rows]
-        least, most = lower[rows], upper[rows]
-        step, held, stiffness[rows] = _step_within((least - at, most - at), down, curvature[rows], radius[rows])
-        quiet = np.maximum(force, _NOISE * np.maximum.reduce(np.abs(curvature[rows]), axis=(1, 2)))[:, None]
-        rests[rows] = np.logical_and.reduce((np.abs(down) <= quiet) | (held & (step == 0)), axis=1)
-        going = ~rests[rows] & (radius[rows] > _SMALLEST_STEP)
+        least, most, bent, within = lower[rows], upper[rows], curvature[rows], radius[rows]
+        step, held, stiffness[rows] = _step_within((least - at, most - at), down, bent, within)
+        quiet = np.maximum(force, _NOISE * np.maximum.reduce(np.abs(bent), axis=(1, 2)))[:, None]
+        quieted = np.logical_and.reduce((np.abs(down) <= quiet) | (held & (step == 0)), axis=1)
+        rests[rows] = quieted
+        going = ~quieted & (within > _SMALLEST_STEP)
         if not going.all():
             moving = rows = moving[going]
             if not len(moving):
                 break
             at, down, least, most = at[going], down[going], least[going], most[going]
-            step, held = step[going], held[going]
-        tried, free = np.clip(at + step, least, most), ~held
+            step, held, within = step[going], held[going], within[going]
+        tried = np.minimum(np.maximum(at + step, least), most)
         new_value, new_slope, new_curvature = energy(tried, moving)
-        better = _improves(new_value, new_slope * free, value[rows], down * free)
-        wider = np.minimum(2 * radius[rows], longest_step)
-        narrower = np.minimum(radius[rows], _lengths(step)) / 4
-        radius[rows] = np.where(better, wider, narrower)
+        better = new_value < value[rows]
+        if not better.all():
+            free = ~held
+            better = _improves(new_value, new_slope * free, value[rows], down * free)
+        wider = np.minimum(2 * within, longest_step)
         if better.all():
             position[rows], value[rows], slope[rows], curvature[rows] = tried, new_value, new_slope, new_curvature
+            radius[rows] = wider
         else:
+            radius[rows] = np.where(better, wider, np.minimum(within, _lengths(step)) / 4)
             taken = moving[better]
             position[taken], value[taken] = tried[better], new_value[better]
             slope[taken], curvature[taken] = new_slope[better], new_curvature[better]
@@ -148,9 +152,10 @@ def _step_within(room: tuple[Array, Array], down: Array, curvature: Array, radiu
         The step, and which coordinates their bounds hold, both (case, coordinate); the least curvature of the other
         coordinates, (case,).
     """
-    loose = np.flatnonzero((room[0] < room[1]).any(axis=0))
-    if len(loose) == down.shape[1] and len(down):
+    wide = np.logical_or.reduce(room[0] < room[1], axis=0)
+    if wide.all() and len(down):
         return _free_step(room, down, curvature, radius)
+    loose = np.flatnonzero(wide)
     step, held, least = np.zeros_like(down), np.ones(down.shape, dtype=bool), np.full(len(down), np.inf)
     if len(loose) and len(down):
         room, down, curvature = (room[0][:, loose], room[1][:, loose]), down[:, loose], curvature[:, loose][:, :, loose]
@@ -166,7 +171,7 @@ def _free_step(room: tuple[Array, Array], down: Array, curvature: Array, radius:
     # in Fortran order, because the last bits depend on the order in memory
     free = _trusted_step(np.asfortranarray(np.where(held, 0.0, down)), values, axes, radius)
     step = np.minimum(np.maximum(np.where(held, to_bound, free), room[0]), room[1])
-    return step, held, np.where(held.all(axis=1), np.inf, values[:, 0])
+    return step, held, np.where(np.logical_and.reduce(held, axis=1), np.inf, values[:, 0])
 
 
 def _free_hessian(curvature: Array, held: Flags) -> Array:
