@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -32,6 +32,11 @@ class Lines:
     laid: Elements
     law: ElasticLaw
     shortest: Array
+
+    @cached_property
+    def laws(self) -> tuple[ElasticLaw, ...]:
+        """Return the laws of the tendons of every group."""
+        return tuple(_selected_law(self.law, (slice(None), group.pieces)) for group in self.laid.groups)
 
     def only(self, cases: Indices) -> Lines:
         """Select cases by index; repeats are allowed."""
@@ -99,8 +104,8 @@ def line_energy(lines: Lines, angles: Array) -> Expansion:
         Energy, J, (case,); gradient, N m, (case, hinge), and Hessian, N m/rad, (case, hinge, hinge), by the angles.
     """
     laws = [
-        partial(_pulled, _selected_law(lines.law, (slice(None), group.pieces)), lines.shortest[group.pieces])
-        for group in lines.laid.groups
+        partial(_pulled, law, lines.shortest[group.pieces])
+        for law, group in zip(lines.laws, lines.laid.groups, strict=True)
     ]
     return stretched(lines.laid, angles, laws)
 

@@ -19,7 +19,7 @@ Span = slice | Indices
 
 _UNIT = np.eye(3)
 # coordinates of the factors of a cross product, by coordinate of the product
-_NEXT, _AFTER_NEXT = [1, 2, 0], [2, 0, 1]
+_NEXT, _AFTER_NEXT = np.array([1, 2, 0]), np.array([2, 0, 1])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -222,8 +222,8 @@ def moves_of(carried: Carried, at: Pose, places: Array) -> Array:
     """Return the velocities of points per angular speed of the hinges that move them, m, (3, case, pair)."""
     points, hinges = carried.pairs
     axes, arms = at.axes.take(hinges, axis=2), places.take(points, axis=2) - at.pivots.take(hinges, axis=2)
-    moves = axes[_NEXT] * arms[_AFTER_NEXT]
-    moves -= axes[_AFTER_NEXT] * arms[_NEXT]
+    moves = axes.take(_NEXT, axis=0) * arms.take(_AFTER_NEXT, axis=0)
+    moves -= axes.take(_AFTER_NEXT, axis=0) * arms.take(_NEXT, axis=0)
     return np.asarray(moves)
 
 
