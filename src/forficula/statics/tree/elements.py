@@ -12,7 +12,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array, Indices
-from forficula.statics.tree.pose import Carried, Span, Tree, carried_points, moves_of, places_of, pose, pulled, span
+from forficula.statics.tree.pose import (
+    Carried,
+    Pose,
+    Span,
+    Tree,
+    carried_points,
+    moves_of,
+    places_of,
+    pose,
+    pulled,
+    span,
+)
 
 # energy, gradient and Hessian
 Expansion = tuple[Array, Array, Array]
@@ -201,7 +212,9 @@ def _block(moves: Array, stiffness: Array) -> Array:
     return np.asarray(by_element.reshape(by_piece).swapaxes(2, 3) @ pulls)
 
 
-def stretched(laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Expansion | None]]) -> Expansion:
+def stretched(
+    laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Expansion | None]], at: Pose | None = None
+) -> Expansion:
     """Compute the energy of all groups, with gradient and Hessian by the hinges' angles.
 
     Args:
@@ -210,20 +223,23 @@ def stretched(laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Ex
         laws: of every group: functions of its sides, m or dimensionless, (case, piece, side, 3), that return energy, J,
             (case,), gradient by the sides, (case, piece, side, 3), and Hessian by the sides of each element,
             (case, piece, element, coordinate, coordinate); or None if all elements are slack in all cases.
+        at: pose of the tree at these angles; computed by default.
 
     Returns:
         Energy, J, (case,); gradient, N m, (case, hinge); Hessian, N m/rad, (case, hinge, hinge).
     """
     cases, size = len(angles), laid.tree.size
     if not laid.groups:
-        return np.zeros(cases), np.zeros((cases, size)), np.zeros((cases, size, size))
-    at = pose(laid.tree, angles)
+        return _nothing(cases, size)
+    at = pose(laid.tree, angles) if at is None else at
     places = places_of(laid.carried, at)
+    expansions = [law(_sides(group, places)) for group, law in zip(laid.groups, laws, strict=True)]
+    if all(expansion is None for expansion in expansions):
+        return _nothing(cases, size)
     moves = moves_of(laid.carried, at, places)
     blocks = {size: np.zeros((cases, len(entries), size, size)) for size, entries in laid.blocks.items()}
     forces, total = np.zeros(places.shape), np.zeros(cases)
-    for group, law in zip(laid.groups, laws, strict=True):
-        expansion = law(_sides(group, places))
+    for group, expansion in zip(laid.groups, expansions, strict=True):
         if expansion is None:
             continue
         energy, pull, stiffness = expansion
@@ -245,3 +261,8 @@ def stretched(laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Ex
             else:
                 by_number[:, where] += blocks[size][:, number].reshape(cases, size * size)
     return total, slope, curvature
+
+
+def _nothing(cases: int, size: int) -> Expansion:
+    """Return an energy of 0 of some cases, with gradient and Hessian."""
+    return np.zeros(cases), np.zeros((cases, size)), np.zeros((cases, size, size))

@@ -18,7 +18,7 @@ Cases = NDArray[np.int64]
 Energy = Callable[[Array, Cases], tuple[Array, Array, Array]]
 # Takes the numbers of the moving cases, and the positions of all cases, (case, coordinate).
 Follow = Callable[[Cases, Array], None]
-# Takes positions, (row, coordinate), and the numbers of their cases, (row,). Returns which need no further steps, (row,).
+# Takes positions, (row, coordinate), and the numbers of their cases, (row,). Returns which rows need no further steps.
 Enough = Callable[[Array, Cases], Flags]
 
 _MOST_STEPS = 5000
@@ -79,7 +79,8 @@ def descend(
         longest_step: in the space of the coordinates.
         force: largest slope that counts as zero; slopes of the size of their rounding count as zero as well.
         follow: called after every step with the numbers of the cases that are not at rest and all positions.
-        enough: returns which cases are not followed further after a step, although they are not at rest.
+        enough: returns which cases are not followed further after a step, although they are not at rest; their results
+            are those of this step.
     """
     lower, upper = (np.array(np.broadcast_to(bound, start.shape)) for bound in (lower, upper))
     position = np.clip(start, lower, upper)

@@ -13,7 +13,7 @@ from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.statics.tree.elements import Elements, Expansion, LinePiece, elements, stretched
-from forficula.statics.tree.pose import Tree
+from forficula.statics.tree.pose import Pose, Tree
 from forficula.structure import Structure
 
 _SHORTEST = 1e-12  # share of its longest length; a shorter tendon has no direction
@@ -90,7 +90,7 @@ def _changes(tree: Tree, bodies: Sequence[int]) -> bool:
     return set(tree.chain(bodies[0])) != set(tree.chain(bodies[1]))
 
 
-def line_energy(lines: Lines, angles: Array) -> Expansion:
+def line_energy(lines: Lines, angles: Array, at: Pose | None = None) -> Expansion:
     """Compute the energy of the tendons.
 
     The Hessian by the vector from end to end, for a pull F at a length L along a unit vector n, is
@@ -99,6 +99,7 @@ def line_energy(lines: Lines, angles: Array) -> Expansion:
     Args:
         lines: the tendons.
         angles: of all hinges, in their own senses, rad, (case, hinge).
+        at: pose of the tree at these angles; computed by default.
 
     Returns:
         Energy, J, (case,); gradient, N m, (case, hinge), and Hessian, N m/rad, (case, hinge, hinge), by the angles.
@@ -107,13 +108,18 @@ def line_energy(lines: Lines, angles: Array) -> Expansion:
         partial(_pulled, law, lines.shortest[group.pieces])
         for law, group in zip(lines.laws, lines.laid.groups, strict=True)
     ]
-    return stretched(lines.laid, angles, laws)
+    return stretched(lines.laid, angles, laws, at)
 
 
-def _pulled(law: ElasticLaw, shortest: Array, sides: Array) -> Expansion:
-    """Compute the energy of tendons from the vectors between their ends, (case, tendon, 1, 3)."""
+def _pulled(law: ElasticLaw, shortest: Array, sides: Array) -> Expansion | None:
+    """Compute the energy of tendons from the vectors between their ends, (case, tendon, 1, 3).
+
+    It is None if all tendons are slack.
+    """
     apart = sides[:, :, 0]
     length = np.linalg.norm(apart, axis=2)
+    if np.all(length < law.rest_length):
+        return None
     known = np.maximum(length, shortest)
     stored, force, slope = law.expansion(length)
     along = apart / known[..., None]

@@ -23,7 +23,18 @@ from forficula.statics.tree.equilibrium import Cases, Enough, Equilibria, Follow
 from forficula.statics.tree.flaps import Flaps, crease_angles, crease_energy, flaps_of, folded_energy
 from forficula.statics.tree.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.tree.lines import Lines, largest_pull, line_energy, lines_of
-from forficula.statics.tree.pose import Carried, Span, Tree, carried_points, places_of, pose, pulled, span, tree_of
+from forficula.statics.tree.pose import (
+    Carried,
+    Pose,
+    Span,
+    Tree,
+    carried_points,
+    places_of,
+    pose,
+    pulled,
+    span,
+    tree_of,
+)
 from forficula.statics.tree.sheet import Sheet, sheet_energy, sheet_of
 from forficula.statics.tree.springs import Springs, closure_gap, pins_of, spring_energy, springs_of
 from forficula.structure import Motor, Structure, joint_count, mass_of, springs_name, static_keys, structure_of
@@ -97,7 +108,7 @@ class Ensemble:
 
     def only(self, cases: Indices) -> Ensemble:
         """Select cases by index; repeats are allowed."""
-        if len(self.tendons.proximal_arm) == 1:
+        if len(np.asarray(self.tendons.proximal_arm)) == 1:
             return replace(self, cases=len(cases))
         lines = None if self.lines is None else self.lines.only(cases)
         return replace(self, tendons=_rows(self.tendons, cases), lines=lines, cases=len(cases))
@@ -233,8 +244,9 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
     torques = np.asarray(torques)
     if torques.shape != (len(angles), len(structures.motors)):
         torques = np.broadcast_to(torques, (len(angles), len(structures.motors)))
-    energy, slope, curvature = sheet_energy(structures.sheet, angles)
-    for part in _optional_parts(structures, angles, torques):
+    at = pose(structures.sheet.laid.tree, angles) if structures.coupled or structures.lines is not None else None
+    energy, slope, curvature = sheet_energy(structures.sheet, angles, at)
+    for part in _optional_parts(structures, angles, torques, at):
         energy, slope, curvature = energy + part[0], slope + part[1], curvature + part[2]
     stored, diagonal = np.zeros(len(angles)), np.einsum("...ii->...i", curvature)  # a view of the diagonals
     pressing = -(torques @ structures.drives)
@@ -294,17 +306,17 @@ def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0)
     return parts
 
 
-def _optional_parts(structures: Ensemble, angles: Array, torques: Array) -> list[Expansion]:
+def _optional_parts(structures: Ensemble, angles: Array, torques: Array, at: Pose | None) -> list[Expansion]:
     """Compute the optional parts of the potential: tendons across several hinges, springs, creases and so on.
 
     The part of the creases includes the work of the torques of motors, (case, motor), on creases.
     """
-    parts = [] if structures.lines is None else [line_energy(structures.lines, angles)]
+    parts = [] if structures.lines is None else [line_energy(structures.lines, angles, at)]
     parts += [
-        spring_energy(springs, angles) for springs in (structures.springs, structures.pins) if springs is not None
+        spring_energy(springs, angles, at) for springs in (structures.springs, structures.pins) if springs is not None
     ]
     if structures.flaps is not None:
-        parts.append(crease_energy(structures.flaps, angles, torques @ structures.crease_drives))
+        parts.append(crease_energy(structures.flaps, angles, torques @ structures.crease_drives, at))
     if structures.twists is not None:
         parts.append(twist_energy(structures.twists, angles))
     return parts if structures.weight is None else [*parts, weight_energy(structures.weight, angles)]

@@ -37,8 +37,8 @@ _FIRST_STEP = 1e-4  # first and shortest step, as a share of the largest torque 
 _SNAP_STEP = 0.05  # rad, longest step of a snap, in the space of the hinges' angles
 _SEED = 30  # of random shifts
 _NEAR = 0.1  # rad, largest turn of hinges from step to step without a snap
-_LEFT = 0.99 * _NEAR
-_FAR = 0.55 * _NEAR
+_LEFT = 0.99 * _NEAR  # turn beyond which a structure has left its neighbourhood, rad
+_FAR = 0.55 * _NEAR  # turn of a step beyond which a step of twice the torque would probably leave, rad
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -251,7 +251,8 @@ def least_slow_torque(
     """Find the least slowly growing torque that brings each structure to a transition's goal, to 1 %.
 
     The torque is the largest limit torque along the path of stable equilibria from the start to the goal. A step of the
-    torque is halved if a structure would leave its neighbourhood or reach its goal. If it leaves after a step of 1 % of
+    torque is halved if a structure would leave its neighbourhood or reach its goal, and doubled after a step that turns
+    the hinges less than half as far. A structure leaves if a hinge turns by 0.1 rad on the way to rest. If it leaves after a step of 1 % of
     the torque as well, the equilibrium has become unstable and the structure snaps: it follows the steepest descent of
     the energy, like a motion with equal dampers and without inertia, to the next equilibrium, from which the torque
     grows further. The first step is 1e-4 of the largest torque, and no shorter steps are tried.

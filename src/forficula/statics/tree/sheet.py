@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
@@ -10,7 +11,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.pattern.geometry import triangle_normals
 from forficula.statics.tree.elements import Elements, Expansion, LinePiece, elements, stretched
-from forficula.statics.tree.pose import Tree
+from forficula.statics.tree.pose import Pose, Tree
 from forficula.structure import Membrane, MembraneLaw, Structure
 
 # A length limit is modelled as a spring that is this many times stiffer than the membrane, E t, so that it hardly
@@ -132,21 +133,22 @@ def _stiffness(law: MembraneLaw) -> Array:
     return np.array([[2 * shear + lame, lame, 0.0], [lame, 2 * shear + lame, 0.0], [0.0, 0.0, shear]])
 
 
-def sheet_energy(sheet: Sheet, angles: Array) -> Expansion:
+def sheet_energy(sheet: Sheet, angles: Array, at: Pose | None = None) -> Expansion:
     """Compute the energy of membranes and limits.
 
     Args:
         sheet: membranes and limits.
         angles: of all hinges, in their own senses, rad, (case, hinge).
+        at: pose of the tree at these angles; computed by default.
 
     Returns:
         Energy, J, (case,); gradient, N m, (case, hinge), and Hessian, N m/rad, (case, hinge, hinge), by the angles.
     """
-    laws = [
+    laws: list[Callable[[Array], Expansion | None]] = [
         *(partial(strain_energy, patch) for patch in sheet.patches),
         *(partial(_limit_energy, sheet.spring, length) for length in sheet.lengths),
     ]
-    return stretched(sheet.laid, angles, laws)
+    return stretched(sheet.laid, angles, laws, at)
 
 
 def strain_energy(patch: Patch, gradient: Array) -> Expansion:
