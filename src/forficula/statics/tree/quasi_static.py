@@ -250,12 +250,12 @@ def least_slow_torque(
 ) -> SlowTransition:
     """Find the least slowly growing torque that brings each structure to a transition's goal, to 1 %.
 
-    The torque is the largest limit torque along the path of stable equilibria from the start to the goal. A step of the
-    torque is halved if a structure would leave its neighbourhood or reach its goal, and doubled after a step that turns
-    the hinges less than half as far. A structure leaves if a hinge turns by 0.1 rad on the way to rest. If it leaves after a step of 1 % of
-    the torque as well, the equilibrium has become unstable and the structure snaps: it follows the steepest descent of
-    the energy, like a motion with equal dampers and without inertia, to the next equilibrium, from which the torque
-    grows further. The first step is 1e-4 of the largest torque, and no shorter steps are tried.
+    The torque is the largest limit torque along the path of stable equilibria from the start to the goal. A structure
+    leaves its neighbourhood if a hinge turns by 0.1 rad on the way to rest. A step of the torque is halved if the
+    structure would leave or reach its goal, and doubled if the hinges turn less than half as far. If it leaves after a
+    step of 1 % of the torque as well, the equilibrium has become unstable and the structure snaps: it follows the
+    steepest descent of the energy, like a motion with equal dampers and without inertia, to the next equilibrium, from
+    which the torque grows further. The first step is 1e-4 of the largest torque, and no shorter steps are tried.
 
     Args:
         structures: side by side.
