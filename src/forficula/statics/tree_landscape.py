@@ -44,7 +44,7 @@ from forficula.statics.tree.quasi_static import (
     state_after,
     state_beyond,
 )
-from forficula.statics.tree.saddle import saddle_between
+from forficula.statics.tree.saddle import level_between, saddle_between
 from forficula.statics.tree.tip_stiffness import tip_stiffness
 from forficula.structure import Structure, Transition, drive_of, first_state, goal_of, state_of
 
@@ -111,7 +111,7 @@ def _protocol(
     for transition in structure.transitions:
         drive, largest = drive_of(structure, transition.drive), largest_torque(structures, transition, hinges)
         kinds = drive_kinds(structure, drive)
-        followed = kinds <= {"torque", "rest-angle"}
+        followed = kinds <= {"torque", "force", "rest-angle"}
         if not followed and structures.coupled:
             remarks.append(
                 f'the effects of "{transition.name}" and of later transitions are not computed: the statics of bodies'
@@ -139,8 +139,8 @@ def _protocol(
                 rests.append(_rest(structures, transition.state, after, rests))
         else:
             paths.append(np.zeros((0, structures.size)))
-        # torques in N m are reported, and nothing else
-        measured = kinds <= {"torque"}
+        # torques in N m and forces in N are reported, and nothing else
+        measured = kinds in ({"torque"}, {"force"})
         if not measured:
             slow, span = None, None
         helped = _inertial_help(structures, transition, slow)
@@ -157,8 +157,8 @@ def _protocol(
             remarks += slow_remarks(structure, transition, largest, slow, span, helped)
         else:
             remarks.append(
-                f'the least slowly growing drive of "{transition.name}" is not computed, because it is no torque but a'
-                f" {' and a '.join(sorted(kinds - {'torque'})).replace('-', ' ')}"
+                f'the least slowly growing drive of "{transition.name}" is not computed, because it is no torque or force alone'
+                f" but a {' and a '.join(sorted(kinds)).replace('-', ' ')}"
             )
         before, held = after, bool(at_goal(structures, after.position, goal_of(structure, transition.released))[0])
     return tuple(rests), tuple(courses), tuple(paths), tuple(remarks)
@@ -197,6 +197,10 @@ def _state_passes(
     passes, remarks = list[Pass](), list[str]()
     for (low, high), led in between.items():
         one, other = states[low], states[high]
+        if level_between(structures, one.angles[: structures.size], other.angles[: structures.size]):
+            passes.append(Pass(ends=(low, high), barriers=(0.0, 0.0), energy=one.energy, angles=one.angles))
+            remarks.append(f'between the states "{one.name}" and "{other.name}", it moves without force')
+            continue
         saddle = saddle_between(structures, one.angles[: structures.size], other.angles[: structures.size], led)
         if saddle is None:
             remarks.append(f'no saddle was found between the states "{one.name}" and "{other.name}"')

@@ -83,18 +83,17 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
     which it turns them. First the other hinges come to rest with these held, then all hinges are free.
 
     If springs between points, creases between flaps or closures couple the joints, not all of them can be at their
-    stops. The structure is then released from where its full drive leads it from its first state.
+    stops. The structure is then released from where its full drive leads it from its first state. So is a structure
+    whose drive is a force, if the goal bounds no hinge.
 
     Raises:
-        InputError: neither goal nor drive determines the end of the transition, or the drive is no torque on coupled
-            joints.
+        InputError: neither goal nor drive determines the end of the transition, or the drive is a displacement
+            on coupled joints.
     """
     built = structures.structure
     goal, drive = goal_of(built, transition.goal), drive_of(built, transition.drive)
     if structures.coupled:
-        check_drive(built, drive)
-        pushed_on = rest(structures, start_state(structures).position, np.array(drive.strengths))
-        return rest(structures, pushed_on.position)
+        return _led_beyond(structures, drive)
     start = np.zeros((structures.cases, structures.size))
     pushed = _by_unit(drive) @ structures.drives
     least, most = (bounds[: structures.size] for bounds in hinge_bounds(built, goal))
@@ -107,6 +106,8 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
     ):
         ends[bounded] = np.where(np.isfinite(stops), stops, bounds)[bounded]
     placed = np.flatnonzero(np.isfinite(ends))
+    if not len(placed) and "force" in drive_kinds(built, drive):
+        return _led_beyond(structures, drive)
     if not len(placed):
         raise InputError(
             f"{built.name}: the end of {transition.name} is undetermined: need a goal that bounds hinges, or a drive of"
@@ -115,6 +116,12 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
     start[:, placed] = ends[placed]
     closed = rest(structures, start, fixed=placed.tolist())
     return rest(structures, closed.position)
+
+
+def _led_beyond(structures: Ensemble, drive: Drive) -> Equilibria:
+    check_drive(structures.structure, drive)
+    pushed_on = rest(structures, start_state(structures).position, np.array(drive.strengths))
+    return rest(structures, pushed_on.position)
 
 
 def state_after(structures: Ensemble, transition: Transition, torque: Array, position: Array) -> Equilibria:
@@ -166,16 +173,15 @@ def _distances(structure: Structure, structures: Ensemble, position: Array) -> A
 
 
 def check_drive(structure: Structure, drive: Drive) -> None:
-    """Check that a drive acts on hinges.
+    """Check that a drive sets no displacement of points.
 
     Raises:
-        InputError: the drive is a force or a displacement.
+        InputError: the drive is a displacement.
     """
-    kinds = sorted(drive_kinds(structure, drive) & {"force", "displacement"})
-    if kinds:
+    if "displacement" in drive_kinds(structure, drive):
         raise InputError(
-            f"{structure.name}: need a drive of torques or rest angles, because the statics of bodies on joints in a"
-            f' tree cannot follow another one, got the {" and ".join(kinds)} "{drive.name}"; a run can follow it'
+            f"{structure.name}: need a drive of torques, forces or rest angles, because the statics of bodies on joints"
+            f' in a tree cannot follow another one, got the displacement "{drive.name}"; a run can follow it'
         )
 
 
@@ -266,7 +272,7 @@ def least_slow_torque(
         stop: ends the paths if it returns True.
 
     Raises:
-        InputError: the drive is a force or a displacement.
+        InputError: the drive is a displacement.
     """
     goal = None if transition is None else goal_of(structures.structure, transition.goal)
 
