@@ -57,7 +57,8 @@ _FORCE = Unit(display="N", si="N", example="5 N")
 _STRAIGHT = math.radians(1)  # tolerance of straight
 _ALIKE = 0.03  # relative difference below which torques count as equal
 _FINE = 721  # number of angles in the search for the highest energy between two states of one hinge
-_HARDEST = 100.0  # largest drive tried on a structure at its goal, as a multiple of the largest one for a transition
+# largest drives tried on a structure at its goal, as multiples of the largest one for a transition; the steps differ, too
+_HARDEST = (10.0, 100.0)
 _SAME = math.radians(0.05)  # resting angles within this difference are equal in tables
 
 
@@ -151,7 +152,9 @@ def _protocol(
         helped, unit = _inertial_help(structures, transition, slow), drive_unit(structure, drive)
         # a drive that acts on a structure at its goal tests whether the structure stays there
         if slow is not None and slow.torque[0] == 0:
-            withstood = withstood_torques(several, begins, transition, _HARDEST * largest, _KICKS)
+            withstood = np.concatenate(
+                [withstood_torques(several, begins, transition, times * largest, _KICKS) for times in _HARDEST]
+            )
         courses.append(
             LeastTorque(
                 name=transition.name,
@@ -167,7 +170,7 @@ def _protocol(
         if measured:
             remarks += slow_remarks(structure, transition, largest, slow, span, helped)
             if len(withstood):
-                remarks.append(_withstood_remark(structure, transition, withstood, _HARDEST * largest))
+                remarks.append(_withstood_remark(structure, transition, withstood, _HARDEST[-1] * largest))
         else:
             remarks.append(
                 f'the least slowly growing drive of "{transition.name}" is not computed, because it is no torque or force alone'
@@ -198,7 +201,7 @@ def _state_passes(
         rests: where the structure rests, at the start and after every transition.
         paths: shapes through which the transitions lead, rad, (step, joint) each.
     """
-    states = stable_rests(rests)
+    states, whole = stable_rests(rests), structures.structure.appearance.whole
     if structures.size == 1:
         return _hinge_passes(structures, states), ()
     numbers = _state_numbers(rests)
@@ -212,7 +215,7 @@ def _state_passes(
         one, other = states[low], states[high]
         if level_between(structures, one.angles[: structures.size], other.angles[: structures.size]):
             passes.append(Pass(ends=(low, high), barriers=(0.0, 0.0), energy=one.energy, angles=one.angles))
-            remarks.append(f'between the states "{one.name}" and "{other.name}", it moves without force')
+            remarks.append(f'between the states "{one.name}" and "{other.name}", the {whole} moves without force')
             continue
         saddle = saddle_between(structures, one.angles[: structures.size], other.angles[: structures.size], led)
         if saddle is None:
@@ -470,7 +473,7 @@ def _withstood_remark(structure: Structure, transition: Transition, withstood: A
     end = f"to {show_value(high, unit)}" if math.isfinite(high) else f"to more than {beyond}"
     return (
         f"{leaves}; this depends on small differences: with hinges shifted by 0.3 deg where the {whole} begins to snap,"
-        f" the range is from there {end}"
+        f" and with other steps of the drive, the range is from there {end}"
     )
 
 

@@ -144,7 +144,8 @@ def _order(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
         torque_location(landscape.structure, transition)
         for transition in landscape.structure.transitions[: len(landscape.rests) - 1]
     )
-    torques = f"the torques above act {', '.join(on)}" if on else ""
+    units = {course.unit for course in landscape.courses if isinstance(course, LeastTorque)}
+    torques = f"the {'drives' if 'N' in units else 'torques'} above act {', '.join(on)}" if on else ""
     if not 1 < len(labels) <= _NAMED:
         return torques
     order = " ".join(filter(None, ("from left to right", named.heading, ", ".join(named.names))))

@@ -192,10 +192,15 @@ def _barriers(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterato
         ]
     for name, value in rows:
         yield {"": name, "energy": _NONE if value is None else show_value(value, "J")}
-    for course_pass in landscape.passes if landscape.net is not None else ():
+    for course_pass in landscape.passes:
         one, other = (landscape.states[end].name for end in course_pass.ends)
         forward, back = (shown_value(barrier, "J", 3) for barrier in course_pass.barriers)
-        yield {"": f"{one} to {other}", "forward": forward, "back": back}
+        if landscape.net is not None:
+            yield {"": f"{one} to {other}", "forward": forward, "back": back}
+        # other trees have their passes along the fold, or of their only hinge
+        elif course_pass.angles is not None:
+            yield {"": f"{whole}, {one} to {other}", "energy": forward}
+            yield {"": f"{whole}, {other} to {one}", "energy": back}
 
 
 def _climb(hinge: HingeLandscape, start: str) -> str:
