@@ -12,10 +12,13 @@ from scipy.optimize import brentq, minimize_scalar
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, simulate
 from forficula.statics import energy_landscape, landscape_summary
+from forficula.statics.net.driven.net_rest import net_rest_path
 from forficula.statics.survey import stage_rest_path
 from forficula.statics.tree.pose import pose, tree_of
-from forficula.statics.tree.potential import ensemble, potential, rest, start_angles
+from forficula.statics.tree.potential import ensemble, hinge_angles, potential, rest, start_angles
+from forficula.statics.tree.quasi_static import start_state
 from forficula.statics.tree.tree_path import place_positions, tree_path
+from forficula.statics.tree.tree_rest import tree_rest_path
 from forficula.structure import Drive, GrowingLoad, Motor, RestShape, StageGoal, structure_of
 from tests.plate_sheets import strip
 from tests.statics.test_potential import check_derivatives
@@ -198,3 +201,36 @@ def test_simulated_clasps_open_within_half_a_percent_of_the_snap_forces():
     ]
     assert ["open the outer clasp" in names for names in opened] == [False, True, True, True]
     assert ["open the inner clasp" in names for names in opened[2:]] == [False, True]
+
+
+@pytest.mark.parametrize("kind", ["time", "bounds"])
+def test_slow_stages_of_trees_and_nets_agree_where_a_crease_opens(kind):
+    """The states of a tree are angles of its joints; shapes and goals include creases between flaps."""
+    built = structure_of(load_design("earwig-midwing"))
+    locked = ensemble([built])
+    joints = start_state(locked).position
+    at, count = pose(tree_of(built), joints), len(built.bodies)
+    shown = RestShape(
+        angles=hinge_angles(locked, joints)[0],
+        points=place_positions(built, joints)[0],
+        origins=at.origins[0, :count],
+        frames=at.frames[0, :count],
+    )
+    (crease,) = (number for number, hinge in enumerate(built.hinges) if hinge.flaps)
+    bounds = np.full(len(built.hinges), np.inf)
+    most = bounds.copy()
+    if kind == "bounds":
+        most[crease] = shown.angles[crease] - math.radians(3)
+    load = GrowingLoad(
+        before=np.zeros(len(built.motors)),
+        after=0.6 * np.array(built.drives[0].strengths),
+        begin=0.0,
+        goal=StageGoal(name="less", kind=kind, least=-bounds, most=most),
+        built_on=shown.points,
+    )
+    one, other = (solve(built, shown, load) for solve in (tree_rest_path, net_rest_path))
+    assert one.ended == other.ended
+    assert one.share[-1] == pytest.approx(other.share[-1], rel=1e-3)
+    assert one.shapes[-1].angles == pytest.approx(other.shapes[-1].angles, abs=1e-4)
+    assert one.shapes[-1].points == pytest.approx(other.shapes[-1].points, abs=1e-6)
+    assert one.work[-1] == pytest.approx(other.work[-1], rel=1e-3)
