@@ -204,6 +204,7 @@ def test_a_study_does_not_repeat_runs_that_fail_clearly():
     assert row["confirmed"] is None
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_run_of_the_command_line_that_is_undecided_ends_with_status_3(monkeypatch, tmp_path, capsys, confirmed):
     monkeypatch.setattr("forficula.study.running.runs.run", lambda *_, **__: lost(confirmed))
     with pytest.raises(SystemExit) as stopped:

@@ -394,7 +394,8 @@ def test_a_missing_key_is_reported_with_the_remedy(refusal, text, message):
         ("[protocol]\ncontact = 1", "protocol.contact: need true or false, got 1"),
         (
             '[protocol.stages]\nname = "a"',
-            'protocol.stages: need a list of tables, each under [[protocol.stages]], got {name = "a"}',
+            "protocol.stages.name: need one of 0 (settle), 1 (fold), 2 (release folded), 3 (unfold) or 4 (release"
+            " opened) after protocol.stages, such as protocol.stages.settle.name",
         ),
         ('[protocol]\nstages = ["a"]', 'protocol.stages.0: need a table under [[protocol.stages]], got "a"'),
         (
@@ -663,3 +664,12 @@ def test_a_design_file_whose_name_is_no_utf_8_needs_a_name_of_its_own(tmp_path):
         load_design(path)
     path.write_text(f'name = "a"\n{BASED}')
     assert load_design(path).name == "a"
+
+
+def test_a_table_of_a_file_changes_the_entry_of_a_list_that_it_names(tmp_path):
+    file = tmp_path / "wing.toml"
+    file.write_text(
+        'based_on = "binder2025"\nprotocol.stages.fold.time_limit = "2 s"\nprotocol.stages.1.hold = "3 ms"\n'
+    )
+    fold = load_design(file).protocol.stages[1]
+    assert (fold.name, fold.time_limit, fold.hold) == ("fold", 2.0, pytest.approx(3e-3))

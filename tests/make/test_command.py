@@ -13,7 +13,7 @@ from forficula.cli import main
 from forficula.show.folder.parts_folder import parts_drawings, read_checks
 from forficula.show.make.parts_table import parts_table
 
-pytestmark = pytest.mark.usefixtures("no_column_figures")
+pytestmark = pytest.mark.usefixtures("undrawn")
 # bridges that burn away
 NARROW = ("--set", "make.crease_style=perforation", "--set", "make.crease_bridge=0.05 mm")
 

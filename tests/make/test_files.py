@@ -183,7 +183,7 @@ def test_checks_have_their_unit_behind_their_keys():
     assert {"value_N_m", "limit_N_m"} < set(plain(replace(CHECK, unit="N m")))
 
 
-@pytest.mark.usefixtures("no_column_figures")
+@pytest.mark.usefixtures("undrawn")
 def test_earlier_parts_are_removed_and_other_files_stay(joint, tmp_path):
     write_parts(joint, (), tmp_path)
     (tmp_path / "stl" / "mine.stl").write_text("mine")

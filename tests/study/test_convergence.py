@@ -256,7 +256,7 @@ def test_another_key_is_refused(reference):
         converge(reference, "tendon.stiffness", [1.0, 2.0])
 
 
-@pytest.mark.usefixtures("no_column_figures")
+@pytest.mark.usefixtures("undrawn")
 def test_the_command_leaves_a_table_its_numbers_two_figures_and_a_page(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     main(["converge", "binder2025", "--timesteps", "0.2 0.1 ms"])

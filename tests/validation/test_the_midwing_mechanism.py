@@ -184,9 +184,12 @@ def test_both_states_and_the_saddle_are_those_of_the_closed_form(agree, net, res
 
 
 def test_slowly_growing_torques_snap_at_the_moments_of_the_closed_form(agree, structure):
-    trigger, opening = (course.least for course in slow_courses(structure))
-    agree("moment that unlocks", 100 * trigger, -100 * TRIGGER, unit="N cm", by="closed form", rel=1e-3)
-    agree("moment that opens", 100 * opening, 100 * OPENING, unit="N cm", by="closed form", rel=1e-3)
+    snap, back = slow_courses(structure)
+    agree("moment that unlocks", 100 * snap.least, -100 * TRIGGER, unit="N cm", by="closed form", rel=1e-3)
+    agree("moment that opens", 100 * back.least, 100 * OPENING, unit="N cm", by="closed form", rel=1e-3)
+    for course, state in ((snap, FOLDED), (back, LOCKED)):  # released at the goal
+        sides = np.degrees(course.rest.shape.angles[list(SIDES)])
+        agree("side angle after release", sides, math.degrees(state[0]), unit="deg", by="closed form", abs=5e-3)
 
 
 def torque(name, creases, value, rise):

@@ -128,7 +128,7 @@ class Transition:
         measure: name of the measure that shows the progress.
         kind: kind of that measure.
         ends: number of the stage that ends at the goal; None for `stage`, whose drive acts until the goal is reached. A
-            stage that drives for a given time only is followed by stages without drives, one of which ends at the goal.
+            drive that acts for a given time is followed by stages without drives, and the first with a goal ends there.
         furthest: which of the measure's readings is furthest from the goal.
         begun: reading beyond which the transition has begun irreversibly; None where sentences do not report progress.
         wording: words for sentences.

@@ -28,7 +28,7 @@ def called(tmp_path, monkeypatch, capsys):
     return call
 
 
-@pytest.mark.usefixtures("no_column_figures")
+@pytest.mark.usefixtures("undrawn")
 def test_command_writes_a_folder_with_the_probability_and_figures(called, tmp_path):
     output = json.loads(called("tolerance", "letter.toml", *FEW, "--keep", "1", "--json").out)
     assert output["works"]["works"] + output["works"]["fails"] + output["works"]["unknown"] == 16

@@ -33,7 +33,7 @@ def test_words_of_the_figure_of_parts_can_be_read(joint, section):
     check_words(draw_parts(section, COLUMN_WIDTH), COLUMN_WIDTH)
 
 
-@pytest.mark.usefixtures("no_column_figures")
+@pytest.mark.usefixtures("undrawn")
 def test_the_figure_is_drawn_again_from_what_a_folder_holds(joint, tmp_path):
     write_parts(joint, (), tmp_path)
     write_figure(tmp_path, "parts", tmp_path / "again.png", COLUMN_WIDTH)

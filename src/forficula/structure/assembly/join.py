@@ -328,7 +328,7 @@ def _check_free(joined: _Joined, part: _Part, body: Body) -> None:
 def _placed(joined: _Joined, name: str, structure: Structure, joint: PlacingJoint | None) -> _Part:
     """Return a part where its joint places it, after adding the body of a hinge."""
     base = GROUND if joint is None else _body_number(joined, joint)
-    points = np.zeros((0, 3)) if joint is None else _own_points(structure, name, joint)
+    points = np.zeros((0, 3)) if joint is None else _joint_points(structure, name, joint)
     motion = part_motion(joint, points, np.zeros((0, 3)) if joint is None else _onto(joined, joint, points))
     origin, frame = _frame_of(joined, base)
     carried = motion if base == GROUND else _within(motion, origin, frame)
@@ -405,12 +405,12 @@ def _body_number(joined: _Joined, joint: PlacingJoint) -> int:
     return _number(f"joint.{joint.name}.to", joined.bodies, joint.to)
 
 
-def _own_points(structure: Structure, name: str, joint: PlacingJoint) -> Array:
+def _joint_points(structure: Structure, name: str, joint: PlacingJoint) -> Array:
     """Return the positions of a joint's points in the axes of the part, m, (point, 3)."""
     key = f"joint.{joint.name}.points"
     built = built_points(structure)
-    own = [text.removeprefix(f"{name}.") for text in joint.points]
-    return np.array([built[_number(key, structure.points, text)] for text in own]).reshape(-1, 3)
+    names = [text.removeprefix(f"{name}.") for text in joint.points]
+    return np.array([built[_number(key, structure.points, text)] for text in names]).reshape(-1, 3)
 
 
 def _onto(joined: _Joined, joint: PlacingJoint, points: Array) -> Array:

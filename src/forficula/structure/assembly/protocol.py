@@ -50,17 +50,17 @@ def with_assembly_protocol(structure: Structure, design: AssemblyDesign, parts: 
         InputError: a drive on hinges or points that the structure does not have, or that a part drives already.
     """
     named = design.named_protocol
-    own = [drive for drive in named.drives if drive.name in [section.name for section in design.drive]]
+    added = [drive for drive in named.drives if drive.name in [section.name for section in design.drive]]
     of_parts = [_motor(part, motor) for part in parts for motor in part.structure.motors]
-    own_motors, own_shares = _own_motors(structure, own)
-    motors, shared = _shared_motors(structure, of_parts, own_motors)
+    added_motors, added_shares = _added_motors(structure, added)
+    motors, shared = _shared_motors(structure, of_parts, added_motors)
     drives = [
         replace(drive, shares=(*drive.shares, *[0.0] * (len(motors) - len(drive.shares))))
         for drive in _part_drives(parts, named.drives)
     ]
-    for number, drive in enumerate(own):
+    for number, drive in enumerate(added):
         shares = [0.0] * len(motors)
-        for motor, by_drive in zip(shared, own_shares, strict=True):
+        for motor, by_drive in zip(shared, added_shares, strict=True):
             shares[motor] += by_drive.get(number, 0.0)
         drives.append(replace(drive, shares=tuple(shares)))
     structure = replace(
@@ -112,7 +112,7 @@ def _part_drives(parts: Sequence[JoinedPart], named: Sequence[Drive]) -> list[Dr
     return drives
 
 
-def _own_motors(structure: Structure, drives: Sequence[Drive]) -> tuple[list[Motor], list[dict[int, float]]]:
+def _added_motors(structure: Structure, drives: Sequence[Drive]) -> tuple[list[Motor], list[dict[int, float]]]:
     """Return the motors of drives of the assembly and, for every motor, the shares of these drives by their numbers."""
     names = {name for hinge in structure.hinges for name in (hinge.name, hinge.role)}
     points = {point.name.replace(" ", ""): number for number, point in enumerate(structure.points)}
@@ -136,7 +136,7 @@ def _own_motors(structure: Structure, drives: Sequence[Drive]) -> tuple[list[Mot
 
 
 def _shared_motors(
-    structure: Structure, of_parts: Sequence[Motor], own: Sequence[Motor]
+    structure: Structure, of_parts: Sequence[Motor], added: Sequence[Motor]
 ) -> tuple[tuple[Motor, ...], list[int]]:
     """Return the motors of the parts and of the assembly, and the number of the motor for each one of the assembly.
 
@@ -146,7 +146,7 @@ def _shared_motors(
         InputError: a torque on some of the hinges of a motor of a part, but not on all.
     """
     motors, numbers = list(of_parts), list[int]()
-    for motor in own:
+    for motor in added:
         same = next(
             (
                 number
