@@ -32,9 +32,7 @@ def slow_path(structure, start, before, after):
     joints = np.array([start])
     at, count = pose(tree_of(structure), joints), len(structure.bodies)
     points = place_positions(structure, joints)[0][: len(structure.points)]
-    shape = RestShape(
-        angles=np.array(start), points=points, origins=at.origins[0, :count], frames=at.frames[0, :count]
-    )
+    shape = RestShape(angles=np.array(start), points=points, origins=at.origins[0, :count], frames=at.frames[0, :count])
     none = np.full(len(structure.hinges), np.inf)
     load = GrowingLoad(
         before=np.array(before, dtype=float),

@@ -104,7 +104,8 @@ class LeastTorque:
         unit: SI unit of the drive's strength, such as "N m".
         smallest: whether `least` is the smallest drive tried, and therefore an upper bound.
         withstood: least size of the slowly growing drive at which a structure that is at the goal before the transition
-            leaves it, if its hinges are shifted as for `span`; None if no drive tried does, or if the structure is not at the goal.
+            leaves it, if its hinges are shifted as for `span`; None if no drive tried does, or if the structure is not
+            at the goal.
     """
 
     name: str

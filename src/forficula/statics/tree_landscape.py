@@ -11,7 +11,8 @@ import numpy as np
 import scipy
 
 from forficula.arrays import Array
-from forficula.design import TORQUE, Design
+from forficula.design import TORQUE, Design, stage_drives
+from forficula.names import listed
 from forficula.quantities import Unit, show_quantity, show_value
 from forficula.statics.landscape import EnergyLandscape, LeastTorque, Pass, Rest, stable_rests
 from forficula.statics.tree.equilibrium import Equilibria
@@ -57,7 +58,7 @@ _FORCE = Unit(display="N", si="N", example="5 N")
 _STRAIGHT = math.radians(1)  # tolerance of straight
 _ALIKE = 0.03  # relative difference below which torques count as equal
 _FINE = 721  # number of angles in the search for the highest energy between two states of one hinge
-# largest drives tried on a structure at its goal, as multiples of the largest one for a transition; the steps differ, too
+# largest drives tried on a structure at its goal, as multiples of the largest one for a transition; their steps differ
 _HARDEST = (10.0, 100.0)
 _SAME = math.radians(0.05)  # resting angles within this difference are equal in tables
 
@@ -86,6 +87,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             *(() if path is None else path.remarks),
             *_start_remarks(structure, start.position[0]),
             *torque_remarks,
+            *_stage_remarks(design, structure),
             *missing,
             *_coupling_remarks(structures, hinges, rests),
         ),
@@ -173,8 +175,8 @@ def _protocol(
                 remarks.append(_withstood_remark(structure, transition, withstood, _HARDEST[-1] * largest))
         else:
             remarks.append(
-                f'the least slowly growing drive of "{transition.name}" is not computed, because it is no torque or force alone'
-                f" but a {' and a '.join(sorted(kinds)).replace('-', ' ')}"
+                f'the least slowly growing drive of "{transition.name}" is not computed, because it is no torque or'
+                f" force alone but a {' and a '.join(sorted(kinds)).replace('-', ' ')}"
             )
         before, held = after, bool(at_goal(structures, after.position, goal_of(structure, transition.released))[0])
     return tuple(rests), tuple(courses), tuple(paths), tuple(remarks)
@@ -351,6 +353,22 @@ def _coupling_remarks(structures: Ensemble, hinges: Sequence[CrossedHinge], rest
             f" {show_value(gap, 'm')}"
         )
     return tuple(remarks)
+
+
+def _stage_remarks(design: Design, structure: Structure) -> tuple[str, ...]:
+    """Return a remark on driven stages between transitions that lead to no named state."""
+    made = [transition.stage for transition in structure.transitions if transition.stage is not None]
+    names = [
+        f'"{stage.name}"'
+        for number, stage in enumerate(design.protocol.stages)
+        if made and number < max(made) and number not in made and any(drive != "none" for drive in stage_drives(stage))
+    ]
+    if not names:
+        return ()
+    return (
+        f"statics leaves out the stages {listed(names)}, because they lead to no named state: later transitions start"
+        " from the state before these stages",
+    )
 
 
 def _friction_remarks(structure: Structure) -> tuple[str, ...]:

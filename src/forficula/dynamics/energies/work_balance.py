@@ -13,7 +13,7 @@ from forficula.dynamics.energies.stop_forces import friction_torques, stop_force
 from forficula.dynamics.engine.model import Model, joint_ranges
 from forficula.dynamics.stepping.stepper import energy_of
 from forficula.dynamics.stepping.steps import EngineState, Steps
-from forficula.structure import Motor, RestPath
+from forficula.structure import RestPath
 
 # steps during which a stop's force still changes fast: four of its time constants
 _JUMP = 8

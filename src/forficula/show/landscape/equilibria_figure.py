@@ -52,7 +52,7 @@ _COLOURS = {
 _MARKS = (("o", BLUE), ("s", VERMILION), ("^", GREEN), ("D", PURPLE), ("v", SKY))
 _WIDTH = 0.62  # width of a bar
 _NAMED = 6  # largest number of hinges that are named below their angles
-_NAME = 14  # letters of a line of a transition's name
+_NAME, _LINE = 14, 90  # letters of a line of a transition's name, and of the label below
 _LEAST_SPAN = 1.0  # deg, least span of the axis of angles: smaller differences are rounding errors
 
 
@@ -114,7 +114,8 @@ def _mark_steps(axes: Axes, landscape: EnergyLandscape) -> None:
     for place, transition in enumerate(landscape.structure.transitions[: len(landscape.rests) - 1]):
         ends = (place + 0.22, 1.05), (place + 0.78, 1.05)
         axes.annotate("", ends[1], ends[0], xycoords=over, textcoords=over, arrowprops={"arrowstyle": "->", "lw": 0.8})
-        words = "\n".join((*textwrap.wrap(transition.name, _NAME), least_text(landscape, courses[transition.name], 3)))
+        least = least_text(landscape, courses[transition.name], 3)
+        words = "\n".join((*textwrap.wrap(transition.name, _NAME), *textwrap.wrap(least, _NAME)))
         axes.text(place + 0.5, 1.08, words, transform=over, ha="center", va="bottom", fontsize=7)
 
 
@@ -147,9 +148,9 @@ def _order(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
     units = {course.unit for course in landscape.courses if isinstance(course, LeastTorque)}
     torques = f"the {'drives' if 'N' in units else 'torques'} above act {', '.join(on)}" if on else ""
     if not 1 < len(labels) <= _NAMED:
-        return torques
+        return textwrap.fill(torques, _LINE)
     order = " ".join(filter(None, ("from left to right", named.heading, ", ".join(named.names))))
-    return ";\n".join(filter(None, (order, torques)))
+    return ";\n".join(textwrap.fill(part, _LINE) for part in (order, torques) if part)
 
 
 def _handles(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> list[Line2D | Patch]:
