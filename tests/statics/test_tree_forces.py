@@ -140,10 +140,10 @@ def limit(angles, hinge, direction):
     scanned = np.linspace(SHUT, math.radians(5), 400)
     top = int(np.argmax([needed(at(angle), hinge, direction) for angle in scanned]))
     around = scanned[min(top + 1, 399)], scanned[max(top - 1, 0)]
-    found = minimize_scalar(
+    highest = minimize_scalar(
         lambda angle: -needed(at(angle), hinge, direction), bounds=around, method="bounded", options={"xatol": 1e-9}
     )
-    return max(-found.fun, needed(at(SHUT), hinge, direction))
+    return max(-highest.fun, needed(at(SHUT), hinge, direction))
 
 
 def first_snap():
@@ -163,9 +163,9 @@ def test_the_weaker_of_two_clasps_opens_first_and_the_stronger_one_at_a_larger_f
     assert outer < inner < second_snap()
     landscape = energy_landscape(load_design("two-clasps"))
     assert [rest.name for rest in landscape.states] == ["closed", "outer open", "both open"]
-    for found, known in zip(landscape.states, (CLOSED, HALF_OPEN, BOTH_OPEN), strict=True):
-        assert found.angles == pytest.approx(known, abs=1e-9)
-        assert found.energy == pytest.approx(stored(*known), rel=1e-9)
+    for state, known in zip(landscape.states, (CLOSED, HALF_OPEN, BOTH_OPEN), strict=True):
+        assert state.angles == pytest.approx(known, abs=1e-9)
+        assert state.energy == pytest.approx(stored(*known), rel=1e-9)
     # least drives are resolved to 1 %
     assert list(landscape.least_forces.values()) == pytest.approx([outer, second_snap()], rel=0.011)
     assert landscape.least_torques == {}

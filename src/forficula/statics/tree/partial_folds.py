@@ -205,7 +205,8 @@ def partial_folds(structures: Ensemble, flat: Array) -> tuple[PartialFold, ...]:
         return ()
     combinations = _combinations(len(folding))
     many = structures.repeated(len(combinations))
-    start = np.zeros((len(combinations), many.size))
+    # joints that springs couple to the folding hinges stay in their state
+    start = np.tile(flat, (len(combinations), 1)) if structures.coupled else np.zeros((len(combinations), many.size))
     places = _places(structures, folding.tolist(), flat[0])
     for row, folded in enumerate(combinations):
         start[row, folding] = np.where(np.isin(np.arange(len(folding)), folded), places.folded, places.opened)
