@@ -10,13 +10,14 @@ from hypothesis import strategies as st
 from scipy.optimize import brentq, minimize_scalar
 
 from forficula.design import load_design, with_values
-from forficula.dynamics import compile_model, simulate
+from forficula.dynamics import compile_model, energy_balance, simulate
 from forficula.statics import energy_landscape, landscape_summary
 from forficula.statics.net.driven.net_rest import net_rest_path
 from forficula.statics.survey import stage_rest_path
 from forficula.statics.tree.pose import pose, tree_of
 from forficula.statics.tree.potential import ensemble, hinge_angles, potential, rest, start_angles
 from forficula.statics.tree.quasi_static import start_state
+from forficula.statics.tree.saddle import level_between
 from forficula.statics.tree.tree_path import place_positions, tree_path
 from forficula.statics.tree.tree_rest import tree_rest_path
 from forficula.structure import Drive, GrowingLoad, Motor, RestShape, StageGoal, structure_of
@@ -183,6 +184,26 @@ def test_the_weaker_of_two_clasps_opens_first_and_the_stronger_one_at_a_larger_f
     assert ends[1] == pytest.approx(HALF_OPEN, abs=1e-9)
 
 
+def test_a_landscape_reports_the_force_that_a_state_withstands():
+    stages = [
+        {"name": "settle", "drive": "none", "until": "rest", "state": "closed", "hold": 0.01, "time_limit": 1.0},
+        {"name": "load", "drive": "press", "until": "inner.creases > 10 deg", "hold": 0.0, "time_limit": 1.0},
+        {"name": "rest", "drive": "none", "until": "rest", "state": "loaded", "hold": 0.01, "time_limit": 1.0},
+    ]
+    landscape = energy_landscape(with_values(load_design("two-clasps"), {"protocol.stages": stages}))
+    (course,) = landscape.courses
+    assert (course.least, course.unit) == (0, "N")
+    # the press closes the outer clasp, and the inner one holds
+    assert course.withstood == pytest.approx(limit(CLOSED, 0, PRESS), rel=0.011)
+    assert any("leaves the goal of" in remark for remark in landscape.remarks)
+
+
+def test_shapes_between_which_a_hinge_without_a_spring_turns_are_level():
+    free, sprung = (ensemble([structure_of(strip(2, **{"crease.stiffness": value}))]) for value in (0.0, 1.0))
+    assert level_between(free, np.array([0.2]), np.array([1.4]))
+    assert not level_between(sprung, np.array([-0.5]), np.array([0.5]))
+
+
 def test_simulated_clasps_open_within_half_a_percent_of_the_snap_forces():
     # a force just above the snap force opens a damped clasp slowly
     slow = {f"protocol.stages.{number}.time_limit": 4.0 for number in (1, 3)}
@@ -199,6 +220,10 @@ def test_simulated_clasps_open_within_half_a_percent_of_the_snap_forces():
     ]
     assert ["open the outer clasp" in names for names in opened] == [False, True, True, True]
     assert ["open the inner clasp" in names for names in opened[2:]] == [False, True]
+    # the work of forces on trees without creases that open is counted
+    balance = energy_balance(records[3])
+    assert balance.residual < 1e-3
+    assert balance.work > 0.2
 
 
 @pytest.mark.parametrize("kind", ["time", "bounds"])

@@ -38,7 +38,7 @@ def fold_of(structure: Structure) -> Fold:
     """Compute the quasi-static path of a structure for its page: that of the first transition that moves it."""
     reasons = list[str]()
     try:
-        for name in [transition.name for transition in structure.transitions] or [None]:
+        for name in tuple(transition.name for transition in structure.transitions) or (None,):
             try:
                 return Fold(path=shown_path(quasi_static_path(structure, name, error=_TOLERANCE / 10)))
             except InputError as error:
