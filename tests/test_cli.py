@@ -232,6 +232,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
         "binder2025-thick",
         "bistable-clasp",
         "bistable-miura",
+        "earwig-hindwing",
         "earwig-midwing",
         "force-clasp",
         "four-plate-snap",
@@ -239,6 +240,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
         "kresling-cell",
         "letter-fold",
         "miura-sheet",
+        "two-clasps",
         "waterbomb-base",
     ]
     assert "10.3390/biomimetics11010009" in lines[1]
@@ -250,7 +252,7 @@ def test_a_pattern_is_described_where_no_file_is_to_be_written(call):
     fan = call("pattern", "binder2025").out.splitlines()
     assert fan[0] == "earwig fan, 1 unit, 3 veins: 9 vertices, 4 facets, 22.35 cm by 15.06 cm"
     assert "Every vertex folds flat by itself; whether layers collide is not checked." in fan
-    text = " ".join(fan)
+    text = " ".join(" ".join(fan).split())
     assert "Folded flat without thickness, it has an outline of 4" in text
     assert "and up to 4 layers." in text
     freedoms = [line.split()[-2:] for line in fan if line.startswith("rigid facets")]
@@ -794,7 +796,7 @@ def test_a_job_array_is_written_and_nothing_is_run(in_an_empty_folder, call, stu
             ["none"],
             '"none" is neither a named study nor a .toml file; the named studies are binder2025-choices,'
             " binder2025-coupling, binder2025-offsets, binder2025-redundancy, binder2025-search, binder2025-storage,"
-            " earwig-midwing-sectors",
+            " earwig-hindwing-orders, earwig-hindwing-redundancy, earwig-midwing-sectors",
         ),
         (["small.toml", "--shard", "3/2"], '--shard: need a number and a count such as 2/8, got "3/2"'),
         (["small.toml", "--shard", "0/2"], '--shard: need a number and a count such as 2/8, got "0/2"'),

@@ -394,8 +394,7 @@ def test_a_missing_key_is_reported_with_the_remedy(refusal, text, message):
         ("[protocol]\ncontact = 1", "protocol.contact: need true or false, got 1"),
         (
             '[protocol.stages]\nname = "a"',
-            "protocol.stages.name: need one of 0 (settle), 1 (fold), 2 (release folded), 3 (unfold) or 4 (release"
-            " opened) after protocol.stages, such as protocol.stages.settle.name",
+            'protocol.stages: need a list of tables, each under [[protocol.stages]], got {name = "a"}',
         ),
         ('[protocol]\nstages = ["a"]', 'protocol.stages.0: need a table under [[protocol.stages]], got "a"'),
         (

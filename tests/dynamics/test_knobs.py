@@ -59,3 +59,8 @@ def test_a_value_that_moves_masses_is_not_a_knob_because_inertias_are_not_linear
 )
 def test_structures_that_another_engine_moves_differently_are_named(settings, why):
     assert why in why_not_portable(compile_model(with_timestep(load_design("binder2025", settings))))
+
+
+def test_the_tendons_of_parts_have_knobs_of_their_own():
+    keys = {knob.key for knob in knobs_of(compile_model(load_design("two-clasps")))}
+    assert {"inner.tendon.0.stiffness", "outer.tendon.0.stiffness"} <= keys

@@ -123,3 +123,14 @@ def test_parts_are_saved_by_one_call(call, tmp_path):
         for folder in (tmp_path / "out" / "letter-fold-parts", tmp_path / "there")
     )
     assert called == saved
+
+
+def test_every_part_of_an_assembly_gets_a_folder_of_its_own(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    main(("make", "two-clasps", "--json"))
+    assert set(json.loads(capsys.readouterr().out)) >= {"inner", "outer"}
+    for part in ("inner", "outer"):
+        assert (tmp_path / "out" / "two-clasps-parts" / part / "bill.json").is_file()
+    with pytest.raises(SystemExit):
+        main(("make", "two-clasps", "--record", "run"))
+    assert "--record: is for a design that is not an assembly" in capsys.readouterr().err

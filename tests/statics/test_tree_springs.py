@@ -13,6 +13,7 @@ from scipy.optimize import minimize as scipy_minimum
 
 from forficula.design import design_from_text
 from forficula.errors import InputError
+from forficula.show.folder.landscape_folder import write_landscape
 from forficula.statics import landscape_summary
 from forficula.statics.net.energy import shape_at
 from forficula.statics.net.minimum import minimum
@@ -398,17 +399,26 @@ def test_goals_and_paths_include_the_crease_that_opens():
     assert path.energy["openings"] == pytest.approx(known, rel=1e-9, abs=1e-15)
 
 
-def test_a_force_is_refused_because_the_statics_of_trees_cannot_follow_it():
+def displaced(structure):
+    """Return a structure whose force is a displacement instead."""
+    motors = [replace(motor, kind="displacement") if motor.kind == "force" else motor for motor in structure.motors]
+    return replace(structure, motors=tuple(motors))
+
+
+def test_a_displacement_is_refused_because_the_statics_of_trees_cannot_follow_it():
     (push,) = (drive for drive in FOUR.drives if drive.name == "push")
-    with pytest.raises(InputError, match=r'a drive of torques or rest angles.*got the force "push"; a run can'):
-        tree_path(FOUR, push, None, error=2e-3)
+    with pytest.raises(InputError, match=r'torques, forces or rest angles.*got the displacement "push"; a run can'):
+        tree_path(displaced(FOUR), push, None, error=2e-3)
 
 
-def test_a_landscape_names_transitions_whose_drive_it_cannot_follow():
+def test_a_landscape_names_transitions_whose_drive_it_cannot_follow(tmp_path):
     changed = [replace(entry, drive="push") if entry.name == "snap" else entry for entry in FOUR.transitions]
-    landscape = tree_landscape(FOUR_DESIGN, replace(FOUR, transitions=tuple(changed)), 11)
+    landscape = tree_landscape(FOUR_DESIGN, displaced(replace(FOUR, transitions=tuple(changed))), 11)
     assert [state.name for state in landscape.rests] == ["locked"]
-    assert any("cannot follow the force of its drive, a run can" in remark for remark in landscape.remarks)
+    assert any("cannot follow the displacement of its drive, a run can" in remark for remark in landscape.remarks)
+    # figures, tables and pages leave out the transitions
+    write_landscape(landscape, tmp_path / "landscape")
+    assert (tmp_path / "landscape" / "rests.png").is_file()
 
 
 def test_a_change_of_rest_angles_moves_joints_and_creases_to_where_their_springs_rest():

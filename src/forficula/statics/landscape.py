@@ -89,17 +89,23 @@ class Pass:
 
 @dataclass(frozen=True, kw_only=True)
 class LeastTorque:
-    """The least slowly growing torque of a transition of bodies on joints.
+    """The least slowly growing torque or force of a transition of bodies on joints.
 
     Attributes:
         name: of the transition.
         drive: drive of the transition.
-        least: size of the torque, N m; None if not even the largest torque tried makes the transition, or if the
-            structure does not rest in the state from which the transition starts.
+        least: size of the torque, N m, or of the force, N; None if not even the largest one tried makes the transition,
+            if the structure does not rest in the state from which the transition starts, or if the drive has another
+            unit.
         span: least and largest of these torques for structures whose hinges are shifted at random by about 0.3 deg at
             the start of the snap; the largest is inf if one of them does not make the transition; None if none does.
         inertial_help: a snap after which inertia may make the transition with less than the least torque, which is then
             an upper bound; None if the slow path has no such snap.
+        unit: SI unit of the drive's strength, such as "N m".
+        smallest: whether `least` is the smallest drive tried, and therefore an upper bound.
+        withstood: least size of the slowly growing drive at which a structure that is at the goal before the transition
+            leaves it, if its hinges are shifted as for `span`; None if no drive tried does, or if the structure is not
+            at the goal.
     """
 
     name: str
@@ -107,10 +113,13 @@ class LeastTorque:
     least: float | None
     span: tuple[float, float] | None
     inertial_help: InertialHelp | None
+    unit: str = "N m"
+    smallest: bool = False
+    withstood: float | None = None
 
     def __repr__(self) -> str:
-        """Name of the transition and torque."""
-        least = "none was found" if self.least is None else show_value(self.least, "N m")
+        """Name of the transition and torque or force."""
+        least = "none was found" if self.least is None else show_value(self.least, self.unit)
         return f"<LeastTorque {self.name}: {least}>"
 
 
@@ -205,8 +214,18 @@ class EnergyLandscape(Result):
 
     @property
     def least_torques(self) -> Mapping[str, float | None]:
-        """Return the least slowly growing torque of each transition of a tree, N m; see `LeastTorque`."""
-        return {course.name: course.least for course in self.courses if isinstance(course, LeastTorque)}
+        """Return the least slowly growing torque of each transition of a tree, N m; see `LeastTorque`.
+
+        Transitions of forces are left out.
+        """
+        courses = (course for course in self.courses if isinstance(course, LeastTorque))
+        return {course.name: course.least for course in courses if course.unit != "N"}
+
+    @property
+    def least_forces(self) -> Mapping[str, float | None]:
+        """Return the least slowly growing force of each transition of a tree that a force makes, N."""
+        courses = (course for course in self.courses if isinstance(course, LeastTorque))
+        return {course.name: course.least for course in courses if course.unit == "N"}
 
     @property
     def easiest_barrier(self) -> float | None:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from forficula.arrays import Array
 from forficula.quantities import Unit
-from forficula.serial import Joules, Metres, NewtonMetres, WithUnit, Written, plain
+from forficula.serial import Joules, Metres, NewtonMetres, Newtons, WithUnit, Written, plain
 from forficula.statics.landscape import (
     EnergyLandscape,
     LeastTorque,
@@ -99,8 +99,10 @@ class LandscapeSummary:
         levels: energies with none to all of the independent hinges folded, J.
         partial_folds: resting shapes after release with some hinges folded.
         rests: where the structure rests without drives.
-        least_torques: least slowly growing torque of every transition, N m.
+        least_torques: least slowly growing torque of every transition of a torque, N m.
         least_torque_ranges: least and largest of these torques for slightly shifted structures, N m.
+        least_forces: least slowly growing force of every transition of a force, N.
+        withstood_forces: force at which a structure leaves the goal at which it is before the transition, N.
         inertial_help: a snap after which inertia may make a transition with less than the least slow torque.
         tips: stiffness of the tips.
         remarks: sentences on missing results and on limits of the others.
@@ -122,6 +124,8 @@ class LandscapeSummary:
     rests: Sequence[Rest]
     least_torques: Mapping[str, NewtonMetres | None]
     least_torque_ranges: Mapping[str, tuple[NewtonMetres, NewtonMetres]]
+    least_forces: Annotated[Mapping[str, Newtons | None] | None, Written.IF_KNOWN]
+    withstood_forces: Annotated[Mapping[str, Newtons | None] | None, Written.IF_KNOWN]
     inertial_help: Mapping[str, InertialHelp | None]
     tips: TipStiffness | None
     remarks: Sequence[str]
@@ -137,7 +141,8 @@ class LandscapeSummary:
 def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
     """Return a landscape as plain data in the form of `landscape.json`."""
     structure, hinge, path = landscape.structure, landscape.hinge, landscape.fold_path
-    torques = [course for course in landscape.courses if isinstance(course, LeastTorque)]
+    courses = [course for course in landscape.courses if isinstance(course, LeastTorque)]
+    torques, forces = ([course for course in courses if (course.unit == "N") == force] for force in (False, True))
     content = LandscapeSummary(
         design=landscape.design.name,
         hinge=None if hinge is None else _hinge(hinge),
@@ -155,6 +160,8 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
         rests=landscape.rests,
         least_torques=landscape.least_torques,
         least_torque_ranges={torque.name: torque.span for torque in torques if torque.span is not None},
+        least_forces=landscape.least_forces or None,
+        withstood_forces={force.name: force.withstood for force in forces if force.least == 0} or None,
         inertial_help={torque.name: torque.inertial_help for torque in torques},
         tips=landscape.tips,
         remarks=landscape.remarks,

@@ -11,8 +11,9 @@ import numpy as np
 import scipy
 
 from forficula.arrays import Array
-from forficula.design import TORQUE, Design
-from forficula.quantities import show_quantity, show_value
+from forficula.design import TORQUE, Design, stage_drives
+from forficula.names import listed
+from forficula.quantities import Unit, show_quantity, show_value
 from forficula.statics.landscape import EnergyLandscape, LeastTorque, Pass, Rest, stable_rests
 from forficula.statics.tree.equilibrium import Equilibria
 from forficula.statics.tree.fold_path import FoldPath, fold_path, fold_states
@@ -35,24 +36,30 @@ from forficula.statics.tree.potential import (
     stored_energy,
 )
 from forficula.statics.tree.quasi_static import (
+    FIRST_STEP,
     SlowTransition,
     at_goal,
     drive_kinds,
+    is_led,
     largest_torque,
     least_slow_torque,
     start_state,
     state_after,
     state_beyond,
+    withstood_torques,
 )
-from forficula.statics.tree.saddle import saddle_between
+from forficula.statics.tree.saddle import level_between, saddle_between
 from forficula.statics.tree.tip_stiffness import tip_stiffness
-from forficula.structure import Structure, Transition, drive_of, first_state, goal_of, state_of
+from forficula.structure import Structure, Transition, drive_of, drive_unit, first_state, goal_of, state_of
 
 # shifts of hinges at the start of a snap, rad: one case without, and three cases with about 0.3 deg
 _KICKS = (0.0, *[math.radians(0.3)] * 3)
+_FORCE = Unit(display="N", si="N", example="5 N")
 _STRAIGHT = math.radians(1)  # tolerance of straight
 _ALIKE = 0.03  # relative difference below which torques count as equal
 _FINE = 721  # number of angles in the search for the highest energy between two states of one hinge
+# largest drives tried on a structure at its goal, as multiples of the largest one for a transition; their steps differ
+_HARDEST = (10.0, 100.0)
 _SAME = math.radians(0.05)  # resting angles within this difference are equal in tables
 
 
@@ -80,6 +87,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             *(() if path is None else path.remarks),
             *_start_remarks(structure, start.position[0]),
             *torque_remarks,
+            *_stage_remarks(design, structure),
             *missing,
             *_coupling_remarks(structures, hinges, rests),
         ),
@@ -111,16 +119,16 @@ def _protocol(
     for transition in structure.transitions:
         drive, largest = drive_of(structure, transition.drive), largest_torque(structures, transition, hinges)
         kinds = drive_kinds(structure, drive)
-        followed = kinds <= {"torque", "rest-angle"}
+        followed = kinds <= {"torque", "force", "rest-angle"}
         if not followed and structures.coupled:
             remarks.append(
                 f'the effects of "{transition.name}" and of later transitions are not computed: the statics of bodies'
                 f" on joints in a tree cannot follow the {' and '.join(sorted(kinds))} of its drive, a run can"
             )
             break
-        slow, span, after = None, None, before
+        slow, span, withstood, after = None, None, np.zeros(0), before
         # joints that springs couple cannot all be at their stops: such a structure rests where the drive leads it
-        led = structures.coupled and held
+        led = held and is_led(structures, drive)
         if not led:
             after = state_beyond(structures, transition)
             rests.append(_rest(structures, transition.state, after, rests))
@@ -139,11 +147,16 @@ def _protocol(
                 rests.append(_rest(structures, transition.state, after, rests))
         else:
             paths.append(np.zeros((0, structures.size)))
-        # torques in N m are reported, and nothing else
-        measured = kinds <= {"torque"}
+        # torques in N m and forces in N are reported, and nothing else
+        measured = kinds in ({"torque"}, {"force"})
         if not measured:
             slow, span = None, None
-        helped = _inertial_help(structures, transition, slow)
+        helped, unit = _inertial_help(structures, transition, slow), drive_unit(structure, drive)
+        # a drive that acts on a structure at its goal tests whether the structure stays there
+        if slow is not None and slow.torque[0] == 0:
+            withstood = np.concatenate(
+                [withstood_torques(several, begins, transition, times * largest, _KICKS) for times in _HARDEST]
+            )
         courses.append(
             LeastTorque(
                 name=transition.name,
@@ -151,14 +164,19 @@ def _protocol(
                 least=None if slow is None or math.isnan(slow.torque[0]) else float(slow.torque[0]),
                 span=span,
                 inertial_help=helped,
+                unit=unit,
+                smallest=_is_smallest(slow, largest),
+                withstood=float(withstood.min()) if np.isfinite(withstood).any() else None,
             )
         )
         if measured:
             remarks += slow_remarks(structure, transition, largest, slow, span, helped)
+            if len(withstood):
+                remarks.append(_withstood_remark(structure, transition, withstood, _HARDEST[-1] * largest))
         else:
             remarks.append(
-                f'the least slowly growing drive of "{transition.name}" is not computed, because it is no torque but a'
-                f" {' and a '.join(sorted(kinds - {'torque'})).replace('-', ' ')}"
+                f'the least slowly growing drive of "{transition.name}" is not computed, because it is no torque or'
+                f" force alone but a {' and a '.join(sorted(kinds)).replace('-', ' ')}"
             )
         before, held = after, bool(at_goal(structures, after.position, goal_of(structure, transition.released))[0])
     return tuple(rests), tuple(courses), tuple(paths), tuple(remarks)
@@ -185,7 +203,7 @@ def _state_passes(
         rests: where the structure rests, at the start and after every transition.
         paths: shapes through which the transitions lead, rad, (step, joint) each.
     """
-    states = stable_rests(rests)
+    states, whole = stable_rests(rests), structures.structure.appearance.whole
     if structures.size == 1:
         return _hinge_passes(structures, states), ()
     numbers = _state_numbers(rests)
@@ -197,6 +215,10 @@ def _state_passes(
     passes, remarks = list[Pass](), list[str]()
     for (low, high), led in between.items():
         one, other = states[low], states[high]
+        if level_between(structures, one.angles[: structures.size], other.angles[: structures.size]):
+            passes.append(Pass(ends=(low, high), barriers=(0.0, 0.0), energy=one.energy, angles=one.angles))
+            remarks.append(f'between the states "{one.name}" and "{other.name}", the {whole} moves without force')
+            continue
         saddle = saddle_between(structures, one.angles[: structures.size], other.angles[: structures.size], led)
         if saddle is None:
             remarks.append(f'no saddle was found between the states "{one.name}" and "{other.name}"')
@@ -333,6 +355,22 @@ def _coupling_remarks(structures: Ensemble, hinges: Sequence[CrossedHinge], rest
     return tuple(remarks)
 
 
+def _stage_remarks(design: Design, structure: Structure) -> tuple[str, ...]:
+    """Return a remark on driven stages between transitions that lead to no named state."""
+    made = [transition.stage for transition in structure.transitions if transition.stage is not None]
+    names = [
+        f'"{stage.name}"'
+        for number, stage in enumerate(design.protocol.stages)
+        if made and number < max(made) and number not in made and any(drive != "none" for drive in stage_drives(stage))
+    ]
+    if not names:
+        return ()
+    return (
+        f"statics leaves out the stages {listed(names)}, because they lead to no named state: later transitions start"
+        " from the state before these stages",
+    )
+
+
 def _friction_remarks(structure: Structure) -> tuple[str, ...]:
     largest = max((hinge.friction for hinge in structure.hinges), default=0.0)
     if not largest:
@@ -368,39 +406,47 @@ def slow_remarks(
     Args:
         structure: the structure.
         transition: the transition.
-        most: largest torque tried, N m.
+        most: largest drive tried, in its SI unit.
         slow: result for the structure; None if it does not rest in the state that the transition starts from.
         span: least and largest torque of structures shifted slightly at their snaps, N m; None if none makes it.
         helped: a snap after which inertia may make it with less torque; None without such a snap.
     """
+    unit = drive_unit(structure, drive_of(structure, transition.drive))
+    noun, display = ("force", _FORCE) if unit == "N" else ("torque", TORQUE)
     verb, does = transition.wording.verb, transition.wording.does
     makes = f"makes it {verb}" if " " in verb else f"{does} it"
     if slow is None:
         before = _start_state(structure, transition)
-        return (f'no slowly growing torque {makes} from the state "{before}", because it does not rest in this state',)
+        return (f'no slowly growing {noun} {makes} from the state "{before}", because it does not rest in this state',)
     if slow.torque[0] == 0:
         return (
-            f'no torque is needed to {verb}: the goal of "{transition.name}" is already met in the state before it',
+            f'no {noun} is needed to {verb}: the goal of "{transition.name}" is already met in the state before it',
         )
     spread: tuple[str, ...] = ()
     if span is not None and span[1] > (1 + _ALIKE) * span[0]:
-        low, high = (show_quantity(torque, TORQUE) for torque in span)
+        low, high = (show_quantity(torque, display) for torque in span)
         whole, least = structure.appearance.whole, ""
         if math.isfinite(slow.torque[0]):
-            least = f", {show_quantity(float(slow.torque[0]), TORQUE)},"
-        further = f"to {high}" if math.isfinite(span[1]) else f"to more than {show_quantity(most, TORQUE)}"
+            least = f", {show_quantity(float(slow.torque[0]), display)},"
+        further = f"to {high}" if math.isfinite(span[1]) else f"to more than {show_quantity(most, display)}"
         spread = (
-            f"the least slow torque to {verb}{least} depends on small differences: with hinges shifted by 0.3 deg"
+            f"the least slow {noun} to {verb}{least} depends on small differences: with hinges shifted by 0.3 deg"
             f" where the {whole} begins to snap, it is {low} {further}, so inertia and imperfections decide",
         )
     if helped is not None:
-        least, snap = (show_quantity(torque, TORQUE) for torque in (float(slow.torque[0]), helped.torque))
+        least, snap = (show_quantity(torque, display) for torque in (float(slow.torque[0]), helped.torque))
         whole, released, climb = structure.appearance.whole, helped.released, helped.barrier
         return (
             *spread,
-            f"the least slow torque to {verb}, {least}, is an upper bound, because inertia may decide: at {snap} the"
+            f"the least slow {noun} to {verb}, {least}, is an upper bound, because inertia may decide: at {snap} the"
             f" {whole} snaps and releases {show_value(released, 'J')}, and from there the slow path climbs"
             f" {show_value(climb, 'J')}; a run with protocol.rise computes whether less is enough",
+        )
+    if _is_smallest(slow, most):
+        return (
+            *spread,
+            f"the least slow {noun} to {verb} is at most {show_quantity(float(slow.torque[0]), display)}, the smallest"
+            " one tried",
         )
     if not math.isnan(slow.torque[0]):
         return spread
@@ -413,7 +459,40 @@ def slow_remarks(
         return spread
     # a run may still make it
     inertia = f"{stopped}: it may still {verb} by inertia, which a run computes"
-    return (f"no slowly growing torque up to {show_quantity(most, TORQUE)} {makes}{started}{inertia}",)
+    return (f"no slowly growing {noun} up to {show_quantity(most, display)} {makes}{started}{inertia}",)
+
+
+def _is_smallest(slow: SlowTransition | None, most: float) -> bool:
+    """Return whether a least drive is the smallest one tried."""
+    return slow is not None and bool(0 < slow.torque[0] <= FIRST_STEP * most)
+
+
+def _withstood_remark(structure: Structure, transition: Transition, withstood: Array, most: float) -> str:
+    """Return a remark on a drive that acts on a structure at its goal.
+
+    Args:
+        structure: the structure.
+        transition: whose goal is met before it.
+        withstood: sizes of the drive at which structures shifted slightly at their snaps leave the goal; inf for none.
+        most: largest drive tried, in its SI unit.
+    """
+    drive, whole = drive_of(structure, transition.drive), structure.appearance.whole
+    unit = drive_unit(structure, drive)
+    low, high = float(withstood.min()), float(withstood.max())
+    beyond = f"the largest one tried, {show_value(most, unit)}"
+    if math.isinf(low):
+        return f'the {whole} keeps the goal of "{transition.name}" under a slowly growing "{drive.name}" up to {beyond}'
+    leaves = (
+        f'under a slowly growing "{drive.name}" the {whole} leaves the goal of "{transition.name}" at'
+        f" {show_value(low, unit)}"
+    )
+    if high <= (1 + _ALIKE) * low:
+        return leaves
+    end = f"to {show_value(high, unit)}" if math.isfinite(high) else f"to more than {beyond}"
+    return (
+        f"{leaves}; this depends on small differences: with hinges shifted by 0.3 deg where the {whole} begins to snap,"
+        f" and with other steps of the drive, the range is from there {end}"
+    )
 
 
 def _start_state(structure: Structure, transition: Transition) -> str:

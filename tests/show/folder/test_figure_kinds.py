@@ -76,7 +76,7 @@ def slow_maps(design):
 
 
 KINDS = {
-    "run": ["angles", "cycles", "energy", "folding", "package", "pattern", "strain"],
+    "run": ["angles", "cycles", "energy", "folding", "mechanisms", "package", "pattern", "strain"],
     "landscape": ["levels", "map", "tendon", "wing"],
     "converge": ["angles", "times"],
     "assumptions": ["assumptions"],

@@ -210,8 +210,8 @@ class AssemblyDesign(Design):
                 ),
             ),
             rise=self.protocol.rise if drive.rise is None else drive.rise,
-            key=f"drive.{drive.name}.value",
-            strength=drive.value,
+            key=f"drive.{drive.name}.{drive.strength_key}",
+            strength=getattr(drive, drive.strength_key),
             where=f"on {listed(targets)}",
         )
 

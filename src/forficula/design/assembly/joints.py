@@ -22,6 +22,7 @@ from forficula.design.section import (
     Section,
     quantity,
 )
+from forficula.design.sheets.sheet_drives import NamedDrive
 from forficula.design.sheets.sheet_names import checked_name
 from forficula.design.tendon import ElasticTendon
 from forficula.errors import InputError
@@ -229,7 +230,7 @@ else:
     _Joined = _between(_AnyJoint)
 
     class _NamedTendon(ElasticTendon, _AnyJoint):
-        """A tendon with a name."""
+        """A joint between two parts, or between a part and the ground."""
 
         about: ClassVar[str] = _AnyJoint.about
 
@@ -275,24 +276,19 @@ Joint = Annotated[
 ]
 
 
-class _AnyDrive(Section):
-    """A drive of the assembly, in addition to those of its parts."""
-
-    about: ClassVar[str] = "A drive of the assembly, in addition to those of its parts"
-
-    name: Annotated[str, Field(description="name of the drive, for stages")]
-    rise: float | None = quantity(
-        TIME, "time over which the drive rises linearly from 0; if not given, protocol.rise", default=None, at_least=0
-    )
-
-    _checked = field_validator("name")(checked_name)
+_RISE = quantity(
+    TIME, "time over which the drive rises linearly from 0; if not given, protocol.rise", default=None, at_least=0
+)
 
 
-class HingeDrive(_AnyDrive):
+class HingeDrive(NamedDrive):
     """A drive of the assembly, in addition to those of its parts.
 
     A torque on hinges.
     """
+
+    about: ClassVar[str] = "A drive of the assembly, in addition to those of its parts"
+    strength_key: ClassVar[str] = "value"
 
     kind: Annotated[Literal["torque"], Field(description="torque on hinges, or force at points")]
     of: Annotated[
@@ -311,13 +307,17 @@ class HingeDrive(_AnyDrive):
         above=0,
         examples=["360 deg/s"],
     )
+    rise: float | None = _RISE
 
 
-class PointDrive(_AnyDrive):
+class PointDrive(NamedDrive):
     """A drive of the assembly, in addition to those of its parts.
 
     A force at points, in one direction.
     """
+
+    about: ClassVar[str] = "A drive of the assembly, in addition to those of its parts"
+    strength_key: ClassVar[str] = "force"
 
     kind: Annotated[Literal["force"], Field(description="torque on hinges, or force at points")]
     of: Annotated[
@@ -327,10 +327,11 @@ class PointDrive(_AnyDrive):
             ' such as "fan.tip0"'
         ),
     ]
-    value: float = quantity(FORCE, "for kind force: force at each of these points")
+    force: float = quantity(FORCE, "for kind force: force at each of these points")
     direction: Annotated[
         _Vector, Field(description="direction of a force, as a vector of any length", examples=[[0, 0, -1]])
     ]
+    rise: float | None = _RISE
 
 
 JointDrive = Annotated[

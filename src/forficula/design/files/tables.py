@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from forficula.errors import InputError
@@ -26,16 +26,20 @@ class RejectedError(InputError):
 def merged(below: object, upper: object, place: tuple[str, ...] = ()) -> Any:
     """Lay the values of a file over those of its base: tables are merged, all other values are replaced.
 
-    A table over a list of tables changes the entries that its keys name.
+    A table of tables over a list of tables changes the entries that its keys name.
 
     Raises:
         RejectedError: a list has no such entry.
     """
-    if isinstance(below, list) and isinstance(upper, dict) and all(isinstance(entry, dict) for entry in below):
+    if isinstance(below, list) and isinstance(upper, dict) and _holds_tables(below) and _holds_tables(upper.values()):
         return with_settings_over(below, upper, place)
     if not (isinstance(below, dict) and isinstance(upper, dict)):
         return upper
     return {**below, **{key: merged(below.get(key), value, (*place, key)) for key, value in upper.items()}}
+
+
+def _holds_tables(values: Collection[object]) -> bool:
+    return bool(values) and all(isinstance(value, dict) for value in values)
 
 
 def nested(settings: Mapping[str, object]) -> dict[str, Any]:

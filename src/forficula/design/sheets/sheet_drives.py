@@ -99,7 +99,7 @@ _Direction = Annotated[
 ]
 
 
-class _AnyDrive(Section):
+class NamedDrive(Section):
     """A drive, which stages of the protocol switch on."""
 
     about: ClassVar[str] = "A drive, which stages of the protocol switch on"
@@ -121,7 +121,7 @@ class _AnyDrive(Section):
         return others | {cls.strength_key: table["value"]}
 
 
-class TorqueDrive(_AnyDrive):
+class TorqueDrive(NamedDrive):
     """A drive, which stages of the protocol switch on.
 
     A torque on creases.
@@ -143,7 +143,7 @@ class TorqueDrive(_AnyDrive):
     rise: float | None = _RISE
 
 
-class RestAngleDrive(_AnyDrive):
+class RestAngleDrive(NamedDrive):
     """A drive, which stages of the protocol switch on.
 
     A change of the rest angles of the springs of creases.
@@ -176,7 +176,7 @@ class RestAngleDrive(_AnyDrive):
         return self
 
 
-class ForceDrive(_AnyDrive):
+class ForceDrive(NamedDrive):
     """A drive, which stages of the protocol switch on.
 
     A force at places, in one direction.
@@ -191,7 +191,7 @@ class ForceDrive(_AnyDrive):
     rise: float | None = _RISE
 
 
-class DisplacementDrive(_AnyDrive):
+class DisplacementDrive(NamedDrive):
     """A drive, which stages of the protocol switch on.
 
     A displacement of places, in one direction.

@@ -13,7 +13,7 @@ from forficula.dynamics.energies.stop_forces import friction_torques, stop_force
 from forficula.dynamics.engine.model import Model, joint_ranges
 from forficula.dynamics.stepping.stepper import energy_of
 from forficula.dynamics.stepping.steps import EngineState, Steps
-from forficula.structure import Motor, RestPath
+from forficula.structure import RestPath
 
 # steps during which a stop's force still changes fast: four of its time constants
 _JUMP = 8
@@ -180,7 +180,8 @@ class WorkBalance:
         model, settings = self._models[row], self._set[row]
         if model.creases is None:
             along = [
-                self._motor_travel(np.array([row]), end.velocity[None, None], motor)[0, 0] for motor in self._motors
+                self._motor_travel(np.array([row]), end.position[None, None], end.velocity[None, None], motor)[0, 0]
+                for motor in range(len(self._motors))
             ]
         else:
             along = list(motor_travel(model, end.position, end.velocity))
@@ -219,9 +220,10 @@ class WorkBalance:
     ) -> tuple[dict[str, Array], Array]:
         """Return the work of motors, and of the damping of creases if there are any, (row, step)."""
         if steps.angles is None:
+            position = np.concatenate([steps.position_before[:, None], steps.position[:, :-1]], axis=1)
             work = {
-                motor_work_name(number): torques[:, :, number] * self._motor_travel(rows, travel, motor)
-                for number, motor in enumerate(self._motors)
+                motor_work_name(number): torques[:, :, number] * self._motor_travel(rows, position, travel, number)
+                for number in range(len(self._motors))
             }
             for number in np.flatnonzero(self._by_engine.any(axis=0)).tolist():
                 work[motor_work_name(number)] += np.array(
@@ -268,9 +270,23 @@ class WorkBalance:
         if self._models[0].structure.contact is not None:
             self._add_contacts(work, rows, steps, travel)
 
-    def _motor_travel(self, rows: Indices, travel: Array, motor: Motor) -> Array:
-        """Return the summed travel of the hinges of a motor in their own senses, (row, step)."""
-        hinges = list(motor.hinges)
+    def _motor_travel(self, rows: Indices, position: Array, travel: Array, number: int) -> Array:
+        """Return the travel along a motor for small shifts of coordinates, (row, step).
+
+        Args:
+            rows: numbers of the structures.
+            position: start of the shifts, (row, step, coordinate).
+            travel: shifts, (row, step, coordinate).
+            number: of the motor.
+        """
+        if self._motors[number].kind == "force":
+            return np.array(
+                [
+                    motor_travel(self._models[row], position[place], travel[place])[number]
+                    for place, row in enumerate(rows.tolist())
+                ]
+            )
+        hinges = list(self._motors[number].hinges)
         return np.asarray(np.sum(self._senses[rows][:, None, hinges] * travel[:, :, hinges], axis=2))
 
     def _motor_force(self, rows: Indices, motor: int, steps: Steps, taken: Indices) -> Array:

@@ -115,8 +115,8 @@ def _keys(model: Model) -> list[str]:
 
 
 def _factors(key: str) -> tuple[float, float]:
-    section, _, rest = key.partition(".")
-    return _FACTORS.get(key) or _FACTORS[f"{section}.{rest.rpartition('.')[2]}"]
+    # keys of single tendons begin with the names of their part and of the tendon
+    return _FACTORS.get(key) or _FACTORS[f"tendon.{key.rpartition('.')[2]}"]
 
 
 def _knob(model: Model, key: str) -> Knob | None:

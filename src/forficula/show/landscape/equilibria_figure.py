@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import textwrap
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -10,7 +12,13 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
 from forficula.quantities import reading_unit, show_value
-from forficula.show.landscape.landscape_marks import rest_name, sheet_parts, show_angles, torque_location
+from forficula.show.landscape.landscape_marks import (
+    least_text,
+    rest_name,
+    sheet_parts,
+    show_angles,
+    torque_location,
+)
 from forficula.show.structure.labels import measure_labels, parts_of, shown_angles, title_of
 from forficula.show.style import (
     BLACK,
@@ -27,6 +35,7 @@ from forficula.show.style import (
     letter_panels,
 )
 from forficula.statics import EnergyLandscape, Rest
+from forficula.statics.landscape import LeastTorque
 from forficula.structure import Measure, read_angles
 
 _COLOURS = {
@@ -43,13 +52,14 @@ _COLOURS = {
 _MARKS = (("o", BLUE), ("s", VERMILION), ("^", GREEN), ("D", PURPLE), ("v", SKY))
 _WIDTH = 0.62  # width of a bar
 _NAMED = 6  # largest number of hinges that are named below their angles
+_NAME, _LINE = 14, 90  # letters of a line of a transition's name, and of the label below
 _LEAST_SPAN = 1.0  # deg, least span of the axis of angles: smaller differences are rounding errors
 
 
 def draw_equilibria(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
     """Draw the equilibria of a structure in the order of its protocol: stored energy above, angles below.
 
-    The arrow from one state to the next has the least slowly growing torque that makes this transition.
+    The arrow from one state to the next has the least slowly growing torque or force that makes this transition.
 
     Args:
         landscape: landscape of a design.
@@ -97,13 +107,15 @@ def _plot_bar(axes: Axes, place: int, rest: Rest, factor: float) -> None:
 
 
 def _mark_steps(axes: Axes, landscape: EnergyLandscape) -> None:
-    """Draw an arrow for every transition, with its name and the least slow torque."""
+    """Draw an arrow for every transition to a drawn state, with its name and the least slow torque or force."""
     over = axes.get_xaxis_transform()
-    for place, transition in enumerate(landscape.structure.transitions):
+    courses = {course.name: course for course in landscape.courses if isinstance(course, LeastTorque)}
+    # the effects of further transitions are not known
+    for place, transition in enumerate(landscape.structure.transitions[: len(landscape.rests) - 1]):
         ends = (place + 0.22, 1.05), (place + 0.78, 1.05)
         axes.annotate("", ends[1], ends[0], xycoords=over, textcoords=over, arrowprops={"arrowstyle": "->", "lw": 0.8})
-        least = landscape.least_torques[transition.name]
-        words = f"{transition.name}\n{'no slow torque' if least is None else show_value(least, 'N m', 3)}"
+        least = least_text(landscape, courses[transition.name], 3)
+        words = "\n".join((*textwrap.wrap(transition.name, _NAME), *textwrap.wrap(least, _NAME)))
         axes.text(place + 0.5, 1.08, words, transform=over, ha="center", va="bottom", fontsize=7)
 
 
@@ -130,13 +142,15 @@ def _order(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
     labels = [label for measure in measures for label in measure_labels(landscape.structure, measure)]
     named = parts_of(labels)
     on = dict.fromkeys(
-        torque_location(landscape.structure, transition) for transition in landscape.structure.transitions
+        torque_location(landscape.structure, transition)
+        for transition in landscape.structure.transitions[: len(landscape.rests) - 1]
     )
-    torques = f"the torques above act {', '.join(on)}" if on else ""
+    units = {course.unit for course in landscape.courses if isinstance(course, LeastTorque)}
+    torques = f"the {'drives' if 'N' in units else 'torques'} above act {', '.join(on)}" if on else ""
     if not 1 < len(labels) <= _NAMED:
-        return torques
+        return textwrap.fill(torques, _LINE)
     order = " ".join(filter(None, ("from left to right", named.heading, ", ".join(named.names))))
-    return ";\n".join(filter(None, (order, torques)))
+    return ";\n".join(textwrap.fill(part, _LINE) for part in (order, torques) if part)
 
 
 def _handles(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> list[Line2D | Patch]:
@@ -165,8 +179,9 @@ def _text(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
         for rest in landscape.rests
     ]
     steps = [
-        f"{step} {'none' if least is None else show_value(least, 'N m', 3)}"
-        for step, least in landscape.least_torques.items()
+        f"{course.name} {least_text(landscape, course, 3)}"
+        for course in landscape.courses
+        if isinstance(course, LeastTorque)
     ]
-    least = f" Least slowly growing torques: {', '.join(steps)}." if steps else ""
+    least = f" Least slowly growing drives: {', '.join(steps)}." if steps else ""
     return f"Energy and angles of the equilibria of the {whole} {name}. States: {'; '.join(states)}.{least}"

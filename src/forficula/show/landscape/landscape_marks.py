@@ -16,7 +16,7 @@ from forficula.names import listed
 from forficula.quantities import reading_unit
 from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape, Rest
-from forficula.statics.landscape import AT_START
+from forficula.statics.landscape import AT_START, LeastTorque
 from forficula.statics.net.driven.net_course import Course
 from forficula.statics.net.net_state import Withstood
 from forficula.structure import (
@@ -59,6 +59,21 @@ def hinge_measure(structure: Structure, hinge: int) -> Measure:
     role_measure = measure_of(structure, structure.hinges[hinge].role)
     assert role_measure is not None  # the hinge itself has the role
     return role_measure
+
+
+def least_text(landscape: EnergyLandscape, course: LeastTorque, digits: int = 4) -> str:
+    """Return the least slowly growing torque or force of a transition as text."""
+    kind = "force" if course.unit == "N" else "torque"
+    if course.unit not in ("N", "N m"):
+        return "not computed"
+    if course.least is None:
+        return f"no slow {kind}"
+    least = course.least
+    if course.withstood is not None:
+        return f"held up to {shown_value(course.withstood, course.unit, digits)}"
+    if course.unit == "N m" and least <= rounding_torque(landscape):
+        least = 0.0
+    return f"{'≤ ' * course.smallest}{shown_value(least, course.unit, digits)}"
 
 
 def torque_location(structure: Structure, transition: Transition) -> str:

@@ -81,7 +81,7 @@ def landscape_table(
         _table("Stable states", _states(landscape, shown)),
         _table("Mobility of the states, and stress in their parts", _moves(landscape)),
         _table("Barriers", _barriers(landscape, shown)),
-        _table("Least slow torques, without help from inertia", _torques(landscape)),
+        _table(f"Least slow {_drives(landscape)}, without help from inertia", _torques(landscape)),
         _table("Motion under slowly growing drives", _courses(landscape)),
         _table("Loads that states withstand", _withstands(landscape)),
         _table("Stiffness at every tip", _tips(landscape.tips)),
@@ -192,10 +192,15 @@ def _barriers(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterato
         ]
     for name, value in rows:
         yield {"": name, "energy": _NONE if value is None else show_value(value, "J")}
-    for course_pass in landscape.passes if landscape.net is not None else ():
+    for course_pass in landscape.passes:
         one, other = (landscape.states[end].name for end in course_pass.ends)
         forward, back = (shown_value(barrier, "J", 3) for barrier in course_pass.barriers)
-        yield {"": f"{one} to {other}", "forward": forward, "back": back}
+        if landscape.net is not None:
+            yield {"": f"{one} to {other}", "forward": forward, "back": back}
+        # other trees have their passes along the fold, or of their only hinge
+        elif course_pass.angles is not None:
+            yield {"": f"{whole}, {one} to {other}", "energy": forward}
+            yield {"": f"{whole}, {other} to {one}", "energy": back}
 
 
 def _climb(hinge: HingeLandscape, start: str) -> str:
@@ -207,23 +212,38 @@ def _climb(hinge: HingeLandscape, start: str) -> str:
 
 
 def _torques(landscape: EnergyLandscape) -> Iterator[Row]:
-    """Yield the least torques of the transitions of a tree of joints: along its rigid fold, and of the whole."""
+    """Yield the least drives of the transitions of a tree of joints: along its rigid fold, and of the whole."""
     structure, path, fold = landscape.structure, landscape.fold_path, landscape.structure.rigid_fold
     rounding, whole = rounding_torque(landscape), structure.appearance.whole
     courses = {course.name: course for course in landscape.courses if isinstance(course, LeastTorque)}
-    for transition in structure.transitions if courses else ():
-        course, verb = courses[transition.name], transition.wording.verb
-        slow = f"{'≤ ' * (course.inertial_help is not None)}{_least(course.least, rounding)}"
+    for transition in structure.transitions:
+        # the effects of transitions after one that statics cannot follow are not known
+        course, verb = courses.get(transition.name), transition.wording.verb
+        if course is None:
+            continue
+        bound = "≤ " * (course.inertial_help is not None or course.smallest)
+        slow = bound + _least(course.least, rounding, course.unit)
         name = f"that {'make it ' * (' ' in verb)}{verb}, {torque_location(structure, transition)}"
         if path is None or fold is None:
             yield {"": name, whole: slow}
         else:
             along = path.fold_torque if transition.state == fold.end else path.unfold_torque
             yield {"": name, "rigid panels": _least(along, rounding), f"compliant {whole}": slow}
+        if course.withstood is not None:
+            kept = f"that end the goal of {transition.name} again, {torque_location(structure, transition)}"
+            yield {"": kept, whole: show_value(course.withstood, course.unit)}
 
 
-def _least(torque: float | None, rounding: float) -> str:
-    return _NONE if torque is None else show_value(torque if torque > rounding else 0.0, "N m")
+def _drives(landscape: EnergyLandscape) -> str:
+    """Return what the drives of transitions are: torques, forces, or both."""
+    units = {course.unit for course in landscape.courses if isinstance(course, LeastTorque)}
+    return {frozenset({"N"}): "forces", frozenset({"N", "N m"}): "torques and forces"}.get(frozenset(units), "torques")
+
+
+def _least(least: float | None, rounding: float, unit: str = "N m") -> str:
+    if least is None:
+        return _NONE
+    return show_value(least if least > rounding or unit != "N m" else 0.0, unit)
 
 
 def _courses(landscape: EnergyLandscape) -> Iterator[Row]:

@@ -207,8 +207,13 @@ def partial_folds(structures: Ensemble, flat: Array) -> tuple[PartialFold, ...]:
     many = structures.repeated(len(combinations))
     start = np.zeros((len(combinations), many.size))
     places = _places(structures, folding.tolist(), flat[0])
+    opened = places.opened
+    if structures.coupled:
+        # all joints that springs couple to the folding hinges start in their state, and so do open hinges
+        start, at = np.tile(flat, (len(combinations), 1)), flat[0, folding]
+        opened = np.where(places.senses * (at - places.top) >= 0, at, opened)
     for row, folded in enumerate(combinations):
-        start[row, folding] = np.where(np.isin(np.arange(len(folding)), folded), places.folded, places.opened)
+        start[row, folding] = np.where(np.isin(np.arange(len(folding)), folded), places.folded, opened)
     aimed = rest(many, start, fixed=folding.tolist()).position
     result = rest(many, aimed)
     sheet, _, _ = sheet_energy(many.sheet, result.position)

@@ -1,4 +1,4 @@
-"""Potential of a tree structure: all stored energies minus the work of acting torques.
+"""Potential of a tree structure: all stored energies minus the work of acting torques and forces.
 
 Coordinates are the angles of the structure's joints, in its order, each in its own sense. Creases between flaps follow
 the joints in the structure. Their angles depend on those of the joints, see `hinge_angles`.
@@ -21,6 +21,7 @@ from forficula.statics.tree.couplings import Ties, Twists, ties_of, twist_energy
 from forficula.statics.tree.elements import Expansion
 from forficula.statics.tree.equilibrium import Cases, Enough, Equilibria, Follow, descend
 from forficula.statics.tree.flaps import Flaps, crease_angles, crease_energy, flaps_of, folded_energy
+from forficula.statics.tree.forces import PointForces, force_energy, point_forces_of
 from forficula.statics.tree.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.tree.lines import Lines, largest_pull, line_energy, lines_of
 from forficula.statics.tree.pose import (
@@ -57,6 +58,7 @@ class Ensemble:
         flaps: creases between flaps; None if there are none.
         pins: of closures; None if there are none.
         weight: of the bodies; None without gravity.
+        forces: of motors at points; None if there are none.
         twists: elastic couplings between joints; None if there are none.
         ties: groups of joints that rigid couplings tie together; None if there are none.
         crossed: numbers of the hinges that single tendons lie across, by tendon.
@@ -81,6 +83,7 @@ class Ensemble:
     flaps: Flaps | None
     pins: Springs | None
     weight: Weight | None
+    forces: PointForces | None
     twists: Twists | None
     ties: Ties | None
     crossed: Span
@@ -157,6 +160,7 @@ def ensemble(structures: Sequence[Structure]) -> Ensemble:
         flaps=flaps_of(first, tree),
         pins=pins_of(first, tree, _stiffest(first)),
         weight=weight_of(first, tree),
+        forces=point_forces_of(first, tree),
         twists=twists_of(first),
         ties=ties_of(first),
         crossed=span(crossed),
@@ -192,8 +196,9 @@ def _check_bodies(structure: Structure) -> None:
 def _drive_weights(structure: Structure) -> Array:
     """Return weights with which settings of motors add up to torques on hinges, (motor, hinge).
 
-    A change of a spring's rest angle is equivalent to the torque stiffness x angle. A force or a displacement of points
-    has the weight 0: see `forficula.statics.tree.quasi_static.torque_drive`.
+    A change of a spring's rest angle is equivalent to the torque stiffness x angle. A force at points has the weight 0,
+    because its torques depend on the shape: see `forficula.statics.tree.forces`. A displacement of points has the
+    weight 0, too: `forficula.statics.tree.quasi_static.check_drive` refuses it.
     """
     weights = np.zeros((len(structure.motors), len(structure.hinges)))
     stiffness = np.array([hinge.stiffness for hinge in structure.hinges])
@@ -231,12 +236,12 @@ def _rows(tendons: TendonHinge, cases: Indices) -> TendonHinge:
 
 
 def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> Expansion:
-    """Compute the stored energy minus the work of the torques.
+    """Compute the stored energy minus the work of the torques and forces.
 
     Args:
         structures: side by side.
         angles: rad, (case, hinge).
-        torques: of every motor, N m, (motor,), or by case, (case, motor).
+        torques: of every motor, N m, or N for a force, (motor,), or by case, (case, motor).
 
     Returns:
         Energy, J, (case,); gradient, N m, (case, hinge); Hessian, N m/rad, (case, hinge, hinge).
@@ -309,7 +314,8 @@ def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0)
 def _optional_parts(structures: Ensemble, angles: Array, torques: Array, at: Pose | None) -> list[Expansion]:
     """Compute the optional parts of the potential: tendons across several hinges, springs, creases and so on.
 
-    The part of the creases includes the work of the torques of motors, (case, motor), on creases.
+    The part of the creases includes the work of the torques of motors, (case, motor), on creases. The forces of motors
+    at points are a part of their own.
     """
     parts = [] if structures.lines is None else [line_energy(structures.lines, angles, at)]
     parts += [
@@ -319,6 +325,8 @@ def _optional_parts(structures: Ensemble, angles: Array, torques: Array, at: Pos
         parts.append(crease_energy(structures.flaps, angles, torques @ structures.crease_drives, at))
     if structures.twists is not None:
         parts.append(twist_energy(structures.twists, angles))
+    if structures.forces is not None and torques.any():
+        parts.append(force_energy(structures.forces, angles, torques))
     return parts if structures.weight is None else [*parts, weight_energy(structures.weight, angles)]
 
 
@@ -343,7 +351,7 @@ def rest(
     Args:
         structures: side by side.
         start: angles, rad, (case, hinge).
-        torques: of every motor, N m, (motor,), or by case, (case, motor).
+        torques: of every motor, N m, or N for a force, (motor,), or by case, (case, motor).
         fixed: numbers of hinges that are held at their start angles in all cases.
         held: which hinges are held at their start angles, (case, hinge).
         within: largest turn of each hinge, rad.

@@ -33,7 +33,7 @@ Watch = Callable[[float, Array, bool], None]
 
 _LEAD_IN = 4  # halvings of the first torque
 _ACCURACY = 0.01  # relative accuracy of a least torque
-_FIRST_STEP = 1e-4  # first and shortest step, as a share of the largest torque tried
+FIRST_STEP = 1e-4  # first and shortest step, as a share of the largest torque tried
 _SNAP_STEP = 0.05  # rad, longest step of a snap, in the space of the hinges' angles
 _SEED = 30  # of random shifts
 _NEAR = 0.1  # rad, largest turn of hinges from step to step without a snap
@@ -85,15 +85,16 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
     which it turns them. First the other hinges come to rest with these held, then all hinges are free.
 
     If springs between points, creases between flaps or closures couple the joints, not all of them can be at their
-    stops. The structure is then released from where its full drive leads it from its first state.
+    stops. A force at points does not determine which stops hinges reach. In both cases the structure is released from
+    where its full drive leads it from its first state.
 
     Raises:
-        InputError: neither goal nor drive determines the end of the transition, or the drive is no torque on coupled
-            joints.
+        InputError: neither goal nor drive determines the end of the transition, or the drive is a displacement
+            on coupled joints.
     """
     built = structures.structure
     goal, drive = goal_of(built, transition.goal), drive_of(built, transition.drive)
-    if structures.coupled:
+    if is_led(structures, drive):
         check_drive(built, drive)
         pushed_on = rest(structures, start_state(structures).position, np.array(drive.strengths))
         return rest(structures, pushed_on.position)
@@ -119,6 +120,11 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
     return rest(structures, closed.position)
 
 
+def is_led(structures: Ensemble, drive: Drive) -> bool:
+    """Return whether a structure rests where a drive leads it, and not at the stops to which the drive turns hinges."""
+    return structures.coupled or "force" in drive_kinds(structures.structure, drive)
+
+
 def state_after(structures: Ensemble, transition: Transition, torque: Array, position: Array) -> Equilibria:
     """Find where structures rest without torques after a slowly growing torque: the start of the next transition.
 
@@ -126,8 +132,8 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
     when released, are released from the stops instead, see `state_beyond`. With a slack tendon, hinges can rest
     anywhere in a range, and the next torque can lead along another path from either end of the range.
 
-    If springs between points, creases between flaps or closures couple the joints, structures are always released from
-    where the torque brought them.
+    If springs between points, creases between flaps or closures couple the joints, or if the drive is a force,
+    structures are always released from where the drive brought them.
 
     Args:
         structures: side by side.
@@ -136,7 +142,7 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
         position: angles under this torque, rad, (case, hinge).
     """
     led = rest(structures, position)
-    if structures.coupled:
+    if is_led(structures, drive_of(structures.structure, transition.drive)):
         return led
     stays = np.isfinite(torque) & at_goal(structures, led.position, goal_of(structures.structure, transition.released))
     if stays.all():
@@ -170,22 +176,45 @@ def _distances(structure: Structure, structures: Ensemble, position: Array) -> A
 
 
 def check_drive(structure: Structure, drive: Drive) -> None:
-    """Check that a drive acts on hinges.
+    """Check that a drive sets no displacement of points.
 
     Raises:
-        InputError: the drive is a force or a displacement.
+        InputError: the drive is a displacement.
     """
-    kinds = sorted(drive_kinds(structure, drive) & {"force", "displacement"})
-    if kinds:
+    if "displacement" in drive_kinds(structure, drive):
         raise InputError(
-            f"{structure.name}: need a drive of torques or rest angles, because the statics of bodies on joints in a"
-            f' tree cannot follow another one, got the {" and ".join(kinds)} "{drive.name}"; a run can follow it'
+            f"{structure.name}: need a drive of torques, forces or rest angles, because the statics of bodies on joints"
+            f' in a tree cannot follow another one, got the displacement "{drive.name}"; a run can follow it'
         )
 
 
 def drive_kinds(structure: Structure, drive: Drive) -> set[str]:
     """Return the kinds of the motors that a drive sets."""
     return {motor.kind for motor, share in zip(structure.motors, drive.shares, strict=True) if share}
+
+
+def withstood_torques(
+    structures: Ensemble, start: Array, transition: Transition, most: float, kicks: ArrayLike
+) -> Array:
+    """Return the size of a slowly growing drive at which structures leave the goal that they are at; inf for none.
+
+    Args:
+        structures: side by side.
+        start: angles at rest, rad, (case, hinge), at the transition's goal.
+        transition: with its drive and goal.
+        most: size of the largest drive tried, in its SI unit.
+        kicks: as for `least_slow_torque`.
+    """
+    built = structures.structure
+    goal, drive = goal_of(built, transition.goal), drive_of(built, transition.drive)
+    slow = least_slow_torque(structures, start, None, most, drive, recorded=True, kicks=kicks)
+    sizes = list[float]()
+    for path in slow.paths:
+        left = ~at_goal(structures, path.position, goal)
+        for first, last in path.snaps:
+            left[first + 1 : last] = False
+        sizes.append(float(path.torque[left.argmax()]) if left.any() else np.inf)
+    return np.array(sizes)
 
 
 def slow_transition(structures: Ensemble, start: Array, transition: Transition, torques: ArrayLike) -> SlowTransition:
@@ -271,7 +300,7 @@ def least_slow_torque(
         stop: ends the paths if it returns True.
 
     Raises:
-        InputError: the drive is a force or a displacement.
+        InputError: the drive is a displacement.
     """
     goal = None if transition is None else goal_of(structures.structure, transition.goal)
 
@@ -285,7 +314,7 @@ def least_slow_torque(
         drive = drive_of(structures.structure, transition.drive)
     check_drive(structures.structure, drive)
     most = np.broadcast_to(np.asarray(most, dtype=np.float64), (len(start),))
-    position, torque, step = start.copy(), np.full(len(start), begin), _FIRST_STEP * most
+    position, torque, step = start.copy(), np.full(len(start), begin), FIRST_STEP * most
     least = np.where(arrives(start), begin, np.nan)
     while True:
         left = np.flatnonzero(np.isnan(least) & (torque < most))
@@ -295,7 +324,7 @@ def least_slow_torque(
         result = _pushed_rest(structures, left, position[left], drive, tried, within=_NEAR)
         turned = _turned(result, position[left])
         leaves = turned > _LEFT
-        fine = step[left] <= np.maximum(_ACCURACY * tried, _FIRST_STEP * most[left])
+        fine = step[left] <= np.maximum(_ACCURACY * tried, FIRST_STEP * most[left])
         snaps = leaves & fine
         if snaps.any():
             snapping = left[snaps]

@@ -12,7 +12,7 @@ from forficula.arrays import Array, Flags
 from forficula.statics.tree.elements import Expansion
 from forficula.statics.tree.equilibrium import Cases
 from forficula.statics.tree.partial_folds import soft_stiffness
-from forficula.statics.tree.potential import Ensemble, potential, rest, torque_scale
+from forficula.statics.tree.potential import Ensemble, potential, rest, slight_energy, torque_scale
 
 _STATION = 0.05  # largest change of a joint's angle between two prescribed positions, rad
 _JUMP = 0.2  # larger changes of a joint's angle between two positions are jumps, rad
@@ -144,6 +144,26 @@ def saddle_between(structures: Ensemble, first: Array, second: Array, paths: Seq
     return TreeSaddle(position=highest.position, energy=highest.energy)
 
 
+def level_between(structures: Ensemble, one: Array, other: Array) -> bool:
+    """Return whether two shapes at rest have the same energy and the straight line between them is level.
+
+    A structure moves between them without force, for example about a hinge without a spring.
+
+    Args:
+        structures: only the first case is used.
+        one: angles of the joints, rad, (joint,).
+        other: of another shape.
+    """
+    energies = _line_energies(structures, one, other)
+    return float(np.ptp(energies)) <= slight_energy(structures)
+
+
+def _line_energies(structures: Ensemble, one: Array, other: Array) -> Array:
+    """Return the energies on the straight line between two shapes, J, (position,)."""
+    count = min(2 + int(np.abs(other - one).max() / _NARROW), _ON_LINE)
+    return potential(structures.repeated(count), np.linspace(one, other, count))[0]
+
+
 def _highest(chain: Sequence[_Crossing]) -> _Crossing:
     return max(chain, key=lambda crossing: crossing.energy)
 
@@ -269,7 +289,6 @@ def _in_one_valley(structures: Ensemble, one: Array, other: Array, top: float) -
 
     Two descents into a soft valley end at different positions.
     """
-    count = min(2 + int(np.abs(other - one).max() / _NARROW), _ON_LINE)
-    energies = potential(structures.repeated(count), np.linspace(one, other, count))[0]
+    energies = _line_energies(structures, one, other)
     level = max(float(energies[0]), float(energies[-1]))
     return float(energies.max()) - level <= _HARDLY * (top - level)

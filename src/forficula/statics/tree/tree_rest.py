@@ -8,7 +8,7 @@ import scipy
 from forficula.arrays import Array, Flags
 from forficula.statics.rest_path import rest_path
 from forficula.statics.tree.pose import pose, tree_of
-from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, torque_scale
+from forficula.statics.tree.potential import Ensemble, ensemble, hinge_angles, potential, rest, torque_scale
 from forficula.statics.tree.tree_path import place_positions
 from forficula.structure import (
     GrowingLoad,
@@ -35,7 +35,7 @@ def tree_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) ->
 
 
 class _LoadedTree:
-    """A tree under a load; its states are the angles of the hinges, rad, (hinge,)."""
+    """A tree under a load; its states are the angles of the joints, rad, (joint,)."""
 
     def __init__(self, structure: Structure, load: GrowingLoad) -> None:
         self._structure, self._load = structure, load
@@ -94,7 +94,7 @@ class _LoadedTree:
         return np.asarray((one + other) / 2)
 
     def conjugates(self, _share: float, state: Array) -> Array:
-        # the potential is linear in the torques
+        # the potential is linear in the torques and forces
         count = len(self._structure.motors)
         torques = np.concatenate([np.zeros((1, count)), np.eye(count)])
         energy = potential(self._structures.repeated(count + 1), np.tile(state, (count + 1, 1)), torques)[0]
@@ -105,13 +105,16 @@ class _LoadedTree:
         if goal.kind != "bounds":
             return np.inf
         distances = point_distances(self._structure, self.shape(state).points)
-        return distance_to_goal(goal_coordinates(self._structure, state, distances), goal)
+        return distance_to_goal(goal_coordinates(self._structure, self._hinge_angles(state), distances), goal)
+
+    def _hinge_angles(self, state: Array) -> Array:
+        return np.asarray(hinge_angles(self._structures, state[None])[0])
 
     def shape(self, state: Array) -> RestShape:
         structure, at = self._structure, pose(self._tree, state[None])
         count = len(structure.bodies)
         return RestShape(
-            angles=state,
+            angles=self._hinge_angles(state),
             points=place_positions(structure, state[None])[0][: len(structure.points)],
             origins=at.origins[0, :count],
             frames=at.frames[0, :count],

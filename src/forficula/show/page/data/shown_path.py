@@ -35,11 +35,15 @@ class Fold:
 
 
 def fold_of(structure: Structure) -> Fold:
-    """Compute the quasi-static path of a structure for its page."""
+    """Compute the quasi-static path of a structure for its page: that of the first transition that moves it."""
+    reasons = list[str]()
     try:
-        return Fold(path=shown_path(quasi_static_path(structure, error=_TOLERANCE / 10)))
-    except InputError as error:
-        return Fold(path=None, missing=f"This page has no fold path: {error}.")
+        for name in tuple(transition.name for transition in structure.transitions) or (None,):
+            try:
+                return Fold(path=shown_path(quasi_static_path(structure, name, error=_TOLERANCE / 10)))
+            except InputError as error:
+                reasons.append(str(error))
+        return Fold(path=None, missing=f"This page has no fold path: {reasons[0]}.")
     except (ArithmeticError, ValueError) as error:  # a page of a run must not be lost because its statics failed
         return Fold(path=None, missing=f"This page has no fold path, because its computation failed: {error}.")
 
