@@ -25,6 +25,8 @@ def test_a_wrong_value_is_refused_with_its_key_and_what_is_allowed(model, key):
     table, _, inside = key.partition(".")
     needed = {"count": 8} if model is StudyFile and table == "sampling" else {}
     tables = {table: {**needed, inside: 3.5} if inside else 3.5}
+    if inside.startswith("0."):  # an entry of a list of tables
+        tables = {table: [{inside.removeprefix("0."): 3.5}]}
     with pytest.raises(InputError) as caught:
         read_section(model, tables)
     message = str(caught.value)
