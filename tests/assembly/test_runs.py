@@ -226,6 +226,48 @@ position = ["0 cm", "0 cm", "0 cm"]
     assert sum(mass.mass for mass in structure.masses) == pytest.approx(3e-3)
 
 
+@pytest.mark.parametrize("mass", ["0 g", "3 g"])
+def test_a_hinge_needs_a_part_that_a_support_holds(mass, tmp_path):
+    joint = f"""
+[[joint]]
+name = "axle"
+kind = "hinge"
+part = "sheet"
+points = ["vertex0", "vertex1"]
+position = ["0 cm", "0 cm", "0 cm"]
+mass = "{mass}"
+"""
+    text = assembly('[part.sheet]\nbased_on = "miura-sheet"\nsupport = []\n', joint)
+    with pytest.raises(InputError, match=r"joint\.axle\.part: need a part that a support holds"):
+        structure_of(read(tmp_path, text))
+
+
+TWIST = """
+[[drive]]
+name = "twist"
+kind = "torque"
+of = ["sheet.zigzag", "sheet.straight"]
+value = "2 N cm"
+"""
+
+
+def test_a_torque_of_the_assembly_does_not_change_the_rest_angles_that_a_part_drives(tmp_path):
+    structure = structure_of(read(tmp_path, assembly('[part.sheet]\nbased_on = "miura-sheet"\n', more=TWIST)))
+    kinds = [motor.kind for motor in structure.motors]
+    shares = {drive.name: dict(zip(kinds, drive.shares, strict=True)) for drive in structure.drives}
+    assert shares["sheet.fold"] == {"rest-angle": 1.0, "torque": 0.0}
+    assert shares["twist"] == {"rest-angle": 0.0, "torque": 1.0}
+
+
+def test_torques_on_the_same_hinges_need_the_same_no_load_speed(tmp_path):
+    more = TWIST.replace('"sheet.zigzag", "sheet.straight"', '"sheet.crease0", "sheet.crease1"')
+    text = assembly('[part.sheet]\nbased_on = "letter-fold"\n', more=more)
+    assert len(structure_of(read(tmp_path, text)).motors) == 1
+    text = text.replace('value = "2 N cm"', 'value = "2 N cm"\nno_load_speed = "90 deg/s"')
+    with pytest.raises(InputError, match=r"drive\.twist\.no_load_speed: need that of .* none, got 90 deg/s"):
+        structure_of(read(tmp_path, text))
+
+
 def test_the_hindwing_is_locked_withstands_a_gust_and_folds_after_a_pulse_without_a_motor_on_the_fan():
     whole = load_design("earwig-hindwing")
     names = [stage.name for stage in whole.protocol.stages]

@@ -348,14 +348,7 @@ def _placed(joined: _Joined, name: str, structure: Structure, joint: PlacingJoin
         )
         joined.joints.append(_hinge(joint, number, axis))
         base, carried = number, _within(motion, start, frame)
-        fixed = [
-            *(body.position for body in structure.bodies if body.parent == GROUND and not body.slides),
-            *(point.place for point in structure.points if point.body == GROUND),
-        ]
-        if joint.mass:
-            share = joint.mass / len(fixed)
-            places = (carried.of(place) for place in fixed)
-            joined.masses += [PointMass(body=number, place=place, mass=share, role="base") for place in places]
+        joined.masses += _base_masses(joint, structure, number, carried)
     return _Part(
         name=name,
         structure=structure,
@@ -365,6 +358,33 @@ def _placed(joined: _Joined, name: str, structure: Structure, joint: PlacingJoin
         motion=motion,
         carried=carried,
     )
+
+
+def _base_masses(joint: HingeJoint, structure: Structure, body: int, carried: RigidMotion) -> list[PointMass]:
+    """Return the mass of a hinge's body, divided equally between the positions that the part fixes to the ground.
+
+    Args:
+        joint: hinge that carries the part.
+        structure: structure of the part.
+        body: number of the hinge's body in the assembly.
+        carried: motion from the axes of the part to those of this body.
+
+    Raises:
+        InputError: the part fixes nothing to the ground, so that the hinge would carry nothing.
+    """
+    fixed = [
+        *(entry.position for entry in structure.bodies if entry.parent == GROUND and not entry.slides),
+        *(point.place for point in structure.points if point.body == GROUND),
+    ]
+    if not fixed:
+        raise InputError(
+            f"joint.{joint.name}.part: need a part that a support holds, because a hinge carries what the part fixes to"
+            f" the ground, got {joint.part}, whose bodies are all free"
+        )
+    if not joint.mass:
+        return []
+    mass = joint.mass / len(fixed)
+    return [PointMass(body=body, place=carried.of(place), mass=mass, role="base") for place in fixed]
 
 
 def _hinge(joint: HingeJoint, body: int, axis: Array) -> Hinge:

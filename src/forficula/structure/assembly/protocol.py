@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -11,8 +12,10 @@ from forficula.arrays import Array
 from forficula.design.assembly.assembly import AssemblyDesign
 from forficula.design.named_protocol import Drive
 from forficula.design.protocol import read_goal
+from forficula.design.section import ANGULAR_SPEED
 from forficula.errors import InputError
 from forficula.names import listed, one_of
+from forficula.quantities import show_quantity
 from forficula.structure.goals import coordinate_count, goal_of
 from forficula.structure.motors_and_measures import Measure, Motor, StageGoal
 from forficula.structure.protocol import drives_together, torque_motors
@@ -140,33 +143,42 @@ def _shared_motors(
 ) -> tuple[tuple[Motor, ...], list[int]]:
     """Return the motors of the parts and of the assembly, and the number of the motor for each one of the assembly.
 
-    A hinge has one motor: a torque of the assembly on the hinges of a motor of a part uses that motor.
+    A hinge has one motor of torques: a torque of the assembly on the hinges of a motor of a part uses that motor.
 
     Raises:
-        InputError: a torque on some of the hinges of a motor of a part, but not on all.
+        InputError: a torque on some of the hinges of a motor of a part, but not on all, or with another no-load speed.
     """
     motors, numbers = list(of_parts), list[int]()
+    torques = {number: motor for number, motor in enumerate(of_parts) if motor.kind == "torque"}
     for motor in added:
-        same = next(
-            (
-                number
-                for number, other in enumerate(of_parts)
-                if motor.hinges and set(other.hinges) == set(motor.hinges)
-            ),
-            None,
-        )
-        for other in of_parts:
-            common = sorted(set(motor.hinges) & set(other.hinges))
-            if common and same is None:
-                driven = listed(structure.hinges[hinge].name for hinge in other.hinges)
-                raise InputError(
-                    f"drive.{motor.name}.of: need all hinges of the motor {other.name} of a part, {driven}, or none of"
-                    f" them, got {structure.hinges[common[0]].name} among others"
-                )
+        hinges = set(motor.hinges)
+        same = next((number for number, other in torques.items() if hinges and set(other.hinges) == hinges), None)
         if same is None:
+            _check_apart(structure, motor, list(torques.values()))
             motors.append(motor)
+        elif motor.no_load_speed != of_parts[same].no_load_speed:
+            raise InputError(
+                f"drive.{motor.name}.no_load_speed: need that of the motor {of_parts[same].name} of a part, which acts"
+                f" on the same hinges, {_speed(of_parts[same])}, got {_speed(motor)}"
+            )
         numbers.append(len(motors) - 1 if same is None else same)
     return tuple(motors), numbers
+
+
+def _check_apart(structure: Structure, motor: Motor, others: Sequence[Motor]) -> None:
+    """Refuse a motor on some of the hinges of another motor."""
+    for other in others:
+        if common := sorted(set(motor.hinges) & set(other.hinges)):
+            driven = listed(structure.hinges[hinge].name for hinge in other.hinges)
+            raise InputError(
+                f"drive.{motor.name}.of: need all hinges of the motor {other.name} of a part, {driven}, or none of"
+                f" them, got {structure.hinges[common[0]].name} among others"
+            )
+
+
+def _speed(motor: Motor) -> str:
+    """Return the no-load speed of a motor as text."""
+    return show_quantity(motor.no_load_speed, ANGULAR_SPEED) if math.isfinite(motor.no_load_speed) else "none"
 
 
 def _measure(part: JoinedPart, measure: Measure) -> Measure:
