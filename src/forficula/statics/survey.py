@@ -125,9 +125,7 @@ def check_quasi_static(structure: Structure, protocol: Protocol) -> None:
         InputError: the protocol has such a stage; the message says why.
     """
     stages = [number for number, stage in enumerate(protocol.stages) if stage.quasi_static]
-    # in a stage, the drives of the one before may decrease
-    acting = {before for number in stages for before in (max(number - 1, 0), number)}
-    names = {name for number in acting for name in stage_drives(protocol.stages[number])}
+    names = {name for number in stages for name in stage_drives(protocol.stages[number])}
     reason = _why_not_quasi_static(structure, names) if stages else ""
     if reason:
         raise InputError(
