@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from forficula.arrays import Array
 from forficula.design.assembly.assembly import AssemblyDesign
 from forficula.design.named_protocol import Drive
 from forficula.design.protocol import read_goal
@@ -16,29 +15,11 @@ from forficula.design.section import ANGULAR_SPEED
 from forficula.errors import InputError
 from forficula.names import listed, one_of
 from forficula.quantities import show_quantity
+from forficula.structure.assembly.joined_part import JoinedPart
 from forficula.structure.goals import coordinate_count, goal_of
 from forficula.structure.motors_and_measures import Measure, Motor, StageGoal
 from forficula.structure.protocol import drives_together, torque_motors
 from forficula.structure.structure import Structure
-
-
-@dataclass(frozen=True, kw_only=True)
-class JoinedPart:
-    """A part of an assembly and its place among the components of the whole.
-
-    Attributes:
-        name: name of the part.
-        structure: structure of the part alone, with its protocol.
-        hinges: number of each of its hinges in the assembly, (hinge,).
-        first_point: number of its first point in the assembly.
-        turn: rotation from the axes of the part to those of the assembly, (3, 3).
-    """
-
-    name: str
-    structure: Structure
-    hinges: tuple[int, ...]
-    first_point: int
-    turn: Array
 
 
 def with_assembly_protocol(structure: Structure, design: AssemblyDesign, parts: Sequence[JoinedPart]) -> Structure:
@@ -88,14 +69,14 @@ def with_assembly_protocol(structure: Structure, design: AssemblyDesign, parts: 
 
 def _motor(part: JoinedPart, motor: Motor) -> Motor:
     """Return a motor of a part with the numbers of the assembly."""
-    direction = motor.direction
-    if direction is not None and not np.array_equal(part.turn, np.eye(3)):
-        direction = part.turn @ direction
+    direction, turn = motor.direction, part.motion.rotation
+    if direction is not None and not np.array_equal(turn, np.eye(3)):
+        direction = turn @ direction
     return replace(
         motor,
-        name=f"{part.name}.{motor.name}",
+        name=part.full_name(motor.name),
         hinges=tuple(part.hinges[hinge] for hinge in motor.hinges),
-        points=tuple(part.first_point + point for point in motor.points),
+        points=part.point_numbers(motor.points),
         direction=direction,
     )
 
@@ -107,7 +88,7 @@ def _part_drives(parts: Sequence[JoinedPart], named: Sequence[Drive]) -> list[Dr
     before = 0
     for part in parts:
         for drive in part.structure.drives:
-            named_drive = by_name.get(f"{part.name}.{drive.name}")
+            named_drive = by_name.get(part.full_name(drive.name))
             if named_drive is not None:
                 shares = (*[0.0] * before, *drive.shares)
                 drives.append(replace(named_drive, shares=shares, strength=drive.strength))
@@ -186,7 +167,7 @@ def _measure(part: JoinedPart, measure: Measure) -> Measure:
     one, other = measure.points or (0, 0)
     return replace(
         measure,
-        name=f"{part.name}.{measure.name}",
+        name=part.full_name(measure.name),
         hinges=tuple(part.hinges[hinge] for hinge in measure.hinges),
         points=None if measure.points is None else (part.first_point + one, part.first_point + other),
         label=f"{part.name}: {measure.label or measure.name}",
