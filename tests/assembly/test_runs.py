@@ -242,6 +242,46 @@ mass = "{mass}"
         structure_of(read(tmp_path, text))
 
 
+CARRIED = """
+[[joint]]
+name = "stand"
+kind = "rigid"
+part = "wing"
+to = "sheet.vertex8"
+"""
+FANS = '[part.one]\nbased_on = "binder2025"\n[part.two]\nbased_on = "binder2025"\n'
+
+
+@pytest.mark.parametrize(
+    ("parts", "joints", "contact", "message"),
+    [
+        (
+            '[part.sheet]\nbased_on = "miura-sheet"\n[part.wing]\nbased_on = "letter-fold"\n',
+            CARRIED,
+            "false",
+            "joint.stand.to: need a body that can turn",
+        ),
+        (
+            '[part.sheet]\nbased_on = "letter-fold"\n',
+            "",
+            "true",
+            "protocol.contact: need false, because contact of the part sheet is not modelled, got true",
+        ),
+        (
+            FANS + "contact.friction = 0.3\n",
+            "",
+            "true",
+            "need one thickness and one friction of contact in all parts, got those of two",
+        ),
+    ],
+)
+def test_parts_that_cannot_be_simulated_together_are_refused(parts, joints, contact, message, tmp_path):
+    text = assembly(parts, joints).replace("[protocol]", f"[protocol]\ncontact = {contact}")
+    with pytest.raises(InputError) as error:
+        structure_of(read(tmp_path, text))
+    assert message in str(error.value)
+
+
 TWIST = """
 [[drive]]
 name = "twist"

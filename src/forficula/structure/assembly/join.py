@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -14,11 +14,12 @@ from forficula.errors import InputError
 from forficula.structure.appearance import Appearance
 from forficula.structure.assembly.components import with_components
 from forficula.structure.assembly.groups import with_groups
+from forficula.structure.assembly.joined_part import JoinedPart
 from forficula.structure.assembly.joints import with_inertia, with_joints
 from forficula.structure.assembly.layout import Layout, add_part
 from forficula.structure.assembly.protocol import with_assembly_protocol
 from forficula.structure.mass import mass_of
-from forficula.structure.parts import Stops
+from forficula.structure.parts import Contact, Stops
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points
 
@@ -47,7 +48,7 @@ def assembly_structure(design: AssemblyDesign, build: Callable[[Design], Structu
         bodies=tuple(layout.bodies),
         points=tuple(layout.points),
         hinges=layout.hinges,
-        contact=next((part.structure.contact for part in parts if part.structure.contact is not None), None),
+        contact=_common_contact(design, parts),
         stops=Stops(time_constant=design.stops.time_constant, damping_ratio=design.stops.damping_ratio),
         gravity=design.protocol.gravity,
         span=parts[0].structure.span,
@@ -70,6 +71,28 @@ def assembly_structure(design: AssemblyDesign, build: Callable[[Design], Structu
     structure = with_inertia(structure, parts)
     _check_masses(structure)
     return with_assembly_protocol(structure, design, parts)
+
+
+def _common_contact(design: AssemblyDesign, parts: Sequence[JoinedPart]) -> Contact | None:
+    """Return the contact of all parts; None if bodies pass through each other.
+
+    Raises:
+        InputError: contact of a part is not modelled, or parts differ in their contact.
+    """
+    if not design.protocol.contact:
+        return None
+    for part in parts:
+        if part.structure.contact is None:
+            raise InputError(
+                f"{design.name}: protocol.contact: need false, because contact of the part {part.name} is not modelled,"
+                " got true"
+            )
+        if part.structure.contact != parts[0].structure.contact:
+            raise InputError(
+                f"{design.name}: protocol.contact: need one thickness and one friction of contact in all parts, got"
+                f" those of {part.name} that differ from those of {parts[0].name}"
+            )
+    return parts[0].structure.contact
 
 
 def _check_kinds(structure: Structure) -> None:

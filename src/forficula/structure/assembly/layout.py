@@ -220,10 +220,21 @@ def _frame_of(layout: Layout, body: int) -> tuple[Array, Array]:
 
 
 def _body_number(layout: Layout, joint: PlacingJoint) -> int:
-    """Return the number of the body that carries a part."""
+    """Return the number of the body that carries a part.
+
+    Raises:
+        InputError: there is no such body, or it has no orientation.
+    """
     if joint.to == GROUND_BODY:
         return GROUND
-    return number_of(f"joint.{joint.name}.to", layout.bodies, joint.to)
+    key = f"joint.{joint.name}.to"
+    number = number_of(key, layout.bodies, joint.to)
+    if layout.bodies[number].slides and not layout.bodies[number].turns:
+        raise InputError(
+            f"{key}: need a body that can turn, because it sets the orientation of the part, got {joint.to}, a vertex"
+            " of facets that bend; connect such vertices by springs or tendons"
+        )
+    return number
 
 
 def _joint_points(structure: Structure, name: str, joint: PlacingJoint) -> Array:
