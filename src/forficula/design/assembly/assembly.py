@@ -90,7 +90,9 @@ class AssemblyDesign(Design):
         """Return the design of a part in the surroundings of the assembly."""
         part: Design = getattr(self, name)
         protocol = part.protocol.model_copy(update={key: getattr(self.protocol, key) for key in ("gravity", "contact")})
-        return part.model_copy(update={"medium": self.medium, "stops": self.stops, "protocol": protocol})
+        # a part without stops of bodies refuses a compliance of stops
+        stops = self.stops if part.has_stops_of_bodies else part.stops
+        return part.model_copy(update={"medium": self.medium, "stops": stops, "protocol": protocol})
 
     @property
     def placing(self) -> dict[str, PlacingJoint]:
