@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from forficula.design import design_from_text, design_text, load_design, with_values
+from forficula.design import design_from_text, design_text, load_design, scale_design, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate
 from forficula.errors import InputError
 from forficula.structure import built_points, structure_of
@@ -323,3 +323,17 @@ def test_the_hindwing_is_locked_withstands_a_gust_and_folds_after_a_pulse_withou
     for motor, work in zip(record.structure.motors, works, strict=True):
         assert bool(work) == (motor.name in ("midwing.middle", "gust")), motor.name
     assert design_from_text(design_text(whole)).hash == whole.hash
+
+
+def test_a_scaled_hindwing_moves_similarly_in_scaled_time_and_its_energies_scale_with_volume():
+    whole = load_design("earwig-hindwing")
+    pulse = next(stage for stage in whole.protocol.stages if stage.name == "pulse")
+    whole = with_values(whole, {"protocol.stages": [pulse.si_tables()]})
+    one, other = (simulated(design) for design in (whole, scale_design(whole, 0.5)))
+    np.testing.assert_allclose(2 * other.time, one.time, atol=1e-12)
+    angles = one.series["hinge_angle"]
+    assert np.ptp(angles, axis=0).max() > math.radians(5)
+    np.testing.assert_allclose(other.series["hinge_angle"], angles, atol=1e-9)
+    for name in ("tendon", "hinge", "coupling", "spring", "membrane", "kinetic"):
+        energies = one.series[f"{name}_energy"]
+        np.testing.assert_allclose(8 * other.series[f"{name}_energy"], energies, atol=1e-9 * energies.max(), rtol=1e-6)
