@@ -282,6 +282,28 @@ def test_parts_that_cannot_be_simulated_together_are_refused(parts, joints, cont
     assert message in str(error.value)
 
 
+def test_the_balance_of_a_fan_beside_facets_that_bend_closes_under_forces_on_both(tmp_path):
+    parts = '[part.cell]\nbased_on = "kresling-cell"\n[part.wing]\nbased_on = "binder2025"\n'
+    pushes = "".join(
+        f"""
+[[drive]]
+name = "{name}"
+kind = "force"
+of = "{point}"
+force = "2 N"
+direction = [0, 0, -1]
+rise = "1 ms"
+"""
+        for name, point in (("press", "cell.vertex8"), ("gust", "wing.tip0"))
+    )
+    text = assembly(parts, step=0.01, limit=4, more=pushes).replace('"none"', '["press", "gust"]')
+    record = simulated(read(tmp_path, text))
+    assert energy_balance(record).residual < 1e-3
+    works = dict(zip((motor.name for motor in record.structure.motors), record.series["motor_work"][-1], strict=True))
+    assert works["press"] > 0
+    assert works["gust"] > 0
+
+
 TWIST = """
 [[drive]]
 name = "twist"
