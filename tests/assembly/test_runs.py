@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from forficula.design import design_from_text, design_text, load_design, scale_design, with_values
-from forficula.dynamics import compile_model, energy_balance, simulate
+from forficula.dynamics import compile_model, energy_balance, simulate, why_not_portable
 from forficula.errors import InputError
 from forficula.structure import built_points, structure_of
 
@@ -280,6 +280,22 @@ def test_parts_that_cannot_be_simulated_together_are_refused(parts, joints, cont
     with pytest.raises(InputError) as error:
         structure_of(read(tmp_path, text))
     assert message in str(error.value)
+
+
+def test_a_page_does_not_simulate_a_force_on_a_body_that_turns(tmp_path):
+    push = """
+[[drive]]
+name = "gust"
+kind = "force"
+of = "wing.tip0"
+force = "0.1 N"
+direction = [0, 0, -1]
+"""
+    reasons = [
+        why_not_portable(compile_model(read(tmp_path, assembly('[part.wing]\nbased_on = "binder2025"\n', more=more))))
+        for more in ("", push)
+    ]
+    assert reasons == ["", "a force acts on a body that turns, and a page does not compute its work"]
 
 
 def test_the_balance_of_a_fan_beside_facets_that_bend_closes_under_forces_on_both(tmp_path):
