@@ -179,7 +179,7 @@ class AssemblyDesign(Design):
         used = [stage.until for stage in stages if is_bound(stage)]
         distances = [name for name, unit in self.measure_units.items() if unit is not ANGLE]
         return NamedProtocol(
-            drives=(*self._part_drives, *map(self._own_drive, self.drive)),
+            drives=(*self._part_drives, *map(self._added_drive, self.drive)),
             goals={goal: goals.get(goal, goal) for goal in dict.fromkeys([*goals, *used])},
             states=rest_states(stages),
             stage_states=tuple(stage.state or "" for stage in stages),
@@ -195,7 +195,7 @@ class AssemblyDesign(Design):
                     drive, name=f"{name}.{drive.name}", key=f"{name}.{drive.key}", where=f"{drive.where} of {name}"
                 )
 
-    def _own_drive(self, drive: Any) -> Drive:
+    def _added_drive(self, drive: Any) -> Drive:
         """Return a drive of the assembly with its one action."""
         hinged = isinstance(drive, HingeDrive)
         targets = drive_targets(drive)
