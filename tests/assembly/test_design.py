@@ -81,6 +81,22 @@ def test_a_written_design_reads_back_with_the_same_values(design):
     assert design_text(again) == text
 
 
+def test_a_written_design_marks_chosen_values_of_parts_within_parts(read, tmp_path):
+    inner = tmp_path / "inner.toml"
+    inner.write_text(two(joints="", parts='[part.sheet]\nbased_on = "miura-sheet"\n'), encoding="utf-8")
+    text = design_text(read(two(joints="", parts='[part.inner]\nbased_on = "inner.toml"\n')))
+    section = text[text.index("[part.inner.part.sheet.facet]") :]
+    assert "poisson_ratio = 0.3  # [chosen]" in section
+
+
+def test_a_written_design_has_stops_only_in_parts_with_stops_of_bodies(read):
+    parts = '[part.sheet]\nbased_on = "miura-sheet"\n[part.wing]\nbased_on = "binder2025"\n'
+    design = read(two(joints="", parts=parts, more='[stops]\ntime_constant = "0.4 ms"\n'))
+    again = design_from_text(design_text(design))
+    assert again.hash == design.hash
+    assert again.wing.stops.time_constant == pytest.approx(4e-4)
+
+
 def test_a_design_crosses_the_border_of_a_process(design):
     again = pickle.loads(pickle.dumps(design))
     assert again.hash == design.hash

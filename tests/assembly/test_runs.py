@@ -6,8 +6,8 @@ import re
 import numpy as np
 import pytest
 
-from forficula.design import design_from_text, design_text, load_design, with_values
-from forficula.dynamics import compile_model, energy_balance, simulate
+from forficula.design import design_from_text, design_text, load_design, scale_design, with_values
+from forficula.dynamics import compile_model, energy_balance, simulate, why_not_portable
 from forficula.errors import InputError
 from forficula.structure import built_points, structure_of
 
@@ -226,6 +226,126 @@ position = ["0 cm", "0 cm", "0 cm"]
     assert sum(mass.mass for mass in structure.masses) == pytest.approx(3e-3)
 
 
+@pytest.mark.parametrize("mass", ["0 g", "3 g"])
+def test_a_hinge_needs_a_part_that_a_support_holds(mass, tmp_path):
+    joint = f"""
+[[joint]]
+name = "axle"
+kind = "hinge"
+part = "sheet"
+points = ["vertex0", "vertex1"]
+position = ["0 cm", "0 cm", "0 cm"]
+mass = "{mass}"
+"""
+    text = assembly('[part.sheet]\nbased_on = "miura-sheet"\nsupport = []\n', joint)
+    with pytest.raises(InputError, match=r"joint\.axle\.part: need a part that a support holds"):
+        structure_of(read(tmp_path, text))
+
+
+CARRIED = """
+[[joint]]
+name = "stand"
+kind = "rigid"
+part = "wing"
+to = "sheet.vertex8"
+"""
+FANS = '[part.one]\nbased_on = "binder2025"\n[part.two]\nbased_on = "binder2025"\n'
+
+
+@pytest.mark.parametrize(
+    ("parts", "joints", "contact", "message"),
+    [
+        (
+            '[part.sheet]\nbased_on = "miura-sheet"\n[part.wing]\nbased_on = "letter-fold"\n',
+            CARRIED,
+            "false",
+            "joint.stand.to: need a body that can turn",
+        ),
+        (
+            '[part.sheet]\nbased_on = "letter-fold"\n',
+            "",
+            "true",
+            "protocol.contact: need false, because contact of the part sheet is not modelled, got true",
+        ),
+        (
+            FANS + "contact.friction = 0.3\n",
+            "",
+            "true",
+            "need one thickness and one friction of contact in all parts, got those of two",
+        ),
+    ],
+)
+def test_parts_that_cannot_be_simulated_together_are_refused(parts, joints, contact, message, tmp_path):
+    text = assembly(parts, joints).replace("[protocol]", f"[protocol]\ncontact = {contact}")
+    with pytest.raises(InputError) as error:
+        structure_of(read(tmp_path, text))
+    assert message in str(error.value)
+
+
+def test_a_page_does_not_simulate_a_force_on_a_body_that_turns(tmp_path):
+    push = """
+[[drive]]
+name = "gust"
+kind = "force"
+of = "wing.tip0"
+force = "0.1 N"
+direction = [0, 0, -1]
+"""
+    reasons = [
+        why_not_portable(compile_model(read(tmp_path, assembly('[part.wing]\nbased_on = "binder2025"\n', more=more))))
+        for more in ("", push)
+    ]
+    assert reasons == ["", "a force acts on a body that turns, and a page does not compute its work"]
+
+
+def test_the_balance_of_a_fan_beside_facets_that_bend_closes_under_forces_on_both(tmp_path):
+    parts = '[part.cell]\nbased_on = "kresling-cell"\n[part.wing]\nbased_on = "binder2025"\n'
+    pushes = "".join(
+        f"""
+[[drive]]
+name = "{name}"
+kind = "force"
+of = "{point}"
+force = "2 N"
+direction = [0, 0, -1]
+rise = "1 ms"
+"""
+        for name, point in (("press", "cell.vertex8"), ("gust", "wing.tip0"))
+    )
+    text = assembly(parts, step=0.01, limit=4, more=pushes).replace('"none"', '["press", "gust"]')
+    record = simulated(read(tmp_path, text))
+    assert energy_balance(record).residual < 1e-3
+    works = dict(zip((motor.name for motor in record.structure.motors), record.series["motor_work"][-1], strict=True))
+    assert works["press"] > 0
+    assert works["gust"] > 0
+
+
+TWIST = """
+[[drive]]
+name = "twist"
+kind = "torque"
+of = ["sheet.zigzag", "sheet.straight"]
+value = "2 N cm"
+"""
+
+
+def test_a_torque_of_the_assembly_does_not_change_the_rest_angles_that_a_part_drives(tmp_path):
+    structure = structure_of(read(tmp_path, assembly('[part.sheet]\nbased_on = "miura-sheet"\n', more=TWIST)))
+    kinds = [motor.kind for motor in structure.motors]
+    shares = {drive.name: dict(zip(kinds, drive.shares, strict=True)) for drive in structure.drives}
+    assert shares["sheet.fold"] == {"rest-angle": 1.0, "torque": 0.0}
+    assert shares["twist"] == {"rest-angle": 0.0, "torque": 1.0}
+
+
+def test_torques_on_the_same_hinges_need_the_same_no_load_speed(tmp_path):
+    more = TWIST.replace('"sheet.zigzag", "sheet.straight"', '"sheet.crease0", "sheet.crease1"')
+    text = assembly('[part.sheet]\nbased_on = "letter-fold"\n', more=more)
+    assert len(structure_of(read(tmp_path, text)).motors) == 1
+    text = text.replace('value = "2 N cm"', 'value = "2 N cm"\nno_load_speed = "90 deg/s"')
+    with pytest.raises(InputError, match=r"drive\.twist\.no_load_speed: need that of .* none, got 90 deg/s"):
+        structure_of(read(tmp_path, text))
+
+
 def test_the_hindwing_is_locked_withstands_a_gust_and_folds_after_a_pulse_without_a_motor_on_the_fan():
     whole = load_design("earwig-hindwing")
     names = [stage.name for stage in whole.protocol.stages]
@@ -251,3 +371,17 @@ def test_panels_of_the_hindwing_touch_and_the_balance_closes():
     record = simulated(with_values(whole, {"protocol.contact": True, "protocol.stages": chosen}))
     assert record.stages[-1].goal_time is not None
     assert energy_balance(record).residual < 5e-3
+
+
+def test_a_scaled_hindwing_moves_similarly_in_scaled_time_and_its_energies_scale_with_volume():
+    whole = load_design("earwig-hindwing")
+    pulse = next(stage for stage in whole.protocol.stages if stage.name == "pulse")
+    whole = with_values(whole, {"protocol.stages": [pulse.si_tables()]})
+    one, other = (simulated(design) for design in (whole, scale_design(whole, 0.5)))
+    np.testing.assert_allclose(2 * other.time, one.time, atol=1e-12)
+    angles = one.series["hinge_angle"]
+    assert np.ptp(angles, axis=0).max() > math.radians(5)
+    np.testing.assert_allclose(other.series["hinge_angle"], angles, atol=1e-9)
+    for name in ("tendon", "hinge", "coupling", "spring", "membrane", "kinetic"):
+        energies = one.series[f"{name}_energy"]
+        np.testing.assert_allclose(8 * other.series[f"{name}_energy"], energies, atol=1e-9 * energies.max(), rtol=1e-6)

@@ -111,3 +111,44 @@ def test_given_relaxation_is_unchanged_and_chosen_relaxation_scales_with_size():
     assert scale_design(given_one, 0.1, natural=True).facet.stretch_damping == given_one.facet.stretch_damping
     small = scale_design(chosen, 0.1, natural=True)
     assert small.facet.stretch_damping == pytest.approx(chosen.settled().facet.stretch_damping / 10, rel=ROUNDING)
+
+
+def test_a_bound_on_a_distance_scales_with_the_structure():
+    bounds = [stage.until for stage in scale_design("kresling-cell", 0.5).protocol.stages]
+    assert bounds == ["time", "top_distance < 11.7 cm", "rest", "top_distance > 12.15 cm", "rest"]
+    angles = [stage.until for stage in scale_design("letter-fold", 0.5).protocol.stages]
+    assert angles == [stage.until for stage in load_design("letter-fold").protocol.stages]
+
+
+def test_parts_of_an_assembly_scale_as_they_do_alone(tmp_path):
+    file = tmp_path / "whole.toml"
+    file.write_text(
+        """
+source = "a test"
+[part.cell]
+based_on = "kresling-cell"
+[part.sheet]
+based_on = "miura-sheet"
+[[joint]]
+name = "stand"
+kind = "rigid"
+part = "sheet"
+points = ["vertex0"]
+position = ["40 cm", "0 cm", "0 cm"]
+[[protocol.stages]]
+name = "press"
+drive = "cell.push"
+until = "cell.top_distance < 23.4 cm"
+time_limit = "1 s"
+""",
+        encoding="utf-8",
+    )
+    whole = scale_design(load_design(file), 0.5, natural=True)
+    assert whole.joint[0].position == (0.2, 0.0, 0.0)
+    assert whole.protocol.stages[0].until == "cell.top_distance < 11.7 cm"
+    for name in ("kresling-cell", "miura-sheet"):
+        part = getattr(whole, "cell" if name == "kresling-cell" else "sheet")
+        alone = scale_design(name, 0.5, natural=True)
+        for section in ("facet", "crease", "stops"):
+            assert getattr(part, section) == getattr(alone, section), (name, section)
+        assert [stage.until for stage in part.protocol.stages] == [stage.until for stage in alone.protocol.stages]

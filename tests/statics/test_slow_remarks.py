@@ -6,7 +6,7 @@ import pytest
 from forficula.design import load_design
 from forficula.statics.tree.inertial_help import InertialHelp
 from forficula.statics.tree.quasi_static import SlowTransition
-from forficula.statics.tree_landscape import slow_remarks
+from forficula.statics.tree_remarks import slow_remarks
 from forficula.structure import structure_of
 
 WING = structure_of(load_design("binder2025"))

@@ -9,11 +9,13 @@ from typing import Any, TypeVar
 from forficula.design.design import Design
 from forficula.design.files.design_file import AnyDesign, as_design, with_values
 from forficula.design.files.provenance import scaled_source
+from forficula.design.protocol import read_goal
 from forficula.design.section import Quantity, Section, field_quantity
 from forficula.errors import InputError
-from forficula.quantities import as_written, dimension, show_quantity
+from forficula.quantities import as_written, dimension, format_quantity, parse_quantity, show_quantity
 
 _SectionOf = TypeVar("_SectionOf", bound=Section)
+_DesignOf = TypeVar("_DesignOf", bound=Design)
 
 # smaller than atoms, larger than mountains; within this range a fifth power is a float
 _SMALLEST, _LARGEST = 1e-9, 1e9
@@ -59,13 +61,46 @@ def scale_design(design: AnyDesign, factor: float, *, natural: bool = False) -> 
     if not isinstance(factor, int | float) or not _SMALLEST <= factor <= _LARGEST:
         raise InputError(f"factor: need >= {_SMALLEST:g} and <= {_LARGEST:g}, got {as_written(factor)}")
     scaled = _rescaled(design.settled(), 1 / factor, 1 / factor**3, 1 / factor)
-    if not design.has_stops_of_bodies:
-        scaled = scaled.model_copy(update={"stops": design.stops})
+    scaled = _with_scaled_bounds(_with_idle_stops(scaled, design), design, factor)
     if natural:
         # a value that a rule chooses is not a property of a material, so it is scaled
         scaled = _with_natural(scaled, design.settled(), {(choice.section, choice.key) for choice in design.chosen})
     source = scaled_source(design.name, design.source, factor)
     return with_values(scaled, {"name": f"{design.name}-x{factor:g}", "source": source})
+
+
+def _with_idle_stops(scaled: _DesignOf, original: Design) -> _DesignOf:
+    """Return a scaled design, and its parts, with the original compliance of stops where no body has stops.
+
+    A design without stops of bodies refuses another compliance than the default.
+    """
+    changes: dict[str, Any] = {} if original.has_stops_of_bodies else {"stops": original.stops}
+    for name in type(scaled).model_fields:
+        part = getattr(original, name)
+        if isinstance(part, Design):
+            changes[name] = _with_idle_stops(getattr(scaled, name), part)
+    return scaled.model_copy(update=changes)
+
+
+def _with_scaled_bounds(scaled: _DesignOf, original: Design, factor: float) -> _DesignOf:
+    """Return a scaled design, and its parts, whose stages end at scaled distances: bounds are text in a design."""
+    units = original.measure_units
+
+    def bound(text: str) -> str:
+        written = read_goal(text)
+        unit = None if written is None else units.get(written.name)
+        if written is None or unit is None or not dimension(unit)[0]:
+            return text
+        value = factor * parse_quantity(written.value, unit)
+        return f"{written.name} {written.relation} {format_quantity(value, unit)}"
+
+    stages = tuple(stage.model_copy(update={"until": bound(stage.until)}) for stage in scaled.protocol.stages)
+    changes: dict[str, Any] = {"protocol": scaled.protocol.model_copy(update={"stages": stages})}
+    for name in type(scaled).model_fields:
+        part = getattr(original, name)
+        if isinstance(part, Design):
+            changes[name] = _with_scaled_bounds(getattr(scaled, name), part, factor)
+    return scaled.model_copy(update=changes)
 
 
 def _with_natural(
@@ -75,13 +110,14 @@ def _with_natural(
     changes: dict[str, Any] = {}
     for name in type(scaled).model_fields:
         value, before = getattr(scaled, name), getattr(original, name)
+        inside = f"{section}.{name}" if section else name
         if name in type(scaled).natural:
             changes[name] = value if (section, name) in scaled_keys else before
         elif isinstance(value, Section):
-            changes[name] = _with_natural(value, before, scaled_keys, name)
+            changes[name] = _with_natural(value, before, scaled_keys, inside)
         elif isinstance(value, tuple):
             changes[name] = tuple(
-                _with_natural(entry, entry_before, scaled_keys, name) if isinstance(entry, Section) else entry
+                _with_natural(entry, entry_before, scaled_keys, inside) if isinstance(entry, Section) else entry
                 for entry, entry_before in zip(value, before, strict=True)
             )
     return scaled.model_copy(update=changes)

@@ -20,7 +20,7 @@ def mechanisms_of(structure: Structure) -> tuple[Mechanism, ...]:
     """
     if not structure.mechanisms:
         return _mechanisms_by_kind(structure)
-    for kind, numbers in _storing_elements(structure).items():
+    for kind, numbers in storing_elements(structure).items():
         named = [number for mechanism in structure.mechanisms for number in getattr(mechanism, kind)]
         for number in numbers:
             if named.count(number) != 1:
@@ -31,9 +31,20 @@ def mechanisms_of(structure: Structure) -> tuple[Mechanism, ...]:
     return structure.mechanisms
 
 
+def storing_elements(structure: Structure) -> dict[str, tuple[int, ...]]:
+    """Return the numbers of the elements that store energy, by kind."""
+    return {
+        "hinges": tuple(number for number, hinge in enumerate(structure.hinges) if _stores_energy(hinge)),
+        "springs": tuple(range(len(structure.springs))),
+        "tendons": tuple(range(len(structure.tendons))),
+        "membranes": tuple(range(len(structure.membranes))),
+        "couplings": tuple(number for number, coupling in enumerate(structure.couplings) if not coupling.rigid),
+    }
+
+
 def _mechanisms_by_kind(structure: Structure) -> tuple[Mechanism, ...]:
     """Return one mechanism for each kind of element that stores energy."""
-    numbers = _storing_elements(structure)
+    numbers = storing_elements(structure)
     storing = set(numbers["hinges"])
     groups = {kind: tuple(filter(storing.__contains__, every)) for kind, every in hinge_groups(structure).items()}
     mechanisms = (
@@ -44,17 +55,6 @@ def _mechanisms_by_kind(structure: Structure) -> tuple[Mechanism, ...]:
         Mechanism(name="couplings", couplings=numbers["couplings"]),
     )
     return tuple(item for item in mechanisms if any(getattr(item, kind) for kind in ELEMENT_KINDS))
-
-
-def _storing_elements(structure: Structure) -> dict[str, tuple[int, ...]]:
-    """Return the numbers of the elements that store energy, by kind."""
-    return {
-        "hinges": tuple(number for number, hinge in enumerate(structure.hinges) if _stores_energy(hinge)),
-        "springs": tuple(range(len(structure.springs))),
-        "tendons": tuple(range(len(structure.tendons))),
-        "membranes": tuple(range(len(structure.membranes))),
-        "couplings": tuple(number for number, coupling in enumerate(structure.couplings) if not coupling.rigid),
-    }
 
 
 def _stores_energy(hinge: Hinge) -> bool:

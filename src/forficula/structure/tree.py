@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.structure.parts import GROUND, Tendon
+from forficula.structure.parts import GROUND, Body, Tendon
 from forficula.structure.structure import Structure
 
 
@@ -116,8 +118,17 @@ def tendon_arms(structure: Structure, tendon: Tendon) -> tuple[tuple[int, float]
 
 def built_frames(structure: Structure) -> tuple[Array, Array]:
     """Compute origins of bodies, (body, 3), and rotations from their axes to the ground's, (body, 3, 3), as built."""
-    origins, frames = np.zeros((len(structure.bodies), 3)), np.zeros((len(structure.bodies), 3, 3))
-    for number, body in enumerate(structure.bodies):
+    return frames_of(structure.bodies)
+
+
+def frames_of(bodies: Sequence[Body]) -> tuple[Array, Array]:
+    """Compute origins, (body, 3), and rotations to the axes of the ground, (body, 3, 3), of bodies as built.
+
+    Args:
+        bodies: parents before their children.
+    """
+    origins, frames = np.zeros((len(bodies), 3)), np.zeros((len(bodies), 3, 3))
+    for number, body in enumerate(bodies):
         if body.parent == GROUND:
             origins[number], frames[number] = body.position, body.frame
         else:

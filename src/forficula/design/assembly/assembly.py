@@ -90,7 +90,9 @@ class AssemblyDesign(Design):
         """Return the design of a part in the surroundings of the assembly."""
         part: Design = getattr(self, name)
         protocol = part.protocol.model_copy(update={key: getattr(self.protocol, key) for key in ("gravity", "contact")})
-        return part.model_copy(update={"medium": self.medium, "stops": self.stops, "protocol": protocol})
+        # a part without stops of bodies refuses a compliance of stops
+        stops = self.stops if part.has_stops_of_bodies else part.stops
+        return part.model_copy(update={"medium": self.medium, "stops": stops, "protocol": protocol})
 
     @property
     def placing(self) -> dict[str, PlacingJoint]:
@@ -177,7 +179,7 @@ class AssemblyDesign(Design):
         used = [stage.until for stage in stages if is_bound(stage)]
         distances = [name for name, unit in self.measure_units.items() if unit is not ANGLE]
         return NamedProtocol(
-            drives=(*self._part_drives, *map(self._own_drive, self.drive)),
+            drives=(*self._part_drives, *map(self._added_drive, self.drive)),
             goals={goal: goals.get(goal, goal) for goal in dict.fromkeys([*goals, *used])},
             states=rest_states(stages),
             stage_states=tuple(stage.state or "" for stage in stages),
@@ -193,7 +195,7 @@ class AssemblyDesign(Design):
                     drive, name=f"{name}.{drive.name}", key=f"{name}.{drive.key}", where=f"{drive.where} of {name}"
                 )
 
-    def _own_drive(self, drive: Any) -> Drive:
+    def _added_drive(self, drive: Any) -> Drive:
         """Return a drive of the assembly with its one action."""
         hinged = isinstance(drive, HingeDrive)
         targets = drive_targets(drive)

@@ -173,9 +173,18 @@ def save_design(design: Design, path: str | os.PathLike[str]) -> None:
 def design_text(design: Design) -> str:
     """Return all values of a design as TOML; values that a rule chooses are marked, with the reason."""
     text = tomli_w.dumps(_file_form(design, design.settled().as_tables()))
-    within = "part." if isinstance(design, AssemblyDesign) else ""
-    reasons = {f"{within}{choice.section}.{choice.key}": f"[chosen] {choice.reason}" for choice in design.chosen}
+    reasons = {
+        f"{_file_section(design, choice.section)}.{choice.key}": f"[chosen] {choice.reason}" for choice in design.chosen
+    }
     return with_remarks(text, reasons) if reasons else text
+
+
+def _file_section(design: Design, section: str) -> str:
+    """Return the name of a section as a file has it: parts of an assembly are under `part`."""
+    if not isinstance(design, AssemblyDesign):
+        return section
+    name, _, inside = section.partition(".")
+    return f"part.{name}.{_file_section(getattr(design, name), inside)}"
 
 
 def _file_form(design: Design, tables: dict[str, Any]) -> dict[str, Any]:

@@ -113,15 +113,15 @@ def motor_travel(model: Model, position: Array, travel: Array) -> Array:
             along[number] = np.sum(gains[order] * turned, axis=-1)
         elif motor.kind == "force":
             along[number] = np.sum(model.pushed[number] * travel, axis=-1)
-            if model.folds.placement is not None:
-                along[number] = _plate_displacements(model.in_units, model.folds.placement, motor, position, travel)
+            if model.pushed_bodies is not None:
+                along[number] = _body_displacements(model.in_units, model.pushed_bodies, motor, position, travel)
     return along
 
 
-def _plate_displacements(
+def _body_displacements(
     structure: Structure, placement: Placement, motor: Motor, position: Array, travel: Array
 ) -> Array:
-    """Compute the displacement of points of plates along a force for small shifts, (...)."""
+    """Compute the displacement of points of bodies along a force for small shifts, (...)."""
     pose = placement.poses(position)
     moves, turns = placement.rates(pose, travel)
     bodies = [structure.points[point].body for point in motor.points]

@@ -25,6 +25,7 @@ from forficula.dynamics.engine.contact import add_panels, add_stop_sensors, chec
 from forficula.dynamics.engine.couplings import add_couplings
 from forficula.dynamics.engine.drag import CONSTANT_STEPS, Drag, add_medium, drag_of
 from forficula.dynamics.engine.membrane import MembraneMesh, add_membranes, first_node, joined_mesh
+from forficula.dynamics.engine.placement import Placement, placement_of
 from forficula.dynamics.engine.tendons import add_distance, add_limit, add_pulls, add_spring, add_tendon
 from forficula.dynamics.engine.units import ModelUnits, design_in_model_units, model_units
 from forficula.dynamics.stepping.folds import Folds, folds_of, slide_name
@@ -57,6 +58,8 @@ class Model:
         followed: steps over which the engine's rows of creases and the drag are constant.
         pushed: displacement of a force's points along the force per shift of each coordinate, (motor, dof); 0 for other
             motors, and for plates, where it varies.
+        pushed_bodies: the bodies that turn, from which displacements of a force's points follow; None without such
+            forces.
         springs: index of each spring among the engine's tendons, (spring,).
         tendons: index of each tendon, (tendon,).
         distances: index of the tendon that measures each distance, (distance,).
@@ -91,6 +94,7 @@ class Model:
     drag: Drag | None
     followed: int
     pushed: Array
+    pushed_bodies: Placement | None
     springs: Indices
     tendons: Indices
     distances: Indices
@@ -210,6 +214,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         drag=drag,
         followed=_followed_steps(in_units),
         pushed=_force_displacements(engine, in_units),
+        pushed_bodies=_pushed_bodies(in_units),
         springs=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [spring.name for spring in in_units.springs]),
         tendons=tendons,
         distances=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]),
@@ -374,6 +379,12 @@ def _followed(engine: mujoco.MjModel, structure: Structure) -> Indices:
         names += served or on_plates or ([force] if motor.points else [])
         follows[_indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, names)] = number
     return follows
+
+
+def _pushed_bodies(structure: Structure) -> Placement | None:
+    """Return the placement of bodies that turn if forces act at points; None without such forces."""
+    pushes = has_turning_bodies(structure) and any(motor.points for motor in structure.motors)
+    return placement_of(structure) if pushes else None
 
 
 def _force_displacements(engine: mujoco.MjModel, structure: Structure) -> Array:

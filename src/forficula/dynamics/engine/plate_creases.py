@@ -63,14 +63,13 @@ class PlateRows:
         return angles, values[..., None] * self.forms
 
 
-def plate_rows(models: Sequence[Model]) -> PlateRows | None:
-    """Collect the creases between plates of structures of one topology side by side; None without creases."""
-    creases = models[0].creases
-    if creases is None:
-        return None
+def plate_rows(models: Sequence[Model]) -> PlateRows:
+    """Collect the creases between plates of structures of one topology side by side."""
     every = [model.folds for model in models]
     placements = [folds.placement for folds in every if folds.placement is not None]
     folds = replace(every[0], placement=stacked(placements), places=np.array([folds.places for folds in every]))
+    creases = models[0].creases
+    assert creases is not None
     return PlateRows(
         folds=folds,
         rows=creases.rows,

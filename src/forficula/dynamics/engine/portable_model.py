@@ -81,6 +81,8 @@ def why_not_portable(model: Model) -> str:
         return "its parts touch, and older engines compute contacts differently"
     if (model.holds >= 0).any():
         return "a drive displaces points"
+    if model.pushed_bodies is not None:
+        return "a force acts on a body that turns, and a page does not compute its work"
     if any(stage.wait for stage in model.design.protocol.stages):
         return "a stage waits without being stepped"
     if any(stage.quasi_static for stage in model.design.protocol.stages):

@@ -131,17 +131,10 @@ def folds_of(engine: mujoco.MjModel, structure: Structure) -> Folds:
         flaps=flaps.reshape(-1, 6).astype(np.int64),
         built=built_points(structure)[points],
         slides=slides,
-        placement=placement_of(structure) if _needs_poses(structure) else None,
+        placement=placement_of(structure) if structure.plates and len(flaps) else None,
         carriers=np.array([structure.points[point].body for point in points.tolist()], dtype=np.int64),
         places=np.array([structure.points[point].place for point in points.tolist()]).reshape(-1, 3),
     )
-
-
-def _needs_poses(structure: Structure) -> bool:
-    """Return whether creases between plates, or forces on points of bodies that turn, need the poses of the bodies."""
-    if structure.plates and any(hinge.flaps for hinge in structure.hinges):
-        return True
-    return bool(structure.plates or structure.bars) and any(motor.points for motor in structure.motors)
 
 
 def slide_name(body: str, axis: int) -> str:

@@ -2,40 +2,24 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from forficula.arrays import Array
 from forficula.design.assembly.assembly import AssemblyDesign
 from forficula.design.named_protocol import Drive
 from forficula.design.protocol import read_goal
+from forficula.design.section import ANGULAR_SPEED
 from forficula.errors import InputError
 from forficula.names import listed, one_of
+from forficula.quantities import show_quantity
+from forficula.structure.assembly.joined_part import JoinedPart
 from forficula.structure.goals import coordinate_count, goal_of
 from forficula.structure.motors_and_measures import Measure, Motor, StageGoal
 from forficula.structure.protocol import drives_together, torque_motors
 from forficula.structure.structure import Structure
-
-
-@dataclass(frozen=True, kw_only=True)
-class JoinedPart:
-    """A part of an assembly and its place among the components of the whole.
-
-    Attributes:
-        name: name of the part.
-        structure: structure of the part alone, with its protocol.
-        hinges: number of each of its hinges in the assembly, (hinge,).
-        first_point: number of its first point in the assembly.
-        turn: rotation from the axes of the part to those of the assembly, (3, 3).
-    """
-
-    name: str
-    structure: Structure
-    hinges: tuple[int, ...]
-    first_point: int
-    turn: Array
 
 
 def with_assembly_protocol(structure: Structure, design: AssemblyDesign, parts: Sequence[JoinedPart]) -> Structure:
@@ -85,14 +69,14 @@ def with_assembly_protocol(structure: Structure, design: AssemblyDesign, parts: 
 
 def _motor(part: JoinedPart, motor: Motor) -> Motor:
     """Return a motor of a part with the numbers of the assembly."""
-    direction = motor.direction
-    if direction is not None and not np.array_equal(part.turn, np.eye(3)):
-        direction = part.turn @ direction
+    direction, turn = motor.direction, part.motion.rotation
+    if direction is not None and not np.array_equal(turn, np.eye(3)):
+        direction = turn @ direction
     return replace(
         motor,
-        name=f"{part.name}.{motor.name}",
+        name=part.full_name(motor.name),
         hinges=tuple(part.hinges[hinge] for hinge in motor.hinges),
-        points=tuple(part.first_point + point for point in motor.points),
+        points=part.point_numbers(motor.points),
         direction=direction,
     )
 
@@ -104,7 +88,7 @@ def _part_drives(parts: Sequence[JoinedPart], named: Sequence[Drive]) -> list[Dr
     before = 0
     for part in parts:
         for drive in part.structure.drives:
-            named_drive = by_name.get(f"{part.name}.{drive.name}")
+            named_drive = by_name.get(part.full_name(drive.name))
             if named_drive is not None:
                 shares = (*[0.0] * before, *drive.shares)
                 drives.append(replace(named_drive, shares=shares, strength=drive.strength))
@@ -140,33 +124,42 @@ def _shared_motors(
 ) -> tuple[tuple[Motor, ...], list[int]]:
     """Return the motors of the parts and of the assembly, and the number of the motor for each one of the assembly.
 
-    A hinge has one motor: a torque of the assembly on the hinges of a motor of a part uses that motor.
+    A hinge has one motor of torques: a torque of the assembly on the hinges of a motor of a part uses that motor.
 
     Raises:
-        InputError: a torque on some of the hinges of a motor of a part, but not on all.
+        InputError: a torque on some of the hinges of a motor of a part, but not on all, or with another no-load speed.
     """
     motors, numbers = list(of_parts), list[int]()
+    torques = {number: motor for number, motor in enumerate(of_parts) if motor.kind == "torque"}
     for motor in added:
-        same = next(
-            (
-                number
-                for number, other in enumerate(of_parts)
-                if motor.hinges and set(other.hinges) == set(motor.hinges)
-            ),
-            None,
-        )
-        for other in of_parts:
-            common = sorted(set(motor.hinges) & set(other.hinges))
-            if common and same is None:
-                driven = listed(structure.hinges[hinge].name for hinge in other.hinges)
-                raise InputError(
-                    f"drive.{motor.name}.of: need all hinges of the motor {other.name} of a part, {driven}, or none of"
-                    f" them, got {structure.hinges[common[0]].name} among others"
-                )
+        hinges = set(motor.hinges)
+        same = next((number for number, other in torques.items() if hinges and set(other.hinges) == hinges), None)
         if same is None:
+            _check_apart(structure, motor, list(torques.values()))
             motors.append(motor)
+        elif motor.no_load_speed != of_parts[same].no_load_speed:
+            raise InputError(
+                f"drive.{motor.name}.no_load_speed: need that of the motor {of_parts[same].name} of a part, which acts"
+                f" on the same hinges, {_speed(of_parts[same])}, got {_speed(motor)}"
+            )
         numbers.append(len(motors) - 1 if same is None else same)
     return tuple(motors), numbers
+
+
+def _check_apart(structure: Structure, motor: Motor, others: Sequence[Motor]) -> None:
+    """Refuse a motor on some of the hinges of another motor."""
+    for other in others:
+        if common := sorted(set(motor.hinges) & set(other.hinges)):
+            driven = listed(structure.hinges[hinge].name for hinge in other.hinges)
+            raise InputError(
+                f"drive.{motor.name}.of: need all hinges of the motor {other.name} of a part, {driven}, or none of"
+                f" them, got {structure.hinges[common[0]].name} among others"
+            )
+
+
+def _speed(motor: Motor) -> str:
+    """Return the no-load speed of a motor as text."""
+    return show_quantity(motor.no_load_speed, ANGULAR_SPEED) if math.isfinite(motor.no_load_speed) else "none"
 
 
 def _measure(part: JoinedPart, measure: Measure) -> Measure:
@@ -174,7 +167,7 @@ def _measure(part: JoinedPart, measure: Measure) -> Measure:
     one, other = measure.points or (0, 0)
     return replace(
         measure,
-        name=f"{part.name}.{measure.name}",
+        name=part.full_name(measure.name),
         hinges=tuple(part.hinges[hinge] for hinge in measure.hinges),
         points=None if measure.points is None else (part.first_point + one, part.first_point + other),
         label=f"{part.name}: {measure.label or measure.name}",
