@@ -261,6 +261,20 @@ def test_what_has_no_bottom_or_no_number_does_not_rest():
         assert not result.rests.any()
 
 
+def test_a_truss_that_has_snapped_through_is_not_followed_to_its_rest():
+    truss = Truss(load=(0, -1.1 * Truss().snap_load))
+    starts = np.array([[0.0, truss.rise], [0.0, -truss.rise]])
+
+    def snapped(position, cases):
+        return (cases == 0) & (position[:, 1] < 0)
+
+    stopped = descend(truss.energy, starts, *FREE, longest_step=0.05, force=1e-9, enough=snapped)
+    rested = descend(truss.energy, starts, *FREE, longest_step=0.05, force=1e-9)
+    assert stopped.rests.tolist() == [False, True]
+    assert rested.position[0, 1] < -truss.rise < -0.05 <= stopped.position[0, 1] < 0
+    assert stopped.position[1] == pytest.approx(rested.position[1], abs=1e-9)
+
+
 def test_zero_cases_give_empty_results():
     result = Truss().rest(np.zeros((0, 2)))
     assert result.position.shape == (0, 2)

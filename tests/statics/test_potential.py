@@ -156,6 +156,14 @@ def test_structures_side_by_side_do_not_affect_each_other():
         assert alone.position[0] == pytest.approx(together.position[case], abs=0.01)
 
 
+def test_copies_of_a_structure_have_its_energy():
+    angles = np.random.default_rng(0).uniform(-0.5, 0.5, (2, 12))
+    alone = [potential(WINGS.only(np.array([0])), shape[None], FOLDING) for shape in angles]
+    for copied, *single in zip(potential(WINGS.repeated(2), angles, FOLDING), *alone, strict=True):
+        assert copied == pytest.approx(np.concatenate(single), rel=1e-12, abs=1e-15)
+    assert WINGS.repeated(2).only(np.array([1])).cases == 1
+
+
 def test_tendons_across_several_hinges_are_those_of_each_case():
     springs = [tree(7, membranes=False, limit=100.0, law=law) for law in _laws()]
     assert any(tendon.crossing is None for tendon in springs[0].tendons)

@@ -107,6 +107,21 @@ def test_the_least_fold_torque_is_that_of_small_equal_steps(slowly_folded):
     assert result == pytest.approx(ramp, rel=0.03)
 
 
+def test_hinges_turn_by_less_than_a_tenth_from_equilibrium_to_equilibrium_without_a_snap(slowly_folded):
+    wings, flat, least_torque = slowly_folded
+    recorded = quasi_static.least_slow_torque(wings, flat, FOLD, 0.2, recorded=True)
+    (path,) = recorded.paths
+    turned = np.abs(np.diff(path.position, axis=0)).max(axis=1)
+    snapping = np.zeros(len(turned), dtype=bool)
+    for first, last in path.snaps:
+        snapping[first:last] = True
+    assert recorded.torque == least_torque.torque
+    assert snapping.any()
+    assert turned[~snapping].max() <= 0.1
+    # a step is lengthened until it turns the hinges by more than half of this
+    assert np.median(turned[~snapping]) > 0.02
+
+
 def test_wings_side_by_side_have_the_least_torques_that_they_have_alone():
     pair = [DESIGNS[3], DESIGNS[5]]
     wings = ensemble_of(pair)

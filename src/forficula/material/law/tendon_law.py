@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -56,6 +57,11 @@ class ElasticLaw:
             got = f"{np.min(self.quadratic):g} N/m^2"
             raise InputError(f"quadratic: need {rule} or the tendon would push at some extension, got {got}")
 
+    @cached_property
+    def _straight(self) -> bool:
+        """Return whether the force is proportional to the extension, so that products with zeros can be left out."""
+        return not (np.any(self.quadratic) or np.any(self.cubic))
+
     def _extension(self, length: ArrayLike) -> Array:
         return np.maximum(np.asarray(length, dtype=np.float64) - self.rest_length, 0.0)
 
@@ -79,12 +85,18 @@ class ElasticLaw:
 
     def _energy_at(self, x: Array) -> Array:
         """Compute the energy at an extension, J."""
+        if self._straight:
+            return x**2 * (self.linear / 2)
         return x**2 * (self.linear / 2 + x * (self.quadratic / 3 + x * self.cubic / 4))
 
     def _force_at(self, x: Array) -> Array:
+        if self._straight:
+            return x * self.linear
         return x * (self.linear + x * (self.quadratic + x * self.cubic))
 
     def _slope_at(self, x: Array) -> Array:
+        if self._straight:
+            return np.asarray(self.linear)
         return self.linear + x * (2 * self.quadratic + x * 3 * self.cubic)
 
     def released(self, length: ArrayLike, shortening: ArrayLike) -> Array:

@@ -12,7 +12,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array, Indices
-from forficula.statics.tree.pose import Carried, Span, Tree, carried_points, moves_of, places_of, pose, pulled, span
+from forficula.statics.tree.pose import (
+    Carried,
+    Pose,
+    Span,
+    Tree,
+    carried_points,
+    moves_of,
+    places_of,
+    pose,
+    pulled,
+    span,
+)
 
 # energy, gradient and Hessian
 Expansion = tuple[Array, Array, Array]
@@ -150,32 +161,40 @@ def _pairs(carried: Carried, points: Sequence[int], hinges: Sequence[int]) -> In
     return np.flatnonzero(np.isin(carried.pairs[0], points) & np.isin(carried.pairs[1], hinges))
 
 
-def _sides(group: ElementGroup, places: Array, moves: Array) -> tuple[Array, Array]:
-    """Compute the sides of a group in some poses, and their derivatives by the hinges of their block.
+def _sides(group: ElementGroup, places: Array) -> Array:
+    """Compute the sides of a group in some poses, m or dimensionless, (case, piece, side, 3).
 
     Args:
         group: of pieces.
         places: positions of all points, m, (3, case, point).
-        moves: of all pairs of points and hinges, m, (3, case, pair).
-
-    Returns:
-        Sides, m or dimensionless, (case, piece, side, 3), and their derivatives by the angles,
-        (case, piece, side, 3, hinge).
     """
     cases = places.shape[1]
     count, length, _ = group.sides.shape
-    sides = _by_piece(places[:, :, group.points], count) @ np.swapaxes(group.sides, 1, 2)
+    sides = _by_piece(places[:, :, group.points], count) @ group.sides.swapaxes(1, 2)
+    return np.asarray(sides.reshape(count, 3, cases, length).transpose(2, 0, 3, 1))
+
+
+def _moves_of_sides(group: ElementGroup, moves: Array) -> Array:
+    """Compute the derivatives of the sides of a group by the angles of the hinges of their block.
+
+    Args:
+        group: of pieces.
+        moves: of all pairs of points and hinges, m, (3, case, pair).
+
+    Returns:
+        Derivatives of the sides, (case, piece, side, 3, hinge).
+    """
+    cases = moves.shape[1]
+    count, length, _ = group.sides.shape
     turned = _by_piece(moves[:, :, group.pairs], count) @ group.turns
-    return (
-        np.transpose(sides.reshape(count, 3, cases, length), (2, 0, 3, 1)),
-        np.ascontiguousarray(np.transpose(turned.reshape(count, 3, cases, length, group.size), (2, 0, 3, 1, 4))),
-    )
+    by_case = turned.reshape(count, 3, cases, length, group.size).transpose(2, 0, 3, 1, 4)
+    return np.ascontiguousarray(by_case)
 
 
 def _by_piece(vectors: Array, count: int) -> Array:
     """Return vectors of all pieces, (3, case, piece x part), as (piece, 3 x case, part)."""
     cases, parts = vectors.shape[1], vectors.shape[2] // count
-    by_piece = np.transpose(vectors.reshape(3, cases, count, parts), (2, 0, 1, 3))
+    by_piece = vectors.reshape(3, cases, count, parts).transpose(2, 0, 1, 3)
     return by_piece.reshape(count, 3 * cases, parts)
 
 
@@ -190,10 +209,12 @@ def _block(moves: Array, stiffness: Array) -> Array:
     by_element = moves.reshape(*stiffness.shape[:4], joints)
     by_piece = (*stiffness.shape[:2], stiffness.shape[2] * stiffness.shape[3], joints)
     pulls = (stiffness @ by_element).reshape(by_piece)
-    return np.asarray(np.swapaxes(by_element.reshape(by_piece), 2, 3) @ pulls)
+    return np.asarray(by_element.reshape(by_piece).swapaxes(2, 3) @ pulls)
 
 
-def stretched(laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Expansion]]) -> Expansion:
+def stretched(
+    laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Expansion | None]], at: Pose | None = None
+) -> Expansion:
     """Compute the energy of all groups, with gradient and Hessian by the hinges' angles.
 
     Args:
@@ -201,25 +222,32 @@ def stretched(laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Ex
         angles: of all hinges, in their own senses, rad, (case, hinge).
         laws: of every group: functions of its sides, m or dimensionless, (case, piece, side, 3), that return energy, J,
             (case,), gradient by the sides, (case, piece, side, 3), and Hessian by the sides of each element,
-            (case, piece, element, coordinate, coordinate).
+            (case, piece, element, coordinate, coordinate); or None if all elements are slack in all cases.
+        at: pose of the tree at these angles; computed by default.
 
     Returns:
         Energy, J, (case,); gradient, N m, (case, hinge); Hessian, N m/rad, (case, hinge, hinge).
     """
-    at = pose(laid.tree, angles)
+    cases, size = len(angles), laid.tree.size
+    if not laid.groups:
+        return _nothing(cases, size)
+    at = pose(laid.tree, angles) if at is None else at
     places = places_of(laid.carried, at)
+    expansions = [law(_sides(group, places)) for group, law in zip(laid.groups, laws, strict=True)]
+    if all(expansion is None for expansion in expansions):
+        return _nothing(cases, size)
     moves = moves_of(laid.carried, at, places)
-    cases = places.shape[1]
     blocks = {size: np.zeros((cases, len(entries), size, size)) for size, entries in laid.blocks.items()}
     forces, total = np.zeros(places.shape), np.zeros(cases)
-    for group, law in zip(laid.groups, laws, strict=True):
-        sides, turned = _sides(group, places, moves)
-        energy, pull, stiffness = law(sides)
+    for group, expansion in zip(laid.groups, expansions, strict=True):
+        if expansion is None:
+            continue
+        energy, pull, stiffness = expansion
         total += energy
-        blocks[group.size][:, group.blocks] += _block(turned, stiffness)
+        blocks[group.size][:, group.blocks] += _block(_moves_of_sides(group, moves), stiffness)
         count, length, points = group.sides.shape
-        by_piece = np.transpose(pull, (1, 3, 0, 2)).reshape(count, -1, length) @ group.sides
-        on_points = np.transpose(by_piece.reshape(count, 3, cases, points), (1, 2, 0, 3)).reshape(3, cases, -1)
+        by_piece = pull.transpose(1, 3, 0, 2).reshape(count, -1, length) @ group.sides
+        on_points = by_piece.reshape(count, 3, cases, points).transpose(1, 2, 0, 3).reshape(3, cases, -1)
         if group.gathers is None:
             forces[:, :, group.points] += on_points
         else:
@@ -233,3 +261,8 @@ def stretched(laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Ex
             else:
                 by_number[:, where] += blocks[size][:, number].reshape(cases, size * size)
     return total, slope, curvature
+
+
+def _nothing(cases: int, size: int) -> Expansion:
+    """Return an energy of 0 of some cases, with gradient and Hessian."""
+    return np.zeros(cases), np.zeros((cases, size)), np.zeros((cases, size, size))

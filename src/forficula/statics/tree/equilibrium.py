@@ -18,6 +18,8 @@ Cases = NDArray[np.int64]
 Energy = Callable[[Array, Cases], tuple[Array, Array, Array]]
 # Takes the numbers of the moving cases, and the positions of all cases, (case, coordinate).
 Follow = Callable[[Cases, Array], None]
+# Takes positions, (row, coordinate), and the numbers of their cases, (row,). Returns which rows need no further steps.
+Enough = Callable[[Array, Cases], Flags]
 
 _MOST_STEPS = 5000
 # share of a path beyond which a stretch without slope is a neutral range instead of a minimum
@@ -61,6 +63,7 @@ def descend(
     longest_step: float,
     force: float,
     follow: Follow | None = None,
+    enough: Enough | None = None,
 ) -> Equilibria:
     """Follow an energy downhill to an equilibrium, in steps short enough to stay in its valley.
 
@@ -76,43 +79,53 @@ def descend(
         longest_step: in the space of the coordinates.
         force: largest slope that counts as zero; slopes of the size of their rounding count as zero as well.
         follow: called after every step with the numbers of the cases that are not at rest and all positions.
+        enough: returns which cases are not followed further after a step, although they are not at rest; their results
+            are those of this step.
     """
     lower, upper = (np.array(np.broadcast_to(bound, start.shape)) for bound in (lower, upper))
     position = np.clip(start, lower, upper)
-    value, slope, curvature = energy(position, np.arange(len(position)))
+    moving = np.arange(len(position))
+    value, slope, curvature = energy(position, moving)
     # contiguous, because the last bits of sums by row depend on the order in memory
     position, slope = np.ascontiguousarray(position), np.ascontiguousarray(slope)
     radius = np.full(len(position), longest_step)
     stiffness, rests = np.full(len(position), np.nan), np.zeros(len(position), dtype=bool)
-    moving = np.arange(len(position))
     rows: slice | Cases = slice(None)  # all cases, without copies, while all of them move
     for _ in range(_MOST_STEPS):
         at, down = position[rows], -slope[rows]
-        least, most = lower[rows], upper[rows]
-        step, held, stiffness[rows] = _step_within((least - at, most - at), down, curvature[rows], radius[rows])
-        quiet = np.maximum(force, _NOISE * np.maximum.reduce(np.abs(curvature[rows]), axis=(1, 2)))[:, None]
-        rests[rows] = np.logical_and.reduce((np.abs(down) <= quiet) | (held & (step == 0)), axis=1)
-        going = ~rests[rows] & (radius[rows] > _SMALLEST_STEP)
+        least, most, bent, within = lower[rows], upper[rows], curvature[rows], radius[rows]
+        step, held, stiffness[rows] = _step_within((least - at, most - at), down, bent, within)
+        quiet = np.maximum(force, _NOISE * np.maximum.reduce(np.abs(bent), axis=(1, 2)))[:, None]
+        quieted = np.logical_and.reduce((np.abs(down) <= quiet) | (held & (step == 0)), axis=1)
+        rests[rows] = quieted
+        going = ~quieted & (within > _SMALLEST_STEP)
         if not going.all():
             moving = rows = moving[going]
             if not len(moving):
                 break
             at, down, least, most = at[going], down[going], least[going], most[going]
-            step, held = step[going], held[going]
-        tried, free = np.clip(at + step, least, most), ~held
+            step, held, within = step[going], held[going], within[going]
+        tried = np.minimum(np.maximum(at + step, least), most)
         new_value, new_slope, new_curvature = energy(tried, moving)
-        better = _improves(new_value, new_slope * free, value[rows], down * free)
-        wider = np.minimum(2 * radius[rows], longest_step)
-        narrower = np.minimum(radius[rows], _lengths(step)) / 4
-        radius[rows] = np.where(better, wider, narrower)
+        better = new_value < value[rows]
+        if not better.all():
+            free = ~held
+            better = _improves(new_value, new_slope * free, value[rows], down * free)
+        wider = np.minimum(2 * within, longest_step)
         if better.all():
             position[rows], value[rows], slope[rows], curvature[rows] = tried, new_value, new_slope, new_curvature
+            radius[rows] = wider
         else:
+            radius[rows] = np.where(better, wider, np.minimum(within, _lengths(step)) / 4)
             taken = moving[better]
             position[taken], value[taken] = tried[better], new_value[better]
             slope[taken], curvature[taken] = new_slope[better], new_curvature[better]
         if follow is not None:
             follow(moving, position)
+        if enough is not None and (ended := enough(position[rows], moving)).any():
+            moving = rows = moving[~ended]
+            if not len(moving):
+                break
     return Equilibria(position=position, energy=value, slope=slope, stiffness=stiffness, rests=rests)
 
 
@@ -140,9 +153,10 @@ def _step_within(room: tuple[Array, Array], down: Array, curvature: Array, radiu
         The step, and which coordinates their bounds hold, both (case, coordinate); the least curvature of the other
         coordinates, (case,).
     """
-    loose = np.flatnonzero((room[0] < room[1]).any(axis=0))
-    if len(loose) == down.shape[1] and len(down):
+    wide = np.logical_or.reduce(room[0] < room[1], axis=0)
+    if wide.all() and len(down):
         return _free_step(room, down, curvature, radius)
+    loose = np.flatnonzero(wide)
     step, held, least = np.zeros_like(down), np.ones(down.shape, dtype=bool), np.full(len(down), np.inf)
     if len(loose) and len(down):
         room, down, curvature = (room[0][:, loose], room[1][:, loose]), down[:, loose], curvature[:, loose][:, :, loose]
@@ -158,7 +172,7 @@ def _free_step(room: tuple[Array, Array], down: Array, curvature: Array, radius:
     # in Fortran order, because the last bits depend on the order in memory
     free = _trusted_step(np.asfortranarray(np.where(held, 0.0, down)), values, axes, radius)
     step = np.minimum(np.maximum(np.where(held, to_bound, free), room[0]), room[1])
-    return step, held, np.where(held.all(axis=1), np.inf, values[:, 0])
+    return step, held, np.where(np.logical_and.reduce(held, axis=1), np.inf, values[:, 0])
 
 
 def _free_hessian(curvature: Array, held: Flags) -> Array:

@@ -17,7 +17,7 @@ from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.statics.tree.elements import Elements, Expansion, LinePiece, elements, stretched
-from forficula.statics.tree.pose import Span, Tree, places_of, pose
+from forficula.statics.tree.pose import Pose, Span, Tree, places_of, pose
 from forficula.structure import Hinge, Structure, crease_law, crease_numbers
 
 # sides of a piece: normal, across the crease and along it, of the left flap, then of the right one
@@ -118,19 +118,21 @@ def folded_energy(flaps: Flaps, angles: Array, further: Array) -> Array:
     return np.asarray(flaps.law.energy(crease_angles(flaps, angles), further).sum(axis=1))
 
 
-def crease_energy(flaps: Flaps, angles: Array, torques: Array | None = None) -> Expansion:
+def crease_energy(flaps: Flaps, angles: Array, torques: Array | None = None, at: Pose | None = None) -> Expansion:
     """Compute the energy of the creases' springs, minus the work of torques on the creases.
 
     Args:
         flaps: of the structure.
         angles: of all joints, in their own senses, rad, (case, joint).
         torques: on the creases in their own senses, N m, (case, crease); None for none.
+        at: pose of the tree at these angles; computed by default.
 
     Returns:
         Energy, J, (case,); gradient, N m, (case, joint), and Hessian, N m/rad, (case, joint, joint), by the angles.
     """
     acting = np.zeros((len(angles), len(flaps.senses))) if torques is None else torques
-    return stretched(flaps.laid, angles, [partial(_folded, flaps, group.pieces, acting) for group in flaps.laid.groups])
+    laws = [partial(_folded, flaps, group.pieces, acting) for group in flaps.laid.groups]
+    return stretched(flaps.laid, angles, laws, at)
 
 
 def _folded(flaps: Flaps, pieces: Span, torques: Array, sides: Array) -> Expansion:

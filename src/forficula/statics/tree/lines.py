@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.statics.tree.elements import Elements, Expansion, LinePiece, elements, stretched
-from forficula.statics.tree.pose import Tree
+from forficula.statics.tree.pose import Pose, Tree
 from forficula.structure import Structure
 
 _SHORTEST = 1e-12  # share of its longest length; a shorter tendon has no direction
@@ -25,13 +25,18 @@ class Lines:
 
     Attributes:
         laid: a piece for each tendon.
-        law: of the tendons; its numbers are (case, tendon).
+        law: of the tendons; its numbers are (case, tendon), or (1, tendon) if all cases have the same tendons.
         shortest: length below which a tendon has no direction, m, (tendon,).
     """
 
     laid: Elements
     law: ElasticLaw
     shortest: Array
+
+    @cached_property
+    def laws(self) -> tuple[ElasticLaw, ...]:
+        """Return the laws of the tendons of every group."""
+        return tuple(_selected_law(self.law, (slice(None), group.pieces)) for group in self.laid.groups)
 
     def only(self, cases: Indices) -> Lines:
         """Select cases by index; repeats are allowed."""
@@ -85,7 +90,7 @@ def _changes(tree: Tree, bodies: Sequence[int]) -> bool:
     return set(tree.chain(bodies[0])) != set(tree.chain(bodies[1]))
 
 
-def line_energy(lines: Lines, angles: Array) -> Expansion:
+def line_energy(lines: Lines, angles: Array, at: Pose | None = None) -> Expansion:
     """Compute the energy of the tendons.
 
     The Hessian by the vector from end to end, for a pull F at a length L along a unit vector n, is
@@ -94,21 +99,27 @@ def line_energy(lines: Lines, angles: Array) -> Expansion:
     Args:
         lines: the tendons.
         angles: of all hinges, in their own senses, rad, (case, hinge).
+        at: pose of the tree at these angles; computed by default.
 
     Returns:
         Energy, J, (case,); gradient, N m, (case, hinge), and Hessian, N m/rad, (case, hinge, hinge), by the angles.
     """
     laws = [
-        partial(_pulled, _selected_law(lines.law, (slice(None), group.pieces)), lines.shortest[group.pieces])
-        for group in lines.laid.groups
+        partial(_pulled, law, lines.shortest[group.pieces])
+        for law, group in zip(lines.laws, lines.laid.groups, strict=True)
     ]
-    return stretched(lines.laid, angles, laws)
+    return stretched(lines.laid, angles, laws, at)
 
 
-def _pulled(law: ElasticLaw, shortest: Array, sides: Array) -> Expansion:
-    """Compute the energy of tendons from the vectors between their ends, (case, tendon, 1, 3)."""
+def _pulled(law: ElasticLaw, shortest: Array, sides: Array) -> Expansion | None:
+    """Compute the energy of tendons from the vectors between their ends, (case, tendon, 1, 3).
+
+    It is None if all tendons are slack.
+    """
     apart = sides[:, :, 0]
     length = np.linalg.norm(apart, axis=2)
+    if np.all(length < law.rest_length):
+        return None
     known = np.maximum(length, shortest)
     stored, force, slope = law.expansion(length)
     along = apart / known[..., None]

@@ -19,7 +19,7 @@ Span = slice | Indices
 
 _UNIT = np.eye(3)
 # coordinates of the factors of a cross product, by coordinate of the product
-_NEXT, _AFTER_NEXT = [1, 2, 0], [2, 0, 1]
+_NEXT, _AFTER_NEXT = np.array([1, 2, 0]), np.array([2, 0, 1])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -208,13 +208,13 @@ def pose(tree: Tree, angles: Array) -> Pose:
             after[:, hinges] = current
         frames[:, level.bodies] = current
     axes = np.einsum("chij,hj->ich", after, tree.axes)
-    pivots = np.ascontiguousarray(np.transpose(origins[:, tree.carriers], (2, 0, 1)))
+    pivots = np.ascontiguousarray(origins[:, tree.carriers].transpose(2, 0, 1))
     return Pose(origins=origins, frames=frames, axes=axes, pivots=pivots)
 
 
 def places_of(carried: Carried, at: Pose) -> Array:
     """Return the positions of carried points, m, (3, case, point)."""
-    start = np.transpose(at.origins[:, carried.bodies], (2, 0, 1))
+    start = at.origins[:, carried.bodies].transpose(2, 0, 1)
     return np.asarray(start + np.einsum("cpij,jp->icp", at.frames[:, carried.bodies], carried.places))
 
 
@@ -222,8 +222,8 @@ def moves_of(carried: Carried, at: Pose, places: Array) -> Array:
     """Return the velocities of points per angular speed of the hinges that move them, m, (3, case, pair)."""
     points, hinges = carried.pairs
     axes, arms = at.axes.take(hinges, axis=2), places.take(points, axis=2) - at.pivots.take(hinges, axis=2)
-    moves = axes[_NEXT] * arms[_AFTER_NEXT]
-    moves -= axes[_AFTER_NEXT] * arms[_NEXT]
+    moves = axes.take(_NEXT, axis=0) * arms.take(_AFTER_NEXT, axis=0)
+    moves -= axes.take(_AFTER_NEXT, axis=0) * arms.take(_NEXT, axis=0)
     return np.asarray(moves)
 
 
@@ -253,10 +253,10 @@ def pulled(tree: Tree, carried: Carried, at: Pose, places: Array, forces: Array)
     k, axes = sums[:3] - at.pivots[:, None] * sums[3], at.axes
     slope = axes[0] * (k[1, 2] - k[2, 1]) + axes[1] * (k[2, 0] - k[0, 2]) + axes[2] * (k[0, 1] - k[1, 0])
     bent = np.add.reduce(k * axes, axis=1) - (k[0, 0] + k[1, 1] + k[2, 2]) * axes
-    turned = np.transpose(axes, (1, 2, 0)) @ np.transpose(bent, (1, 0, 2))
+    turned = axes.transpose(1, 2, 0) @ bent.transpose(1, 0, 2)
     # pairs of an outer hinge and one that it turns, and the transposed pairs
     curvature = turned * tree.outer
-    curvature += np.swapaxes(turned * tree.further, 1, 2)
+    curvature += (turned * tree.further).swapaxes(1, 2)
     return np.asarray(slope), curvature
 
 

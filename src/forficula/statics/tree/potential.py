@@ -13,18 +13,29 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from forficula.arrays import Array, Indices
+from forficula.arrays import Array, Flags, Indices
 from forficula.design import Design, key_value
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.statics.tree.couplings import Ties, Twists, ties_of, twist_energy, twists_of
 from forficula.statics.tree.elements import Expansion
-from forficula.statics.tree.equilibrium import Cases, Equilibria, Follow, descend
+from forficula.statics.tree.equilibrium import Cases, Enough, Equilibria, Follow, descend
 from forficula.statics.tree.flaps import Flaps, crease_angles, crease_energy, flaps_of, folded_energy
 from forficula.statics.tree.forces import PointForces, force_energy, point_forces_of
 from forficula.statics.tree.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.tree.lines import Lines, largest_pull, line_energy, lines_of
-from forficula.statics.tree.pose import Carried, Span, Tree, carried_points, places_of, pose, pulled, span, tree_of
+from forficula.statics.tree.pose import (
+    Carried,
+    Pose,
+    Span,
+    Tree,
+    carried_points,
+    places_of,
+    pose,
+    pulled,
+    span,
+    tree_of,
+)
 from forficula.statics.tree.sheet import Sheet, sheet_energy, sheet_of
 from forficula.statics.tree.springs import Springs, closure_gap, pins_of, spring_energy, springs_of
 from forficula.structure import Motor, Structure, joint_count, mass_of, springs_name, static_keys, structure_of
@@ -52,7 +63,8 @@ class Ensemble:
         ties: groups of joints that rigid couplings tie together; None if there are none.
         crossed: numbers of the hinges that single tendons lie across, by tendon.
         crossings: incidence of these tendons and hinges, (tendon, hinge).
-        tendons: the hinges of these tendons as one object whose functions take angles (case, tendon).
+        tendons: the hinges of these tendons as one object whose functions take angles (case, tendon); its numbers are
+            (case, tendon), or (1, tendon) if all cases have the same tendons.
         stiffness: of the hinges' springs, N m/rad, (hinge,).
         rest_angles: of the hinges' springs, rad, (hinge,).
         motors: numbers of the joints of every motor.
@@ -99,12 +111,14 @@ class Ensemble:
 
     def only(self, cases: Indices) -> Ensemble:
         """Select cases by index; repeats are allowed."""
+        if len(np.asarray(self.tendons.proximal_arm)) == 1:
+            return replace(self, cases=len(cases))
         lines = None if self.lines is None else self.lines.only(cases)
         return replace(self, tendons=_rows(self.tendons, cases), lines=lines, cases=len(cases))
 
     def repeated(self, count: int) -> Ensemble:
         """Return copies of the first case."""
-        return self.only(np.zeros(count, dtype=np.int64))
+        return replace(self.only(np.zeros(1, dtype=np.int64)), cases=count)
 
 
 def ensemble_of(designs: Sequence[Design]) -> Ensemble:
@@ -235,24 +249,27 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
     torques = np.asarray(torques)
     if torques.shape != (len(angles), len(structures.motors)):
         torques = np.broadcast_to(torques, (len(angles), len(structures.motors)))
-    energy, slope, curvature = sheet_energy(structures.sheet, angles)
-    for part in _optional_parts(structures, angles, torques):
+    at = pose(structures.sheet.laid.tree, angles) if structures.coupled or structures.lines is not None else None
+    energy, slope, curvature = sheet_energy(structures.sheet, angles, at)
+    for part in _optional_parts(structures, angles, torques, at):
         energy, slope, curvature = energy + part[0], slope + part[1], curvature + part[2]
-    tendons, crossing = structures.tendons, angles[:, structures.crossed]
-    tendon_energy, moment, stiffness = tendons.expansion(crossing)
-    stored = tendon_energy.sum(axis=1)
+    stored, diagonal = np.zeros(len(angles)), np.einsum("...ii->...i", curvature)  # a view of the diagonals
+    pressing = -(torques @ structures.drives)
+    if len(structures.crossings):
+        stored, moment, stiffness = structures.tendons.expansion(angles[:, structures.crossed])
+        stored = stored.sum(axis=1)
+        pressing -= moment @ structures.crossings
+        diagonal += stiffness @ structures.crossings
     for motor, (joints, gains) in enumerate(zip(structures.motors, structures.gains, strict=True)):
         turned = angles[:, joints] if gains is None else gains * angles[:, joints]
-        stored = stored - torques[:, motor] * turned.sum(axis=1)
+        stored -= torques[:, motor] * np.add.reduce(turned, axis=1)
     energy += stored
-    slope += -(torques @ structures.drives) - moment @ structures.crossings
-    diagonal = np.arange(structures.size)
-    curvature[:, diagonal, diagonal] += stiffness @ structures.crossings
+    slope += pressing
     if structures.stiffness.any():
         turned = structures.stiffness * (angles - structures.rest_angles)
         energy += np.sum(turned * (angles - structures.rest_angles), axis=1) / 2
         slope += turned
-        curvature[:, diagonal, diagonal] += structures.stiffness
+        diagonal += structures.stiffness
     return energy, slope, curvature
 
 
@@ -294,18 +311,18 @@ def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0)
     return parts
 
 
-def _optional_parts(structures: Ensemble, angles: Array, torques: Array) -> list[Expansion]:
+def _optional_parts(structures: Ensemble, angles: Array, torques: Array, at: Pose | None) -> list[Expansion]:
     """Compute the optional parts of the potential: tendons across several hinges, springs, creases and so on.
 
     The part of the creases includes the work of the torques of motors, (case, motor), on creases. The forces of motors
     at points are a part of their own.
     """
-    parts = [] if structures.lines is None else [line_energy(structures.lines, angles)]
+    parts = [] if structures.lines is None else [line_energy(structures.lines, angles, at)]
     parts += [
-        spring_energy(springs, angles) for springs in (structures.springs, structures.pins) if springs is not None
+        spring_energy(springs, angles, at) for springs in (structures.springs, structures.pins) if springs is not None
     ]
     if structures.flaps is not None:
-        parts.append(crease_energy(structures.flaps, angles, torques @ structures.crease_drives))
+        parts.append(crease_energy(structures.flaps, angles, torques @ structures.crease_drives, at))
     if structures.twists is not None:
         parts.append(twist_energy(structures.twists, angles))
     if structures.forces is not None and torques.any():
@@ -323,6 +340,7 @@ def rest(
     within: float = np.inf,
     longest_step: float | None = None,
     follow: Follow | None = None,
+    enough: Enough | None = None,
     pull: Callable[[Array], Expansion] | None = None,
 ) -> Equilibria:
     """Let structures move slowly from given angles to where they rest under torques.
@@ -339,6 +357,8 @@ def rest(
         within: largest turn of each hinge, rad.
         longest_step: rad; shorter steps follow the steepest descent more closely.
         follow: called after every step with the numbers of the cases that are not at rest and all angles.
+        enough: returns which structures are not followed further, from angles, (row, hinge), and the numbers of their
+            cases, (row,).
         pull: returns a further energy that acts on the structures, with gradient and Hessian by the angles; None for
             none.
     """
@@ -348,12 +368,13 @@ def rest(
     fixed = list(fixed)
     lower[:, fixed] = upper[:, fixed] = start[:, fixed]
     lower, upper = np.where(held, start, lower), np.where(held, start, upper)
-    some, which, ties = structures, np.arange(count), structures.ties
+    some, ties = structures, structures.ties
 
     def energy(angles: Array, cases: Cases) -> Expansion:
-        nonlocal some, which
-        if not np.array_equal(cases, which):
-            some, which = structures.only(cases), cases
+        nonlocal some
+        # cases come to rest one after another, so that as many cases are the same cases
+        if len(cases) != some.cases:
+            some = structures.only(cases)
         expansion = potential(some, angles, torques[cases])
         if pull is None:
             return expansion
@@ -362,7 +383,7 @@ def rest(
 
     steps: Any = {"longest_step": longest_step or _LONGEST_STEP, "force": _quiet(structures)}
     if ties is None:
-        return descend(energy, start, lower, upper, follow=follow, **steps)
+        return descend(energy, start, lower, upper, follow=follow, enough=enough, **steps)
     spread = ties.spread
 
     def tied_energy(coordinates: Array, cases: Cases) -> Expansion:
@@ -373,7 +394,13 @@ def rest(
         if follow is not None:
             follow(cases, ties.angles(coordinates))
 
-    result = descend(tied_energy, ties.start(start), *ties.bounds(lower, upper), follow=follow_tied, **steps)
+    def tied_enough(coordinates: Array, cases: Cases) -> Flags:
+        assert enough is not None
+        return enough(ties.angles(coordinates), cases)
+
+    ended = None if enough is None else tied_enough
+    bounds = ties.bounds(lower, upper)
+    result = descend(tied_energy, ties.start(start), *bounds, follow=follow_tied, enough=ended, **steps)
     position = ties.angles(result.position)
     return replace(result, position=position, slope=energy(position, np.arange(count))[1])
 

@@ -37,6 +37,8 @@ FIRST_STEP = 1e-4  # first and shortest step, as a share of the largest torque t
 _SNAP_STEP = 0.05  # rad, longest step of a snap, in the space of the hinges' angles
 _SEED = 30  # of random shifts
 _NEAR = 0.1  # rad, largest turn of hinges from step to step without a snap
+_LEFT = 0.99 * _NEAR  # turn beyond which a structure has left its neighbourhood, rad
+_FAR = 0.55 * _NEAR  # turn of a step beyond which a step of twice the torque would probably leave, rad
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -142,8 +144,10 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
     led = rest(structures, position)
     if is_led(structures, drive_of(structures.structure, transition.drive)):
         return led
-    beyond = state_beyond(structures, transition)
     stays = np.isfinite(torque) & at_goal(structures, led.position, goal_of(structures.structure, transition.released))
+    if stays.all():
+        return led
+    beyond = state_beyond(structures, transition)
     return Equilibria(
         position=np.where(stays[:, None], led.position, beyond.position),
         energy=np.where(stays, led.energy, beyond.energy),
@@ -275,11 +279,12 @@ def least_slow_torque(
 ) -> SlowTransition:
     """Find the least slowly growing torque that brings each structure to a transition's goal, to 1 %.
 
-    The torque is the largest limit torque along the path of stable equilibria from the start to the goal. A step of the
-    torque is halved if a structure would leave its neighbourhood or reach its goal. If it leaves after a step of 1 % of
-    the torque as well, the equilibrium has become unstable and the structure snaps: it follows the steepest descent of
-    the energy, like a motion with equal dampers and without inertia, to the next equilibrium, from which the torque
-    grows further. The first step is 1e-4 of the largest torque, and no shorter steps are tried.
+    The torque is the largest limit torque along the path of stable equilibria from the start to the goal. A structure
+    leaves its neighbourhood if a hinge turns by 0.1 rad on the way to rest. A step of the torque is halved if the
+    structure would leave or reach its goal, and doubled if the hinges turn less than half as far. If it leaves after a
+    step of 1 % of the torque as well, the equilibrium has become unstable and the structure snaps: it follows the
+    steepest descent of the energy, like a motion with equal dampers and without inertia, to the next equilibrium, from
+    which the torque grows further. The first step is 1e-4 of the largest torque, and no shorter steps are tried.
 
     Args:
         structures: side by side.
@@ -317,7 +322,8 @@ def least_slow_torque(
             return SlowTransition(torque=least, position=position, paths=() if record is None else record.paths())
         tried = np.minimum(torque[left] + step[left], most[left])
         result = _pushed_rest(structures, left, position[left], drive, tried, within=_NEAR)
-        leaves = np.abs(result - position[left]).max(axis=1) > 0.99 * _NEAR
+        turned = _turned(result, position[left])
+        leaves = turned > _LEFT
         fine = step[left] <= np.maximum(_ACCURACY * tried, FIRST_STEP * most[left])
         snaps = leaves & fine
         if snaps.any():
@@ -338,7 +344,7 @@ def least_slow_torque(
                 record.add(int(left[row]), tried[row], result[row])
         arrived = kept & reached
         least[left[arrived]] = tried[arrived]
-        step[left] *= np.where(snaps, 1.0, np.where(kept, 2.0, 0.5))
+        step[left] *= np.where(snaps | kept & (turned > _FAR), 1.0, np.where(kept, 2.0, 0.5))
 
 
 class _PathRecord:
@@ -400,11 +406,22 @@ def _pushed_rest(
     start: Array,
     drive: Drive,
     torque: Array,
-    within: float = np.inf,
+    within: float | None = None,
 ) -> Array:
     """Return the angles at which some structures rest under a torque, within a largest turn of each hinge."""
+
+    def left(angles: Array, rows: Indices) -> Flags:
+        return np.asarray(_turned(angles, start[rows]) > _LEFT)
+
     torques = torque[:, None] * _by_unit(drive)
-    return rest(structures.only(cases), start, torques, within=within).position
+    enough = None if within is None else left
+    limit = np.inf if within is None else within
+    return rest(structures.only(cases), start, torques, within=limit, enough=enough).position
+
+
+def _turned(angles: Array, start: Array) -> Array:
+    """Return the largest turn of a hinge from where it started, rad, (case,)."""
+    return np.asarray(np.abs(angles - start).max(axis=1))
 
 
 def _by_unit(drive: Drive) -> Array:

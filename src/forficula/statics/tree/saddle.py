@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
 from forficula.arrays import Array, Flags
 from forficula.statics.tree.elements import Expansion
+from forficula.statics.tree.equilibrium import Cases
 from forficula.statics.tree.partial_folds import soft_stiffness
 from forficula.statics.tree.potential import Ensemble, potential, rest, slight_energy, torque_scale
 
@@ -197,17 +199,23 @@ def _tops(structures: Ensemble, start: Array, target: Array) -> Iterator[Array]:
             tried = min(gone + step, length)
             aim = float(along @ one) + tried
             ahead = np.clip(position + (tried - gone) * along, structures.lower, structures.upper)
-            moved = rest(structures, ahead[None], pull=_holding(along, aim, stiffness)).position[0]
-            if np.abs(moved - position).max() > _JUMP:
+            holding, jumped = _holding(along, aim, stiffness), partial(_jumped, position)
+            moved = rest(structures, ahead[None], pull=holding, enough=jumped).position
+            if jumped(moved)[0]:
                 if step <= _SHORTEST * longest:
                     break
                 step, jumps = step / 2, True
                 continue
-            position, gone = moved, tried
+            position, gone = moved[0], tried
             step = step if jumps else min(2 * step, longest)
             shapes.append(position)
             energies.append(_energy(structures, position))
         yield shapes[int(np.argmax(energies))]
+
+
+def _jumped(position: Array, angles: Array, _cases: Cases | None = None) -> Flags:
+    """Return which angles, (case, joint), are a jump away from a position, (joint,)."""
+    return np.asarray(np.abs(angles - position).max(axis=1) > _JUMP)
 
 
 def _holding(along: Array, aim: float, stiffness: float) -> Callable[[Array], Expansion]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
@@ -10,7 +11,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.pattern.geometry import triangle_normals
 from forficula.statics.tree.elements import Elements, Expansion, LinePiece, elements, stretched
-from forficula.statics.tree.pose import Tree
+from forficula.statics.tree.pose import Pose, Tree
 from forficula.structure import Membrane, MembraneLaw, Structure
 
 # A length limit is modelled as a spring that is this many times stiffer than the membrane, E t, so that it hardly
@@ -132,21 +133,22 @@ def _stiffness(law: MembraneLaw) -> Array:
     return np.array([[2 * shear + lame, lame, 0.0], [lame, 2 * shear + lame, 0.0], [0.0, 0.0, shear]])
 
 
-def sheet_energy(sheet: Sheet, angles: Array) -> Expansion:
+def sheet_energy(sheet: Sheet, angles: Array, at: Pose | None = None) -> Expansion:
     """Compute the energy of membranes and limits.
 
     Args:
         sheet: membranes and limits.
         angles: of all hinges, in their own senses, rad, (case, hinge).
+        at: pose of the tree at these angles; computed by default.
 
     Returns:
         Energy, J, (case,); gradient, N m, (case, hinge), and Hessian, N m/rad, (case, hinge, hinge), by the angles.
     """
-    laws = [
+    laws: list[Callable[[Array], Expansion | None]] = [
         *(partial(strain_energy, patch) for patch in sheet.patches),
         *(partial(_limit_energy, sheet.spring, length) for length in sheet.lengths),
     ]
-    return stretched(sheet.laid, angles, laws)
+    return stretched(sheet.laid, angles, laws, at)
 
 
 def strain_energy(patch: Patch, gradient: Array) -> Expansion:
@@ -166,7 +168,7 @@ def strain_energy(patch: Patch, gradient: Array) -> Expansion:
     cases, count, volumes = len(gradient), gradient.shape[1], patch.volumes
     columns = gradient.reshape(cases, count, -1, 2, 3)
     # strains along, across, and twice the shear, and their derivatives
-    squares = (columns @ np.swapaxes(columns, 3, 4)).reshape(*columns.shape[:3], 4)
+    squares = (columns @ columns.swapaxes(3, 4)).reshape(*columns.shape[:3], 4)
     strain = np.empty((*columns.shape[:3], 3))
     np.subtract(squares[..., ::3], 1, out=strain[..., :2])
     strain[..., :2] /= 2
@@ -177,7 +179,7 @@ def strain_energy(patch: Patch, gradient: Array) -> Expansion:
     halves[..., :4:3, :], halves[..., 4:, :] = columns, columns[..., ::-1, :]
     stress = volumes * (strain @ patch.law)
     pull = stress[..., None, :] @ by_column
-    curvature = np.swapaxes(by_column, 3, 4) @ (volumes[..., None] * (patch.law[:, None] @ by_column))
+    curvature = by_column.swapaxes(3, 4) @ (volumes[..., None] * (patch.law[:, None] @ by_column))
     # stress part of the Hessian, column by column and coordinate by coordinate
     blocks = np.einsum("...aibi->...abi", curvature.reshape(*columns.shape[:3], 2, 3, 2, 3))
     blocks += stress.take(_BY_COLUMNS, axis=3)[..., None]
@@ -185,10 +187,15 @@ def strain_energy(patch: Patch, gradient: Array) -> Expansion:
     return energy, pull.reshape(cases, count, -1, 3), curvature
 
 
-def _limit_energy(spring: float, lengths: Array, apart: Array) -> Expansion:
-    """Compute the energy of limits, which pull only beyond their lengths, from the vectors (case, limit, 1, 3)."""
+def _limit_energy(spring: float, lengths: Array, apart: Array) -> Expansion | None:
+    """Compute the energy of limits, which pull only beyond their lengths, from the vectors (case, limit, 1, 3).
+
+    It is None if no limit pulls.
+    """
     distance = np.sqrt(np.einsum("...i,...i", apart, apart))
     beyond = np.maximum(distance - lengths[:, None], 0.0)
+    if not beyond.any():
+        return None
     along = apart / distance[..., None]
     ratio = (beyond / distance)[..., None, None]
     outer = along[..., :, None] * along[..., None, :]

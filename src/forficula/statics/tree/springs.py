@@ -10,7 +10,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.statics.tree.elements import Elements, Expansion, LinePiece, elements, stretched
-from forficula.statics.tree.pose import Tree, carried_points, places_of, pose
+from forficula.statics.tree.pose import Pose, Tree, carried_points, places_of, pose
 from forficula.structure import Structure
 
 _SHORTEST = 1e-12  # share of the structure's span; a shorter spring has no direction
@@ -84,12 +84,13 @@ def _springs(
     )
 
 
-def spring_energy(springs: Springs, angles: Array) -> Expansion:
+def spring_energy(springs: Springs, angles: Array, at: Pose | None = None) -> Expansion:
     """Compute the energy of springs.
 
     Args:
         springs: of the structure.
         angles: of all joints, in their own senses, rad, (case, joint).
+        at: pose of the tree at these angles; computed by default.
 
     Returns:
         Energy, J, (case,); gradient, N m, (case, joint), and Hessian, N m/rad, (case, joint, joint), by the angles.
@@ -98,7 +99,7 @@ def spring_energy(springs: Springs, angles: Array) -> Expansion:
         partial(_stretch, springs.stiffness[group.pieces], springs.rest_length[group.pieces], springs.shortest)
         for group in springs.laid.groups
     ]
-    return stretched(springs.laid, angles, laws)
+    return stretched(springs.laid, angles, laws, at)
 
 
 def _stretch(stiffness: Array, rest: Array, shortest: float, sides: Array) -> Expansion:
