@@ -241,3 +241,13 @@ def test_the_hindwing_is_locked_withstands_a_gust_and_folds_after_a_pulse_withou
     for motor, work in zip(record.structure.motors, works, strict=True):
         assert bool(work) == (motor.name in ("midwing.middle", "gust")), motor.name
     assert design_from_text(design_text(whole)).hash == whole.hash
+
+
+def test_panels_of_the_hindwing_touch_and_the_balance_closes():
+    whole = load_design("earwig-hindwing")
+    stages = {stage.name: stage.si_tables() | {"hold": 0.0} for stage in whole.protocol.stages}
+    snap = stages["snap"] | {"until": "fan.distal_angle < -90 deg", "state": "folding"}
+    chosen = [stages["settle"] | {"until": "time", "time_limit": 0.05}, stages["pulse"], snap]
+    record = simulated(with_values(whole, {"protocol.contact": True, "protocol.stages": chosen}))
+    assert record.stages[-1].goal_time is not None
+    assert energy_balance(record).residual < 5e-3

@@ -99,7 +99,8 @@ def add_stop_sensors(spec: mujoco.MjSpec, structure: Structure) -> None:
     if structure.contact is None:
         return
     limits = mujoco.mjtSensor
-    hinges = [hinge for hinge in structure.hinges if math.isfinite(hinge.lower) or math.isfinite(hinge.upper)]
+    joints = [hinge for hinge in structure.hinges if hinge.flaps is None]
+    hinges = [hinge for hinge in joints if math.isfinite(hinge.lower) or math.isfinite(hinge.upper)]
     for hinge in hinges:
         spec.add_sensor(type=limits.mjSENS_JOINTLIMITFRC, objtype=mujoco.mjtObj.mjOBJ_JOINT, objname=hinge.name)
     for limit in structure.limits:

@@ -122,7 +122,7 @@ def _state_table(rows: StateRows, reached: Mapping[str, State], first: int, last
     """Return a table of the states from a first to a last index."""
     time_unit, time = reading_unit("s", max(state.time for state in reached.values()))
     table = Table(box=None, padding=(0, 2, 0, 0), title=None if first else "States", title_justify="left")
-    table.add_column(rows.heading)
+    table.add_column(rows.heading, no_wrap=True)
     angles = [column for column in rows.columns if column.unit == "deg"]
     for name in list(reached)[first:last]:
         for place, column in enumerate(rows.columns):

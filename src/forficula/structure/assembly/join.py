@@ -311,7 +311,7 @@ def _check_free(joined: _Joined, part: _Part, body: Body) -> None:
     """Refuse free bodies whose freedom depends on the axes of the ground, where these turn or move."""
     if len(body.slides) < 3 and (part.base != GROUND or not np.array_equal(np.abs(part.motion.rotation), np.eye(3))):
         raise InputError(
-            f"part.{part.name}.support: a vertex that is held along some axes only needs a part that is not turned and"
+            f"part.{part.name}.support: a vertex may be held along single axes only in a part that is not turned and"
             f" whose base does not move, got {body.name}"
         )
     number = part.base
