@@ -314,6 +314,7 @@ def test_keys_and_named_studies_are_listed(call, refusal):
     assert "fold_angle" not in said
     assert "sampling" in call("keys", "--study").out
     assert "[crease]" in call("keys", "crease", "--kind", "vertex").out
+    assert "[joint.0]" in call("keys", "joint", "--kind", "assembly").out
     assert refusal("keys", "tendn") == "tendn: unknown key; did you mean tendon?"
     assert "intervals_of" in call("keys", "tolerances", "--goal").out
     said = "keys: need one of --study, --goal and --observations, got several"

@@ -74,8 +74,8 @@ class PlacingJoint(_AnyJoint):
         tuple[str, ...],
         Field(
             max_length=2,
-            description="one or two points of the part by name; if none is given, the part stays where its own axes"
-            " place it",
+            description="one or two points of the part by name; without points, the part keeps the coordinates of its"
+            " own design",
             examples=[["hub0", "ring0"]],
         ),
     ] = ()
@@ -83,8 +83,8 @@ class PlacingJoint(_AnyJoint):
         tuple[str, ...],
         Field(
             max_length=2,
-            description="points of the body, as many as `points`, on which they come to lie: the second one gives only"
-            " the direction",
+            description="points of the body on which `points` lie, one for each of them: the second one only gives the"
+            " direction",
             examples=[["facet1_vertex0", "facet1_vertex2"]],
         ),
     ] = ()
@@ -101,8 +101,8 @@ class PlacingJoint(_AnyJoint):
     up: Annotated[
         _Vector | None,
         Field(
-            description="direction to which the z axis of the part is turned about the line through both points; if not"
-            " given, the part is turned as little as possible",
+            description="direction of the z axis of the part, as far as a rotation about the line through both points"
+            " allows; if not given, the part is turned as little as possible",
             examples=[[0, 0, 1]],
         ),
     ] = None
@@ -116,7 +116,7 @@ class PlacingJoint(_AnyJoint):
         if self.onto and len(self.onto) != len(self.points):
             raise InputError(f"onto: need as many points as `points`, {len(self.points)}, got {len(self.onto)}")
         if self.points and not (self.onto or self.position):
-            raise InputError("onto: is missing; give onto or position, where the points come to lie")
+            raise InputError("onto: is missing; give onto or position, the position of the points in the assembly")
         if (self.position or self.along is not None) and not self.points:
             raise InputError("points: is missing; name the point of the part that comes to lie at position")
         if self.along is not None and len(self.points) < 2:

@@ -230,7 +230,7 @@ def _torques(landscape: EnergyLandscape) -> Iterator[Row]:
             along = path.fold_torque if transition.state == fold.end else path.unfold_torque
             yield {"": name, "rigid panels": _least(along, rounding), f"compliant {whole}": slow}
         if course.withstood is not None:
-            kept = f"that end the goal of {transition.name} again, {torque_location(structure, transition)}"
+            kept = f"that make it leave the goal of {transition.name}, {torque_location(structure, transition)}"
             yield {"": kept, whole: show_value(course.withstood, course.unit)}
 
 

@@ -17,7 +17,7 @@ def part_motion(joint: PlacingJoint | None, points: Array, onto: Array) -> Rigid
     """Return the motion from the axes of a part to those of the assembly, in the built shape.
 
     Args:
-        joint: joint that places the part; None for a part that stays where its own axes place it.
+        joint: joint that places the part; None for a part that keeps the coordinates of its own design.
         points: positions of the joint's points in the axes of the part, m, (point, 3).
         onto: positions in the axes of the assembly on which they come to lie, m, (point, 3); the distance of the second
             from the first does not matter.

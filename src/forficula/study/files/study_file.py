@@ -78,7 +78,7 @@ class StudyFile(Section):
     )
     change: tuple[ChangeTable, ...] = entry(
         "instead of [factors]: named changes, such as mechanisms that are removed or weakened; the study reports with"
-        " which of them the structure still does everything",
+        " which of them all transitions still succeed",
         (),
         examples=(
             'name = "half the $key"\nmultiply = { "$key" = 0.5 }',
