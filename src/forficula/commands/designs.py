@@ -57,11 +57,11 @@ def keys(
 ) -> None:
     """List the keys of a design file with allowed values, defaults and meanings."""
     from forficula.design.files.key_table import key_facts
-    from forficula.design.files.kinds import KINDS
+    from forficula.design.files.kinds import KEYED
     from forficula.names import one_of
 
-    if kind not in KINDS:
-        raise InputError(f"--kind: need {one_of(KINDS, kind)}")
+    if kind not in KEYED:
+        raise InputError(f"--kind: need {one_of(KEYED, kind)}")
     if study + goal + observations > 1:
         raise InputError("keys: need one of --study, --goal and --observations, got several")
     for option, used in (("--study", study), ("--goal", goal), ("--observations", observations)):

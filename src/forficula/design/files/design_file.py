@@ -26,7 +26,7 @@ from forficula.design.fans.joint_sections import JointTendon
 from forficula.design.files.file_design import file_tables
 from forficula.design.files.file_words import check_file_kind
 from forficula.design.files.kept_sections import with_kept_sections
-from forficula.design.files.keys import section_fields
+from forficula.design.files.keys import key_value, section_fields
 from forficula.design.files.kinds import KINDS, design_class, kind_of
 from forficula.design.files.provenance import derived_source
 from forficula.design.files.rejection import File, origin, rejected
@@ -52,6 +52,15 @@ from forficula.toml_text import check_levels, with_remarks
 _MOST_FILES = 50  # in a chain of files that are based on each other
 _LISTED = 4  # named designs in the message for an unknown one
 _TIMESTEP = "protocol.timestep"
+# values of a part that those of the assembly replace
+_OF_ASSEMBLY = (
+    "medium",
+    "stops",
+    "protocol.gravity",
+    "protocol.contact",
+    "protocol.timestep",
+    "protocol.sample_interval",
+)
 _SURROGATE = re.compile("[\ud800-\udfff]")
 
 # a design, its name, or the path of its file
@@ -107,6 +116,7 @@ def _load(name_or_path: str | Path, settings: Mapping[str, object] | None, unit:
             named = str(name_or_path) in _named()
             base = _named_design(str(name_or_path)) if named else _validate_or_none(before)
             if base is not None:
+                _check_of_parts(settings, base, design)
                 design = design.model_copy(update={"source": derived_source(base, design)})
         return _marked(design, is_set=_sets_timestep(settings or {}))
     except RejectedError as error:
@@ -141,6 +151,7 @@ def with_values(design: Design, values: Mapping[str, object]) -> Design:
         changed = _validate_changed(design, _with_settings(design.si_tables(), values, si=True))
     except RejectedError as error:
         raise InputError(f"{design.name}: {error}") from None
+    _check_of_parts(values, design, changed)
     if "source" not in values:
         changed = changed.model_copy(update={"source": derived_source(design, changed)})
     return _marked(changed, is_set=is_timestep_set(design) or _sets_timestep(values))
@@ -211,8 +222,13 @@ def _named_tables(name: str) -> dict[str, Any]:
     return tomllib.loads((resources.files("forficula.design") / "references" / f"{name}.toml").read_text("utf-8"))
 
 
-def _read_files(name_or_path: str) -> list[File]:
-    """Read the files of a design and of those that it is based on, the base first."""
+def _read_files(name_or_path: str, within: Sequence[Path] = ()) -> list[File]:
+    """Read the files of a design and of those that it is based on, the base first.
+
+    Args:
+        name_or_path: name or path of the design.
+        within: files with parts that are based on this design, directly or through other files.
+    """
     files: list[File] = []
     above: list[Path] = []
     base: str | None = name_or_path
@@ -222,9 +238,9 @@ def _read_files(name_or_path: str) -> list[File]:
             if name in _named():
                 tables = deepcopy(_named_tables(name))
                 base = tables.pop("based_on", None)
-                tables = _with_parts(tables, None)
+                tables = _with_parts(tables, None, within)
             else:
-                tables = _file_tables(name, above)
+                tables = _file_tables(name, [*within, *above])
                 base = _base_of(tables, Path(name))
                 above.append(Path(name))
         except InputError as error:
@@ -236,7 +252,7 @@ def _read_files(name_or_path: str) -> list[File]:
 
 
 def _file_tables(name: str, above: Sequence[Path]) -> dict[str, Any]:
-    """Read the tables of a file; `above` are the files that are based on it."""
+    """Read the tables of a file; `above` are the files that are based on it, or whose parts are."""
     path = Path(name)
     if path.suffix.lower() != ".toml":
         readable = (".toml", *PATTERN_FILES)
@@ -255,19 +271,20 @@ def _file_tables(name: str, above: Sequence[Path]) -> dict[str, Any]:
         check_file_kind(tables, "design")
         if "name" not in tables:
             tables["name"] = _name_of(path)
-        tables = _with_parts(tables, path)
+        tables = _with_parts(tables, path, [*above, path])
         tables = {key: value_from_folder(key, value, path.parent) for key, value in tables.items()}
         return with_sheet_read(tables, folder=path.parent)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
 
 
-def _with_parts(tables: dict[str, Any], path: Path | None) -> dict[str, Any]:
+def _with_parts(tables: dict[str, Any], path: Path | None, within: Sequence[Path] = ()) -> dict[str, Any]:
     """Return tables of an assembly with each part directly under its name, complete with the design it is based on.
 
     Args:
         tables: tables of a file, with the parts under `part`; those of other designs stay as they are.
         path: path of the file; None for a named design.
+        within: the file, and the files that are based on it or whose parts are.
 
     Raises:
         InputError: a part that is not a table, whose name is not allowed, or whose base cannot be read.
@@ -277,11 +294,14 @@ def _with_parts(tables: dict[str, Any], path: Path | None) -> dict[str, Any]:
     parts = tables["part"]
     if not isinstance(parts, dict) or not parts:
         raise InputError(f"part: need tables such as [part.fan], got {as_written(parts)}")
+    if "parts" in tables:
+        raise InputError("parts: cannot be set, because the tables [part.NAME] name the parts")
     others = {key: value for key, value in tables.items() if key != "part"}
-    return others | {"parts": list(parts)} | {name: _part_tables(name, part, path) for name, part in parts.items()}
+    complete = {name: _part_tables(name, part, path, within) for name, part in parts.items()}
+    return others | {"parts": list(parts)} | complete
 
 
-def _part_tables(name: str, part: object, path: Path | None) -> dict[str, Any]:
+def _part_tables(name: str, part: object, path: Path | None, within: Sequence[Path]) -> dict[str, Any]:
     """Return the tables of a part, laid over those of the design that it is based on."""
     if not isinstance(part, dict):
         raise InputError(f"part.{name}: need a table under [part.{check_part_name(name)}], got {as_written(part)}")
@@ -291,9 +311,9 @@ def _part_tables(name: str, part: object, path: Path | None) -> dict[str, Any]:
     base = part.pop("based_on", None)
     complete: dict[str, Any] = {}
     try:
-        for _, tables in [] if base is None else _base_files(base, folder):
+        for _, tables in [] if base is None else _base_files(base, folder, within):
             complete = _over(complete, tables, merged, si=False)
-        inside = with_sheet_read(_with_parts(part, path), folder=folder)
+        inside = with_sheet_read(_with_parts(part, path, within), folder=folder)
         return _over(complete, inside, merged, si=False)
     except RejectedError as error:
         raise RejectedError([name, *error.place], f"part.{name}.{error}") from None
@@ -301,14 +321,14 @@ def _part_tables(name: str, part: object, path: Path | None) -> dict[str, Any]:
         raise InputError(f"part.{name}: {error}") from None
 
 
-def _base_files(base: object, folder: Path) -> list[File]:
+def _base_files(base: object, folder: Path, within: Sequence[Path]) -> list[File]:
     """Read the files of the design that a part is based on: a name, or a path relative to the file's folder."""
     if not isinstance(base, str):
         raise InputError(f'based_on: need the name of a design such as "binder2025", got {as_written(base)}')
     suffix = Path(base).suffix.lower()
     if suffix in PATTERN_FILES:
         return [(base, file_tables(folder / base, None))]
-    return _read_files(str(folder / base) if suffix == ".toml" else base)
+    return _read_files(str(folder / base) if suffix == ".toml" else base, within)
 
 
 def _name_of(path: Path) -> str:
@@ -338,7 +358,25 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
     if part_names(tables):
         settings = {key.removeprefix("part."): value for key, value in settings.items()}
     check_once(dotted_keys(settings), tables)
+    for key, value in settings.items():
+        if key.partition(".")[0] == "parts" and not (isinstance(value, list | tuple) and [*value] == tables.get(key)):
+            raise InputError(f"{key}: cannot be set, because the tables [part.NAME] name the parts")
     return _over(tables, nested(with_sheet_read(settings)), with_settings_over, si=si)
+
+
+def _check_of_parts(settings: Mapping[str, object], before: Design, after: Design) -> None:
+    """Refuse settings that change values of parts which have no effect, because the assembly's values apply."""
+    if not isinstance(before, AssemblyDesign):
+        return
+    for key in dotted_keys(settings):
+        whole: Design = before
+        rest = key.removeprefix("part.")
+        while isinstance(whole, AssemblyDesign) and (name := rest.partition(".")[0]) in whole.parts:
+            whole, rest = getattr(whole, name), rest.partition(".")[2]
+        if whole is before or not f"{rest}.".startswith(tuple(f"{common}." for common in _OF_ASSEMBLY)):
+            continue
+        if key_value(before, key.removeprefix("part.")) != key_value(after, key.removeprefix("part.")):
+            raise InputError(f"{key}: has no effect in a part; set {rest} of the assembly")
 
 
 def _check_texts(settings: Mapping[str, object]) -> None:

@@ -54,7 +54,7 @@ from forficula.structure.parts import (
 )
 from forficula.structure.sheets.facets import BEND
 from forficula.structure.structure import Structure
-from forficula.structure.tree import ancestry, built_points
+from forficula.structure.tree import ancestry, built_points, moving_body
 
 _Named = TypeVar("_Named", Body, Point, Hinge)
 
@@ -352,6 +352,8 @@ def _placed(joined: _Joined, name: str, structure: Structure, joint: PlacingJoin
             *(body.position for body in structure.bodies if body.parent == GROUND and not body.slides),
             *(point.place for point in structure.points if point.body == GROUND),
         ]
+        if joint.mass and not fixed:
+            raise InputError(f"joint.{joint.name}.mass: need 0 g, because the part fixes no point to this hinge")
         if joint.mass:
             share = joint.mass / len(fixed)
             places = (carried.of(place) for place in fixed)
@@ -565,6 +567,15 @@ def _with_joints(structure: Structure, design: AssemblyDesign) -> Structure:
         points.append(Point(name=f"{joint.name} {key}", role="ground", body=GROUND, place=np.array(joint.ground)))
         return len(points) - 1
 
+    def ends(joint: SpringJoint | TendonJoint) -> tuple[int, int]:
+        one, other = end(joint, "from"), end(joint, "to")
+        if moving_body(structure, points[one].body) == moving_body(structure, points[other].body):
+            names = f"{points[one].name} and {points[other].name}"
+            raise InputError(f"joint.{joint.name}.to: need points that move relative to each other, got {names}")
+        if joint.ground and not {points[one].role, points[other].role} & {GROUND_BODY}:
+            raise InputError(f'joint.{joint.name}.ground: needs "ground" as one end, and both ends are points of parts')
+        return one, other
+
     couplings, springs, tendons = list(structure.couplings), list(structure.springs), list(structure.tendons)
     for number, joint in enumerate(design.joint):
         if isinstance(joint, CouplingJoint):
@@ -576,7 +587,7 @@ def _with_joints(structure: Structure, design: AssemblyDesign) -> Structure:
                 Spring(
                     name=joint.name,
                     role="spring",
-                    points=(end(joint, "from"), end(joint, "to")),
+                    points=ends(joint),
                     stiffness=joint.stiffness,
                     rest_length=joint.rest_length,
                     damping=joint.damping,
@@ -587,7 +598,7 @@ def _with_joints(structure: Structure, design: AssemblyDesign) -> Structure:
                 Tendon(
                     name=joint.name,
                     role="tendon",
-                    points=(end(joint, "from"), end(joint, "to")),
+                    points=ends(joint),
                     law=tendon_law(joint),
                     longest=math.inf,
                     gauge_length=joint.rest_length,
