@@ -184,6 +184,12 @@ to = "outer.facet1_vertex2"
 stiffness = "1 N/cm"
 rest_length = "1 cm"
 """
+COUPLING = """
+[[joint]]
+name = "same"
+kind = "coupling"
+hinges = ["inner.crease0", "outer.crease0"]
+"""
 PUSH = """
 [[drive]]
 name = "push"
@@ -211,6 +217,14 @@ direction = [0, 0, 1]
             two(joints=MOUNT + SPRING + 'ground = ["0 cm", "0 cm", "1 cm"]'),
             'joint.link.ground: needs "ground" as one end',
         ),
+        (
+            two(joints=MOUNT + COUPLING.replace("outer.crease0", "inner.crease0")),
+            "joint.1.hinges: need two different hinges, got twice inner.crease0",
+        ),
+        (
+            two(joints=MOUNT + COUPLING + COUPLING.replace("same", "again")),
+            "joint.2.hinges: need hinges that joint same does not couple already",
+        ),
         (two(more=PUSH.replace('"outer.facet1_vertex2"', "[]")), "drive.0.of: need names that differ, at least one"),
         (
             two(more=PUSH.replace("outer.facet1", "inner.facet0").replace("vertex2", "vertex0")),
@@ -225,16 +239,16 @@ def test_values_without_an_effect_are_refused(read, text, message):
 
 
 @pytest.mark.parametrize(
-    ("key", "common"),
+    ("key", "common", "value"),
     [
-        ("outer.protocol.gravity", "protocol.gravity"),
-        ("part.outer.medium.density", "medium.density"),
-        ("outer.protocol.timestep", "protocol.timestep"),
+        ("outer.protocol.gravity", "protocol.gravity", "9 m/s^2"),
+        ("part.outer.medium.density", "medium.density", "1 kg/m^3"),
+        ("outer.protocol.timestep", "protocol.timestep", "1 s"),
     ],
 )
-def test_a_setting_of_a_part_that_the_assembly_replaces_is_refused(read, key, common):
+def test_a_setting_of_a_part_that_the_assembly_replaces_is_refused(read, key, common, value):
     with pytest.raises(InputError, match=rf"has no effect in a part; set {common} of the assembly"):
-        read(two(), {key: "1 s"})
+        read(two(), {key: value})
 
 
 def test_the_later_of_value_and_force_is_the_strength_of_a_drive(read):

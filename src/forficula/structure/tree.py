@@ -20,7 +20,7 @@ def ancestry(structure: Structure, body: int) -> tuple[int, ...]:
 
 
 def moving_body(structure: Structure, body: int) -> int:
-    """Return the number of a body, or of its nearest ancestor that moves relative to its parent; GROUND if none does."""
+    """Return the nearest of a body and its ancestors that moves relative to its parent; GROUND if none does."""
     turning = {hinge.body for hinge in structure.hinges if hinge.flaps is None}
     moving = (number for number in ancestry(structure, body) if structure.bodies[number].slides or number in turning)
     return next(moving, GROUND)

@@ -11,6 +11,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import Field, create_model, model_validator
 
 from forficula.design.assembly.joints import (
+    CouplingJoint,
     HingeDrive,
     HingeJoint,
     Joint,
@@ -121,11 +122,19 @@ class AssemblyDesign(Design):
         """Refuse parts and joints that do not exist, parts that two joints carry, and parts that carry themselves."""
         names: list[str] = []
         carried: dict[str, str] = {}
+        coupled: dict[frozenset[str], str] = {}
         for number, joint in enumerate(self.joint):
             key = f"joint.{number}"
             if joint.name in (*names, *self.parts):
                 raise InputError(f"{key}.name: need a name that no part and no other joint has, got {joint.name}")
             names.append(joint.name)
+            if isinstance(joint, CouplingJoint):
+                if joint.hinges[0] == joint.hinges[1]:
+                    raise InputError(f"{key}.hinges: need two different hinges, got twice {joint.hinges[0]}")
+                pair = frozenset(joint.hinges)
+                if pair in coupled:
+                    raise InputError(f"{key}.hinges: need hinges that joint {coupled[pair]} does not couple already")
+                coupled[pair] = joint.name
             if not isinstance(joint, PlacingJoint):
                 continue
             if joint.part not in self.parts:
@@ -277,7 +286,8 @@ def check_part_name(name: str) -> str:
     """
     if not _NAME.fullmatch(name):
         raise InputError(
-            f"part: need a name of at most 40 small letters, digits and _ that begins with a letter, got {as_written(name)}"
+            "part: need a name of at most 40 small letters, digits and _ that begins with a letter, got"
+            f" {as_written(name)}"
         )
     if name in (*AssemblyDesign.model_fields, "part", "tendon", "ground") or hasattr(AssemblyDesign, name):
         raise InputError(f"part.{name}: need a name that is not a key of an assembly")
