@@ -5,7 +5,15 @@ import pickle
 import numpy as np
 import pytest
 
-from forficula.design import design_from_text, design_text, key_value, load_design, with_values
+from forficula.design import (
+    check_keys_once,
+    design_from_text,
+    design_text,
+    key_quantity,
+    key_value,
+    load_design,
+    with_values,
+)
 from forficula.errors import InputError
 from forficula.goals.deviation import positive_keys
 from forficula.structure import built_points, structure_of
@@ -284,3 +292,23 @@ def test_tolerances_of_all_values_leave_out_the_protocols_of_the_parts(design):
     assert "inner.tendon.band.stiffness" in keys
     assert not [key for key in keys if ".protocol." in key or ".stops." in key or ".make." in key]
     assert all(key_value(design, key) > 0 for key in keys)
+
+
+def test_settings_of_a_part_may_be_a_table_under_part(read):
+    changed = read(two(), {"part": {"inner": {"crease": {"damping": "0.3 N m s/rad/m"}}}})
+    assert key_value(changed, "inner.crease.damping") == pytest.approx(0.3)
+
+
+def test_a_key_with_and_without_part_is_given_twice(read):
+    with pytest.raises(InputError, match=r"inner\.crease\.damping: is given twice, also as part\.inner"):
+        read(two(), {"inner.crease.damping": "1 N m s/rad/m", "part.inner.crease.damping": "2 N m s/rad/m"})
+
+
+def test_factors_that_the_assembly_replaces_are_refused(design):
+    with pytest.raises(InputError, match=r"inner\.protocol\.timestep: has no effect in a part; use protocol\.timestep"):
+        check_keys_once(["inner.protocol.timestep"], design)
+
+
+def test_a_key_with_part_before_it_is_named_without(design):
+    with pytest.raises(InputError, match=r"unknown key; did you mean inner\.crease\.stiffness\?"):
+        key_quantity("part.inner.crease.stiffness", type(design))

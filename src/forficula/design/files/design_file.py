@@ -26,7 +26,7 @@ from forficula.design.fans.joint_sections import JointTendon
 from forficula.design.files.file_design import file_tables
 from forficula.design.files.file_words import check_file_kind
 from forficula.design.files.kept_sections import with_kept_sections
-from forficula.design.files.keys import key_value, section_fields
+from forficula.design.files.keys import key_value, replacing_key, section_fields
 from forficula.design.files.kinds import KINDS, design_class, kind_of
 from forficula.design.files.provenance import derived_source
 from forficula.design.files.rejection import File, origin, rejected
@@ -52,15 +52,6 @@ from forficula.toml_text import check_levels, with_remarks
 _MOST_FILES = 50  # in a chain of files that are based on each other
 _LISTED = 4  # named designs in the message for an unknown one
 _TIMESTEP = "protocol.timestep"
-# values of a part that those of the assembly replace
-_OF_ASSEMBLY = (
-    "medium",
-    "stops",
-    "protocol.gravity",
-    "protocol.contact",
-    "protocol.timestep",
-    "protocol.sample_interval",
-)
 _SURROGATE = re.compile("[\ud800-\udfff]")
 
 # a design, its name, or the path of its file
@@ -356,7 +347,7 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
     if any(key.partition(".")[0] == "based_on" for key in settings):
         raise InputError("based_on: cannot be set; name the design to start from instead")
     if part_names(tables):
-        settings = {key.removeprefix("part."): value for key, value in settings.items()}
+        settings = _without_part(settings)
     check_once(dotted_keys(settings), tables)
     for key, value in settings.items():
         if key.partition(".")[0] == "parts" and not (isinstance(value, list | tuple) and [*value] == tables.get(key)):
@@ -364,19 +355,25 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
     return _over(tables, nested(with_sheet_read(settings)), with_settings_over, si=si)
 
 
+def _without_part(settings: Mapping[str, object]) -> dict[str, object]:
+    """Return settings of an assembly with "part." removed from their keys, and a table `part` by its entries."""
+    values: dict[str, object] = {}
+    inside = settings.get("part")
+    entries = [*inside.items()] if isinstance(inside, Mapping) else []
+    for key, value in [*((key, value) for key, value in settings.items() if key != "part" or not entries), *entries]:
+        if (name := key.removeprefix("part.")) in values:
+            raise InputError(f"{name}: is given twice, also as part.{name}")
+        values[name] = value
+    return values
+
+
 def _check_of_parts(settings: Mapping[str, object], before: Design, after: Design) -> None:
     """Refuse settings that change values of parts which have no effect, because the assembly's values apply."""
-    if not isinstance(before, AssemblyDesign):
-        return
     for key in dotted_keys(settings):
-        whole: Design = before
-        rest = key.removeprefix("part.")
-        while isinstance(whole, AssemblyDesign) and (name := rest.partition(".")[0]) in whole.parts:
-            whole, rest = getattr(whole, name), rest.partition(".")[2]
-        if whole is before or not f"{rest}.".startswith(tuple(f"{common}." for common in _OF_ASSEMBLY)):
-            continue
-        if key_value(before, key.removeprefix("part.")) != key_value(after, key.removeprefix("part.")):
-            raise InputError(f"{key}: has no effect in a part; set {rest} of the assembly")
+        inside = key.removeprefix("part.")
+        common = replacing_key(before, inside)
+        if common is not None and key_value(before, inside) != key_value(after, inside):
+            raise InputError(f"{key}: has no effect in a part; set {common} of the assembly")
 
 
 def _check_texts(settings: Mapping[str, object]) -> None:
