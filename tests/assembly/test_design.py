@@ -5,8 +5,17 @@ import pickle
 import numpy as np
 import pytest
 
-from forficula.design import design_from_text, design_text, key_value, load_design, with_values
+from forficula.design import (
+    check_keys_once,
+    design_from_text,
+    design_text,
+    key_quantity,
+    key_value,
+    load_design,
+    with_values,
+)
 from forficula.errors import InputError
+from forficula.goals.deviation import positive_keys
 from forficula.structure import built_points, structure_of
 
 STAGES = """
@@ -166,7 +175,7 @@ def test_gravity_and_contact_of_the_assembly_apply_to_its_parts(read):
         (two(joints=MOUNT + MOUNT), "joint.1.name: need a name that no part and no other joint has"),
         (two(parts=PARTS.replace("force-clasp", "force-clsp")), 'part.inner: "force-clsp" is neither a named design'),
         (two(parts=PARTS.replace("[part.outer]", "[part.protocol]")), "part.protocol: need a name that is not a key"),
-        (two(parts=PARTS.replace("[part.outer]", "[part.Outer]")), "part: need a name of small letters"),
+        (two(parts=PARTS.replace("[part.outer]", "[part.Outer]")), "part: need a name of at most 40 small letters"),
         (two(parts=PARTS.replace("crease.damping", "crease.dampng")), "outer.crease.dampng: unknown key"),
         (two(parts=PARTS.replace("0.1 N m s/rad/m", "-1 N m s/rad/m")), "outer.crease.damping: need >= 0"),
         (two(parts=PARTS.replace("tendon.band", "tendon.bnd")), "outer.tendon.bnd"),
@@ -179,6 +188,97 @@ def test_a_refusal_names_the_key_and_what_is_allowed(read, text, message):
         structure_of(read(text))
     assert message in str(error.value)
     assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("other", ["two.toml", "upper.toml", "inside.toml"])
+def test_a_part_that_is_based_on_its_own_assembly_is_refused(read, tmp_path, other):
+    (tmp_path / "upper.toml").write_text('based_on = "two.toml"\nname = "upper"\n', encoding="utf-8")
+    inside = f'name = "inside"\n[part.pair]\nbased_on = "two.toml"\n[protocol]\n{STAGES}'
+    (tmp_path / "inside.toml").write_text(inside, encoding="utf-8")
+    with pytest.raises(InputError, match=r"two\.toml: is based on itself, directly or through other files"):
+        read(two(parts=PARTS.replace("force-clasp", other)))
+
+
+SPRING = """
+[[joint]]
+name = "link"
+kind = "spring"
+from = "inner.facet1_vertex2"
+to = "outer.facet1_vertex2"
+stiffness = "1 N/cm"
+rest_length = "1 cm"
+"""
+COUPLING = """
+[[joint]]
+name = "same"
+kind = "coupling"
+hinges = ["inner.crease0", "outer.crease0"]
+"""
+PUSH = """
+[[drive]]
+name = "push"
+kind = "force"
+of = "outer.facet1_vertex2"
+force = "1 N"
+direction = [0, 0, 1]
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (two().replace('name = "two"', 'name = "two"\nparts = ["inner"]'), "parts: cannot be set, because"),
+        (
+            two(parts=PARTS.replace("part.outer", f"part.{'o' * 41}"), joints=""),
+            "part: need a name of at most 40 small letters, digits and _ that begins with a letter",
+        ),
+        (two(joints=MOUNT.replace("[0, 0, 1]", "[0, 1]")), "joint.0.up: need more entries, got [0, 1]"),
+        (
+            two(joints=MOUNT + SPRING.replace("outer.facet1_vertex2", "outer.facet0_vertex0")),
+            "joint.link.to: need points that move relative to each other",
+        ),
+        (
+            two(joints=MOUNT + SPRING + 'ground = ["0 cm", "0 cm", "1 cm"]'),
+            'joint.link.ground: needs "ground" as one end',
+        ),
+        (
+            two(joints=MOUNT + COUPLING.replace("outer.crease0", "inner.crease0")),
+            "joint.1.hinges: need two different hinges, got twice inner.crease0",
+        ),
+        (
+            two(joints=MOUNT + COUPLING + COUPLING.replace("same", "again")),
+            "joint.2.hinges: need hinges that joint same does not couple already",
+        ),
+        (two(more=PUSH.replace('"outer.facet1_vertex2"', "[]")), "drive.0.of: need names that differ, at least one"),
+        (
+            two(more=PUSH.replace("outer.facet1", "inner.facet0").replace("vertex2", "vertex0")),
+            "drive.push.of: need points that move, got inner.facet0_vertex0, which is fixed to the ground",
+        ),
+    ],
+)
+def test_values_without_an_effect_are_refused(read, text, message):
+    with pytest.raises(InputError) as error:
+        structure_of(read(text))
+    assert message in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("key", "common", "value"),
+    [
+        ("outer.protocol.gravity", "protocol.gravity", "9 m/s^2"),
+        ("part.outer.medium.density", "medium.density", "1 kg/m^3"),
+        ("outer.protocol.timestep", "protocol.timestep", "1 s"),
+    ],
+)
+def test_a_setting_of_a_part_that_the_assembly_replaces_is_refused(read, key, common, value):
+    with pytest.raises(InputError, match=rf"has no effect in a part; set {common} of the assembly"):
+        read(two(), {key: value})
+
+
+def test_the_later_of_value_and_force_is_the_strength_of_a_drive(read):
+    drive = two(more=PUSH.replace("force =", "value ="))
+    assert key_value(read(drive, {"drive.push.force": "3 N"}), "drive.push.force") == pytest.approx(3)
+    assert key_value(read(two(more=PUSH), {"drive.push.value": "3 N"}), "drive.push.force") == pytest.approx(3)
 
 
 def test_an_unknown_key_of_a_part_names_the_nearest(design):
@@ -197,3 +297,34 @@ def test_the_second_part_lies_where_the_joint_places_it(design):
         ("inner.facet1_vertex5", "outer.facet0_vertex3"),
     ):
         np.testing.assert_allclose(places[numbers[one]], places[numbers[other]], atol=1e-15)
+
+
+def test_all_values_of_a_design_may_be_set_again(design):
+    assert with_values(design, design.si_tables()).hash == design.hash
+
+
+def test_tolerances_of_all_values_leave_out_the_protocols_of_the_parts(design):
+    keys = positive_keys(design)
+    assert "inner.tendon.band.stiffness" in keys
+    assert not [key for key in keys if ".protocol." in key or ".stops." in key or ".make." in key]
+    assert all(key_value(design, key) > 0 for key in keys)
+
+
+def test_settings_of_a_part_may_be_a_table_under_part(read):
+    changed = read(two(), {"part": {"inner": {"crease": {"damping": "0.3 N m s/rad/m"}}}})
+    assert key_value(changed, "inner.crease.damping") == pytest.approx(0.3)
+
+
+def test_a_key_with_and_without_part_is_given_twice(read):
+    with pytest.raises(InputError, match=r"inner\.crease\.damping: is given twice, also as part\.inner"):
+        read(two(), {"inner.crease.damping": "1 N m s/rad/m", "part.inner.crease.damping": "2 N m s/rad/m"})
+
+
+def test_factors_that_the_assembly_replaces_are_refused(design):
+    with pytest.raises(InputError, match=r"inner\.protocol\.timestep: has no effect in a part; use protocol\.timestep"):
+        check_keys_once(["inner.protocol.timestep"], design)
+
+
+def test_a_key_with_part_before_it_is_named_without(design):
+    with pytest.raises(InputError, match=r"unknown key; did you mean inner\.crease\.stiffness\?"):
+        key_quantity("part.inner.crease.stiffness", type(design))

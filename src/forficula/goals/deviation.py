@@ -93,7 +93,11 @@ def positive_keys(design: Design) -> tuple[str, ...]:
 
 def _numbers(value: object, key: str) -> Iterator[tuple[str, float]]:
     """Yield the numbers with units in a section of a design, or in a list of sections, with their keys."""
-    if isinstance(value, Section):
+    if isinstance(value, Design):
+        # a part of an assembly, which is in the medium of the assembly
+        inside = [name for name in positive_keys(value) if not name.startswith("medium.")]
+        yield from ((f"{key}.{name}", key_value(value, name)) for name in inside)
+    elif isinstance(value, Section):
         for name, field in type(value).model_fields.items():
             part = getattr(value, name)
             if field_quantity(field) is not None and isinstance(part, float) and name not in _KNOWLEDGE:

@@ -21,6 +21,13 @@ def ancestry(structure: Structure, body: int) -> tuple[int, ...]:
     return tuple(chain)
 
 
+def moving_body(structure: Structure, body: int) -> int:
+    """Return the nearest of a body and its ancestors that moves relative to its parent; GROUND if none does."""
+    turning = {hinge.body for hinge in structure.hinges if hinge.flaps is None}
+    moving = (number for number in ancestry(structure, body) if structure.bodies[number].slides or number in turning)
+    return next(moving, GROUND)
+
+
 def joint_count(structure: Structure) -> int:
     """Return the number of joints, which are the first hinges of a structure; creases between flaps follow them.
 

@@ -11,6 +11,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import Field, create_model, model_validator
 
 from forficula.design.assembly.joints import (
+    CouplingJoint,
     HingeDrive,
     HingeJoint,
     Joint,
@@ -44,7 +45,10 @@ class AssemblyDesign(Design):
     part_classes: ClassVar[Mapping[str, type[Design]]] = {}
 
     source: Annotated[str, Field(description="where the values of the design come from")] = ""
-    parts: Annotated[tuple[str, ...], Field(min_length=1, description="names of the parts, in order")]
+    parts: Annotated[
+        tuple[str, ...],
+        Field(min_length=1, description="names of the parts, in order; their tables [part.NAME] set it"),
+    ]
     joint: Annotated[
         tuple[Joint, ...],
         Field(description="joints between the parts; what a part fixes to the ground stays there without a joint"),
@@ -120,11 +124,19 @@ class AssemblyDesign(Design):
         """Refuse parts and joints that do not exist, parts that two joints carry, and parts that carry themselves."""
         names: list[str] = []
         carried: dict[str, str] = {}
+        coupled: dict[frozenset[str], str] = {}
         for number, joint in enumerate(self.joint):
             key = f"joint.{number}"
             if joint.name in (*names, *self.parts):
                 raise InputError(f"{key}.name: need a name that no part and no other joint has, got {joint.name}")
             names.append(joint.name)
+            if isinstance(joint, CouplingJoint):
+                if joint.hinges[0] == joint.hinges[1]:
+                    raise InputError(f"{key}.hinges: need two different hinges, got twice {joint.hinges[0]}")
+                pair = frozenset(joint.hinges)
+                if pair in coupled:
+                    raise InputError(f"{key}.hinges: need hinges that joint {coupled[pair]} does not couple already")
+                coupled[pair] = joint.name
             if not isinstance(joint, PlacingJoint):
                 continue
             if joint.part not in self.parts:
@@ -146,11 +158,14 @@ class AssemblyDesign(Design):
                 chain.append(below)
 
     def _check_drives(self) -> None:
-        """Refuse two drives with one name."""
+        """Refuse two drives with one name, and drives that act on nothing or twice on the same."""
         names = [drive.name for drive in self.drive]
         for number, name in enumerate(names):
             if name in names[:number]:
                 raise InputError(f"drive.{number}.name: need a name that no other drive has, got {as_written(name)}")
+            targets = drive_targets(self.drive[number])
+            if not targets or len(set(targets)) < len(targets):
+                raise InputError(f"drive.{number}.of: need names that differ, at least one, got {as_written(targets)}")
 
     @property
     def measure_units(self) -> dict[str, Unit]:
@@ -272,7 +287,10 @@ def check_part_name(name: str) -> str:
         InputError: the name cannot begin a key, or an assembly has a key of this name.
     """
     if not _NAME.fullmatch(name):
-        raise InputError(f"part: need a name of small letters, digits and _, got {as_written(name)}")
+        raise InputError(
+            "part: need a name of at most 40 small letters, digits and _ that begins with a letter, got"
+            f" {as_written(name)}"
+        )
     if name in (*AssemblyDesign.model_fields, "part", "tendon", "ground") or hasattr(AssemblyDesign, name):
         raise InputError(f"part.{name}: need a name that is not a key of an assembly")
     return name

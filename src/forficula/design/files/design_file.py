@@ -26,7 +26,7 @@ from forficula.design.fans.joint_sections import JointTendon
 from forficula.design.files.file_design import file_tables
 from forficula.design.files.file_words import check_file_kind
 from forficula.design.files.kept_sections import with_kept_sections
-from forficula.design.files.keys import section_fields
+from forficula.design.files.keys import key_value, replacing_key, section_fields
 from forficula.design.files.kinds import KINDS, design_class, kind_of
 from forficula.design.files.provenance import derived_source
 from forficula.design.files.rejection import File, origin, rejected
@@ -107,6 +107,7 @@ def _load(name_or_path: str | Path, settings: Mapping[str, object] | None, unit:
             named = str(name_or_path) in _named()
             base = _named_design(str(name_or_path)) if named else _validate_or_none(before)
             if base is not None:
+                _check_of_parts(settings, base, design)
                 design = design.model_copy(update={"source": derived_source(base, design)})
         return _marked(design, is_set=_sets_timestep(settings or {}))
     except RejectedError as error:
@@ -141,6 +142,7 @@ def with_values(design: Design, values: Mapping[str, object]) -> Design:
         changed = _validate_changed(design, _with_settings(design.si_tables(), values, si=True))
     except RejectedError as error:
         raise InputError(f"{design.name}: {error}") from None
+    _check_of_parts(values, design, changed)
     if "source" not in values:
         changed = changed.model_copy(update={"source": derived_source(design, changed)})
     return _marked(changed, is_set=is_timestep_set(design) or _sets_timestep(values))
@@ -220,8 +222,13 @@ def _named_tables(name: str) -> dict[str, Any]:
     return tomllib.loads((resources.files("forficula.design") / "references" / f"{name}.toml").read_text("utf-8"))
 
 
-def _read_files(name_or_path: str) -> list[File]:
-    """Read the files of a design and of those that it is based on, the base first."""
+def _read_files(name_or_path: str, within: Sequence[Path] = ()) -> list[File]:
+    """Read the files of a design and of those that it is based on, the base first.
+
+    Args:
+        name_or_path: name or path of the design.
+        within: files with parts that are based on this design, directly or through other files.
+    """
     files: list[File] = []
     above: list[Path] = []
     base: str | None = name_or_path
@@ -231,9 +238,9 @@ def _read_files(name_or_path: str) -> list[File]:
             if name in _named():
                 tables = deepcopy(_named_tables(name))
                 base = tables.pop("based_on", None)
-                tables = _with_parts(tables, None)
+                tables = _with_parts(tables, None, within)
             else:
-                tables = _file_tables(name, above)
+                tables = _file_tables(name, [*within, *above])
                 base = _base_of(tables, Path(name))
                 above.append(Path(name))
         except InputError as error:
@@ -245,7 +252,7 @@ def _read_files(name_or_path: str) -> list[File]:
 
 
 def _file_tables(name: str, above: Sequence[Path]) -> dict[str, Any]:
-    """Read the tables of a file; `above` are the files that are based on it."""
+    """Read the tables of a file; `above` are the files that are based on it, or whose parts are."""
     path = Path(name)
     if path.suffix.lower() != ".toml":
         readable = (".toml", *PATTERN_FILES)
@@ -264,19 +271,20 @@ def _file_tables(name: str, above: Sequence[Path]) -> dict[str, Any]:
         check_file_kind(tables, "design")
         if "name" not in tables:
             tables["name"] = _name_of(path)
-        tables = _with_parts(tables, path)
+        tables = _with_parts(tables, path, [*above, path])
         tables = {key: value_from_folder(key, value, path.parent) for key, value in tables.items()}
         return with_sheet_read(tables, folder=path.parent)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
 
 
-def _with_parts(tables: dict[str, Any], path: Path | None) -> dict[str, Any]:
+def _with_parts(tables: dict[str, Any], path: Path | None, within: Sequence[Path] = ()) -> dict[str, Any]:
     """Return tables of an assembly with each part directly under its name, complete with the design it is based on.
 
     Args:
         tables: tables of a file, with the parts under `part`; those of other designs stay as they are.
         path: path of the file; None for a named design.
+        within: the file, and the files that are based on it or whose parts are.
 
     Raises:
         InputError: a part that is not a table, whose name is not allowed, or whose base cannot be read.
@@ -286,11 +294,14 @@ def _with_parts(tables: dict[str, Any], path: Path | None) -> dict[str, Any]:
     parts = tables["part"]
     if not isinstance(parts, dict) or not parts:
         raise InputError(f"part: need tables such as [part.fan], got {as_written(parts)}")
+    if "parts" in tables:
+        raise InputError("parts: cannot be set, because the tables [part.NAME] name the parts")
     others = {key: value for key, value in tables.items() if key != "part"}
-    return others | {"parts": list(parts)} | {name: _part_tables(name, part, path) for name, part in parts.items()}
+    complete = {name: _part_tables(name, part, path, within) for name, part in parts.items()}
+    return others | {"parts": list(parts)} | complete
 
 
-def _part_tables(name: str, part: object, path: Path | None) -> dict[str, Any]:
+def _part_tables(name: str, part: object, path: Path | None, within: Sequence[Path]) -> dict[str, Any]:
     """Return the tables of a part, laid over those of the design that it is based on."""
     if not isinstance(part, dict):
         raise InputError(f"part.{name}: need a table under [part.{check_part_name(name)}], got {as_written(part)}")
@@ -300,9 +311,9 @@ def _part_tables(name: str, part: object, path: Path | None) -> dict[str, Any]:
     base = part.pop("based_on", None)
     complete: dict[str, Any] = {}
     try:
-        for _, tables in [] if base is None else _base_files(base, folder):
+        for _, tables in [] if base is None else _base_files(base, folder, within):
             complete = _over(complete, tables, merged, si=False)
-        inside = with_sheet_read(_with_parts(part, path), folder=folder)
+        inside = with_sheet_read(_with_parts(part, path, within), folder=folder)
         return _over(complete, inside, merged, si=False)
     except RejectedError as error:
         raise RejectedError([name, *error.place], f"part.{name}.{error}") from None
@@ -310,14 +321,14 @@ def _part_tables(name: str, part: object, path: Path | None) -> dict[str, Any]:
         raise InputError(f"part.{name}: {error}") from None
 
 
-def _base_files(base: object, folder: Path) -> list[File]:
+def _base_files(base: object, folder: Path, within: Sequence[Path]) -> list[File]:
     """Read the files of the design that a part is based on: a name, or a path relative to the file's folder."""
     if not isinstance(base, str):
         raise InputError(f'based_on: need the name of a design such as "binder2025", got {as_written(base)}')
     suffix = Path(base).suffix.lower()
     if suffix in PATTERN_FILES:
         return [(base, file_tables(folder / base, None))]
-    return _read_files(str(folder / base) if suffix == ".toml" else base)
+    return _read_files(str(folder / base) if suffix == ".toml" else base, within)
 
 
 def _name_of(path: Path) -> str:
@@ -345,9 +356,33 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
     if any(key.partition(".")[0] == "based_on" for key in settings):
         raise InputError("based_on: cannot be set; name the design to start from instead")
     if part_names(tables):
-        settings = {key.removeprefix("part."): value for key, value in settings.items()}
+        settings = _without_part(settings)
     check_once(dotted_keys(settings), tables)
+    for key, value in settings.items():
+        if key.partition(".")[0] == "parts" and not (isinstance(value, list | tuple) and [*value] == tables.get(key)):
+            raise InputError(f"{key}: cannot be set, because the tables [part.NAME] name the parts")
     return _over(tables, nested(with_sheet_read(settings)), with_settings_over, si=si)
+
+
+def _without_part(settings: Mapping[str, object]) -> dict[str, object]:
+    """Return settings of an assembly with "part." removed from their keys, and a table `part` by its entries."""
+    values: dict[str, object] = {}
+    inside = settings.get("part")
+    entries = [*inside.items()] if isinstance(inside, Mapping) else []
+    for key, value in [*((key, value) for key, value in settings.items() if key != "part" or not entries), *entries]:
+        if (name := key.removeprefix("part.")) in values:
+            raise InputError(f"{name}: is given twice, also as part.{name}")
+        values[name] = value
+    return values
+
+
+def _check_of_parts(settings: Mapping[str, object], before: Design, after: Design) -> None:
+    """Refuse settings that change values of parts which have no effect, because the assembly's values apply."""
+    for key in dotted_keys(settings):
+        inside = key.removeprefix("part.")
+        common = replacing_key(before, inside)
+        if common is not None and key_value(before, inside) != key_value(after, inside):
+            raise InputError(f"{key}: has no effect in a part; set {common} of the assembly")
 
 
 def _check_texts(settings: Mapping[str, object]) -> None:

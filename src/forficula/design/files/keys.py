@@ -11,6 +11,7 @@ from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
+from forficula.design.assembly.assembly import AssemblyDesign
 from forficula.design.design import Design
 from forficula.design.fans.fan import FanDesign
 from forficula.design.file_fields import by_key
@@ -23,6 +24,15 @@ from forficula.quantities import as_written
 
 _SectionOf = TypeVar("_SectionOf", bound=Section)
 
+# values of a part that those of the assembly replace
+_OF_ASSEMBLY = (
+    "medium",
+    "stops",
+    "protocol.gravity",
+    "protocol.contact",
+    "protocol.timestep",
+    "protocol.sample_interval",
+)
 # words that users write by mistake, with the key that they mean
 _MEANT = {"file": "path"}
 # sections of a law file that are single keys in a design
@@ -130,9 +140,22 @@ def check_keys_once(keys: Iterable[str], design: Design) -> None:
     """Refuse two keys for the same value of a design, such as an entry by its number and by its name.
 
     Raises:
-        InputError: a value with two keys.
+        InputError: a value with two keys, or a value of a part that has no effect.
     """
+    keys = list(keys)
     check_once(keys, design.as_tables())
+    for key in keys:
+        if (common := replacing_key(design, key)) is not None:
+            raise InputError(f"{key}: has no effect in a part; use {common} of the assembly")
+
+
+def replacing_key(design: Design, key: str) -> str | None:
+    """Return the key of the assembly's value that replaces a value of a part; None for a key that has an effect."""
+    whole, rest = design, key
+    while isinstance(whole, AssemblyDesign) and (name := rest.partition(".")[0]) in whole.parts:
+        whole, rest = getattr(whole, name), rest.partition(".")[2]
+    replaced = whole is not design and f"{rest}.".startswith(tuple(f"{common}." for common in _OF_ASSEMBLY))
+    return rest if replaced else None
 
 
 def _value(design: Design, value: Any, key: str, within: str) -> Any:
@@ -238,6 +261,8 @@ def section_kinds(place: Sequence[str], model: type[Section]) -> dict[str, dict[
 
 def hint(place: Sequence[str], model: type[Section] = FanDesign) -> str:
     """Return a hint for an unknown key: the nearest key of its section or of another, or all keys of its section."""
+    if place[0] == "part" and is_key(".".join(place[1:]), model):
+        return f"did you mean {'.'.join(place[1:])}?"
     *section, wrong = place
     for depth, part in enumerate(section):
         if part == "law" and (names := _OF_LAW_FILES.get("".join(place[depth + 1 : depth + 2]))):

@@ -64,6 +64,8 @@ def rejected(error: ValidationError, model: type[Section]) -> RejectedError:
             keys = ", ".join(section_kinds(place[:-1], model).get(which, {}))
             return RejectedError(place, f'{key}: is not for kind = "{which}"' + (f", which has {keys}" if keys else ""))
         return RejectedError(place, unknown_key(key, value, hint(place, model)))
+    if kind == "missing" and place[-1].isdecimal() and isinstance(value, list | tuple):
+        return RejectedError(place[:-1], f"{written_key(place[:-1])}: need more entries, got {as_written(value)}")
     if kind == "missing":
         return RejectedError(place[:-1], f"{key}: is missing; {_remedy(place, model, which)}")
     rule = _rule(place, kind, value, bounds, model)

@@ -117,8 +117,10 @@ class NamedDrive(Section):
         """Accept the key `value` for the strength, for which every kind also has another key."""
         if not isinstance(table, dict) or table.get("value") is None or cls.strength_key == "value":
             return table
+        # of two, the last one was laid over the other
+        last = next(key for key in reversed(table) if key in ("value", cls.strength_key))
         others = {key: value for key, value in table.items() if key != "value"}
-        return others | {cls.strength_key: table["value"]}
+        return others | {cls.strength_key: table[last]}
 
 
 class TorqueDrive(NamedDrive):

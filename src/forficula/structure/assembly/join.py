@@ -21,7 +21,79 @@ from forficula.structure.assembly.protocol import with_assembly_protocol
 from forficula.structure.mass import mass_of
 from forficula.structure.parts import Contact, Stops
 from forficula.structure.structure import Structure
+<<<<<<< HEAD
 from forficula.structure.tree import built_points
+=======
+from forficula.structure.tree import ancestry, built_points, moving_body
+
+_Named = TypeVar("_Named", Body, Point, Hinge)
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Part:
+    """A part where it is in the assembly.
+
+    Attributes:
+        name: name of the part.
+        structure: structure of the part alone.
+        bodies: number in the assembly of its first body.
+        points: number in the assembly of its first point.
+        base: number in the assembly of the body that carries what the part fixes to the ground, or GROUND.
+        motion: from the axes of the part to those of the assembly, as built.
+        carried: from the axes of the part to those of `base`.
+    """
+
+    name: str
+    structure: Structure
+    bodies: int
+    points: int
+    base: int
+    motion: RigidMotion
+    carried: RigidMotion
+
+    def body(self, number: int) -> int:
+        """Return the number in the assembly of a body of the part, or of its ground."""
+        return self.base if number == GROUND else self.bodies + number
+
+    def place(self, body: int, place: Array) -> Array:
+        """Return a position in the axes of the body, or of the ground, of the part in those of `self.body(body)`."""
+        return self.carried.of(place) if body == GROUND and self._moves else place
+
+    def places(self, bodies: Indices, places: Array) -> Array:
+        """Return positions, m, (..., 3), as `place` does."""
+        grounded = (bodies == GROUND)[..., None]
+        return np.where(grounded, self.carried.of(places), places) if grounded.any() and self._moves else places
+
+    def numbers(self, bodies: Indices) -> Indices:
+        """Return numbers of bodies as `body` does."""
+        return np.where(bodies == GROUND, self.base, bodies + self.bodies)
+
+    def point_numbers(self, points: Sequence[int]) -> tuple[int, ...]:
+        """Return the numbers in the assembly of points of the part."""
+        return tuple(self.points + point for point in points)
+
+    @property
+    def _moves(self) -> bool:
+        motion = self.carried
+        return self.base != GROUND or bool(motion.shift.any()) or not np.array_equal(motion.rotation, np.eye(3))
+
+    def called(self, name: str) -> str:
+        """Return a name with that of the part before it."""
+        return f"{self.name}.{name}"
+
+
+class _Joined:
+    """The lists of an assembly's structure while it is built."""
+
+    def __init__(self, design: AssemblyDesign) -> None:
+        self.design = design
+        self.parts: dict[str, _Part] = {}
+        self.bodies: list[Body] = []
+        self.points: list[Point] = []
+        self.masses: list[PointMass] = []
+        self.joints: list[Hinge] = []
+        self.creases: list[Hinge] = []
+>>>>>>> rev-hostile
 
 
 def assembly_structure(design: AssemblyDesign, build: Callable[[Design], Structure]) -> Structure:
@@ -225,6 +297,8 @@ def _placed(joined: _Joined, name: str, structure: Structure, joint: PlacingJoin
             *(body.position for body in structure.bodies if body.parent == GROUND and not body.slides),
             *(point.place for point in structure.points if point.body == GROUND),
         ]
+        if joint.mass and not fixed:
+            raise InputError(f"joint.{joint.name}.mass: need 0 g, because the part fixes no point to this hinge")
         if joint.mass:
             share = joint.mass / len(fixed)
             places = (carried.of(place) for place in fixed)
@@ -438,6 +512,15 @@ def _with_joints(structure: Structure, design: AssemblyDesign) -> Structure:
         points.append(Point(name=f"{joint.name} {key}", role="ground", body=GROUND, place=np.array(joint.ground)))
         return len(points) - 1
 
+    def ends(joint: SpringJoint | TendonJoint) -> tuple[int, int]:
+        one, other = end(joint, "from"), end(joint, "to")
+        if moving_body(structure, points[one].body) == moving_body(structure, points[other].body):
+            names = f"{points[one].name} and {points[other].name}"
+            raise InputError(f"joint.{joint.name}.to: need points that move relative to each other, got {names}")
+        if joint.ground and not {points[one].role, points[other].role} & {GROUND_BODY}:
+            raise InputError(f'joint.{joint.name}.ground: needs "ground" as one end, and both ends are points of parts')
+        return one, other
+
     couplings, springs, tendons = list(structure.couplings), list(structure.springs), list(structure.tendons)
     for number, joint in enumerate(design.joint):
         if isinstance(joint, CouplingJoint):
@@ -449,7 +532,7 @@ def _with_joints(structure: Structure, design: AssemblyDesign) -> Structure:
                 Spring(
                     name=joint.name,
                     role="spring",
-                    points=(end(joint, "from"), end(joint, "to")),
+                    points=ends(joint),
                     stiffness=joint.stiffness,
                     rest_length=joint.rest_length,
                     damping=joint.damping,
@@ -460,7 +543,7 @@ def _with_joints(structure: Structure, design: AssemblyDesign) -> Structure:
                 Tendon(
                     name=joint.name,
                     role="tendon",
-                    points=(end(joint, "from"), end(joint, "to")),
+                    points=ends(joint),
                     law=tendon_law(joint),
                     longest=math.inf,
                     gauge_length=joint.rest_length,

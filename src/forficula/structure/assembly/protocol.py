@@ -18,8 +18,10 @@ from forficula.quantities import show_quantity
 from forficula.structure.assembly.joined_part import JoinedPart
 from forficula.structure.goals import coordinate_count, goal_of
 from forficula.structure.motors_and_measures import Measure, Motor, StageGoal
+from forficula.structure.parts import GROUND
 from forficula.structure.protocol import drives_together, torque_motors
 from forficula.structure.structure import Structure
+from forficula.structure.tree import moving_body
 
 
 def with_assembly_protocol(structure: Structure, design: AssemblyDesign, parts: Sequence[JoinedPart]) -> Structure:
@@ -107,6 +109,10 @@ def _added_motors(structure: Structure, drives: Sequence[Drive]) -> tuple[list[M
             for name in written:
                 if name not in known:
                     raise InputError(f"drive.{drive.name}.of: need {one_of(sorted(known), name)}")
+                if action.kind == "force" and moving_body(structure, structure.points[points[name]].body) == GROUND:
+                    raise InputError(
+                        f"drive.{drive.name}.of: need points that move, got {name}, which is fixed to the ground"
+                    )
     motors, shares = torque_motors(structure, drives)
     for number, drive in enumerate(drives):
         for action in drive.actions:
