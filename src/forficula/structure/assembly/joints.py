@@ -18,7 +18,7 @@ from forficula.structure.fans.crossing import tendon_crossing
 from forficula.structure.mass import inertia_about
 from forficula.structure.parts import GROUND, Coupling, Point, Spring, Tendon
 from forficula.structure.structure import Structure
-from forficula.structure.tree import ancestry
+from forficula.structure.tree import ancestry, moving_body
 
 
 def with_joints(structure: Structure, design: AssemblyDesign) -> Structure:
@@ -34,6 +34,15 @@ def with_joints(structure: Structure, design: AssemblyDesign) -> Structure:
         points.append(Point(name=f"{joint.name} {key}", role="ground", body=GROUND, place=np.array(joint.ground)))
         return len(points) - 1
 
+    def ends(joint: SpringJoint | TendonJoint) -> tuple[int, int]:
+        one, other = end(joint, "from"), end(joint, "to")
+        if moving_body(structure, points[one].body) == moving_body(structure, points[other].body):
+            names = f"{points[one].name} and {points[other].name}"
+            raise InputError(f"joint.{joint.name}.to: need points that move relative to each other, got {names}")
+        if joint.ground and not {points[one].role, points[other].role} & {GROUND_BODY}:
+            raise InputError(f'joint.{joint.name}.ground: needs "ground" as one end, and both ends are points of parts')
+        return one, other
+
     couplings, springs, tendons = list(structure.couplings), list(structure.springs), list(structure.tendons)
     for number, joint in enumerate(design.joint):
         if isinstance(joint, CouplingJoint):
@@ -45,7 +54,7 @@ def with_joints(structure: Structure, design: AssemblyDesign) -> Structure:
                 Spring(
                     name=joint.name,
                     role="spring",
-                    points=(end(joint, "from"), end(joint, "to")),
+                    points=ends(joint),
                     stiffness=joint.stiffness,
                     rest_length=joint.rest_length,
                     damping=joint.damping,
@@ -56,7 +65,7 @@ def with_joints(structure: Structure, design: AssemblyDesign) -> Structure:
                 Tendon(
                     name=joint.name,
                     role="tendon",
-                    points=(end(joint, "from"), end(joint, "to")),
+                    points=ends(joint),
                     law=tendon_law(joint),
                     longest=math.inf,
                     gauge_length=joint.rest_length,

@@ -112,7 +112,7 @@ def _check_free(layout: Layout, part: JoinedPart, body: Body) -> None:
     """Refuse free bodies whose freedom depends on the axes of the ground, where these turn or move."""
     if len(body.slides) < 3 and (part.base != GROUND or not np.array_equal(np.abs(part.motion.rotation), np.eye(3))):
         raise InputError(
-            f"part.{part.name}.support: a vertex that is held along some axes only needs a part that is not turned and"
+            f"part.{part.name}.support: a vertex may be held along single axes only in a part that is not turned and"
             f" whose base does not move, got {body.name}"
         )
     number = part.base
@@ -184,6 +184,8 @@ def _base_masses(joint: HingeJoint, structure: Structure, body: int, carried: Ri
         )
     if not joint.mass:
         return []
+    if not fixed:
+        raise InputError(f"joint.{joint.name}.mass: need 0 g, because the part fixes no point to this hinge")
     mass = joint.mass / len(fixed)
     return [PointMass(body=body, place=carried.of(place), mass=mass, role="base") for place in fixed]
 
