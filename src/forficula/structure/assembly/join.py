@@ -74,25 +74,25 @@ def assembly_structure(design: AssemblyDesign, build: Callable[[Design], Structu
 
 
 def _common_contact(design: AssemblyDesign, parts: Sequence[JoinedPart]) -> Contact | None:
-    """Return the contact of all parts; None if bodies pass through each other.
+    """Return the contact of the parts for which contact is modelled; None if bodies pass through each other.
 
     Raises:
-        InputError: contact of a part is not modelled, or parts differ in their contact.
+        InputError: contact is modelled for no part, or parts differ in their contact.
     """
     if not design.protocol.contact:
         return None
-    for part in parts:
-        if part.structure.contact is None:
-            raise InputError(
-                f"{design.name}: protocol.contact: need false, because contact of the part {part.name} is not modelled,"
-                " got true"
-            )
-        if part.structure.contact != parts[0].structure.contact:
+    touching = [part for part in parts if part.structure.contact is not None]
+    if not touching:
+        raise InputError(
+            f"{design.name}: protocol.contact: need false, because contact is modelled for none of the parts, got true"
+        )
+    for part in touching:
+        if part.structure.contact != touching[0].structure.contact:
             raise InputError(
                 f"{design.name}: protocol.contact: need one thickness and one friction of contact in all parts, got"
-                f" those of {part.name} that differ from those of {parts[0].name}"
+                f" those of {part.name} that differ from those of {touching[0].name}"
             )
-    return parts[0].structure.contact
+    return touching[0].structure.contact
 
 
 def _check_kinds(structure: Structure) -> None:
