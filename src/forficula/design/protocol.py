@@ -145,7 +145,10 @@ class Protocol(Section):
 
 
 class CommonProtocol(Protocol):
-    """A protocol with defaults for everything but its stages, for structures of any kind."""
+    """The stages in which the structure is driven, and the criteria by which a run is judged.
+
+    All keys but the stages have defaults.
+    """
 
     timestep: float | Literal["auto"] = quantity(
         SHORT_TIME,
