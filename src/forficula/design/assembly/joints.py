@@ -55,7 +55,9 @@ class _AnyJoint(Section):
 
 
 class PlacingJoint(_AnyJoint):
-    """A joint that carries a part: what the part fixes to the ground moves with a body of another part instead.
+    """A joint between two parts, or between a part and the ground.
+
+    The joint carries a part: what the part fixes to the ground moves with a body of another part instead.
 
     The joint also places the part: its first point comes to lie on the first point of the other part, or at `position`,
     and the direction from its first to its second point becomes that of the other part's points, or `along`. The part
