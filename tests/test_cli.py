@@ -55,7 +55,7 @@ def save_nothing(drawings, folder, copies):
 run_folder.save_figures = save_nothing
 run_page.fold_of = lambda structure: Fold(path=None, missing="Not computed.")
 """
-# the same, which dies while it replaces what is there
+# the same command, which ends while it replaces existing files
 DYING = f"""\
 {UNDRAWN}
 import os, signal

@@ -375,3 +375,10 @@ def test_a_goal_given_as_text_has_the_same_outcome_as_one_given_by_name():
     )
     assert (written.verdict, written.status, written.holds) == (named.verdict, named.status, named.holds)
     assert written.transitions["fold"].time == pytest.approx(named.transitions["fold"].time, rel=1e-3)
+
+
+def test_a_goal_that_is_missed_in_a_stage_without_a_state_is_named():
+    letter = ff.load_design("letter-fold")
+    push = {"name": "push", "drive": "close", "until": "creases > 100 deg", "hold": 0.0, "time_limit": 0.3}
+    run = ff.run(with_values(letter, {"protocol.stages": [push], "drive.close.value": 1e-4}), confirm=False)
+    assert run.outcome.status == 'missed the goal of stage "push"'

@@ -4,8 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings
 
 import forficula as ff
 from forficula.errors import InputError
@@ -23,6 +22,7 @@ from forficula.pattern import (
     tips,
     vein_gaps,
 )
+from tests.different_fans import different_fans
 
 REFERENCE = {
     "proximal_length": 0.12,
@@ -37,31 +37,6 @@ SERIES = (1.0, 1.04, 1.0816, 1.124864, 1.16985856)
 
 def fan(**changes):
     return EarwigFan(**(REFERENCE | changes))
-
-
-@st.composite
-def different_fans(draw):
-    units, spread = draw(st.integers(1, 4)), draw(st.floats(0, 0.12))
-
-    def shares(count):
-        return tuple(draw(st.lists(st.floats(1 - spread, 1 + spread), min_size=count, max_size=count)))
-
-    length = draw(st.floats(0.001, 1))
-    try:
-        return EarwigFan(
-            proximal_length=length,
-            distal_length=length * draw(st.floats(0.2, 1.2)),
-            hub_radius=length * draw(st.floats(0.1, 0.6)),
-            sector_angle=math.radians(draw(st.floats(10, 40))),
-            units=units,
-            tangent=draw(st.sampled_from(["left", "right"])),
-            proximal_shares=shares(2 * units + 1),
-            distal_shares=shares(2 * units + 1),
-            sector_shares=shares(2 * units),
-        )
-    except InputError:
-        # veins that differ too much for one fan
-        assume(False)
 
 
 @given(different_fans())

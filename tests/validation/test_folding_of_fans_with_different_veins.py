@@ -10,12 +10,11 @@ import math
 from dataclasses import replace
 
 import numpy as np
-from hypothesis import assume, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from forficula import load_design, structure_of
 from forficula.analysis.package import flat_package
-from forficula.errors import InputError
 from forficula.pattern import (
     EarwigFan,
     creases_inside,
@@ -27,32 +26,8 @@ from forficula.pattern import (
     ring_ratios,
     sectors_between,
 )
+from tests.different_fans import different_fans
 from tests.pattern.closing import closure_residual
-
-
-@st.composite
-def fans(draw):
-    units, spread = draw(st.integers(1, 4)), draw(st.floats(0, 0.12))
-
-    def shares(count):
-        return tuple(draw(st.lists(st.floats(1 - spread, 1 + spread), min_size=count, max_size=count)))
-
-    length = draw(st.floats(0.001, 1))
-    try:
-        return EarwigFan(
-            proximal_length=length,
-            distal_length=length * draw(st.floats(0.2, 1.2)),
-            hub_radius=length * draw(st.floats(0.1, 0.6)),
-            sector_angle=math.radians(draw(st.floats(10, 40))),
-            units=units,
-            tangent=draw(st.sampled_from(["left", "right"])),
-            proximal_shares=shares(2 * units + 1),
-            distal_shares=shares(2 * units + 1),
-            sector_shares=shares(2 * units),
-        )
-    except InputError:
-        # veins that differ too much for one fan
-        assume(False)
 
 
 def reflected_facets(pattern):
@@ -121,14 +96,14 @@ def shoelace(points):
 
 
 @settings(max_examples=60)
-@given(fans())
+@given(different_fans())
 def test_every_ring_vertex_of_different_veins_satisfies_kawasakis_condition(holds, fan):
     residual = np.abs(kawasaki_residuals(earwig_pattern(fan))).max()
     holds("residual of Kawasaki's condition", residual, below=1e-12, unit="rad", by="Kawasaki 1989")
 
 
 @settings(max_examples=60)
-@given(fans(), st.one_of(st.just(math.pi), st.floats(0.05, math.pi)))
+@given(different_fans(), st.one_of(st.just(math.pi), st.floats(0.05, math.pi)))
 def test_different_veins_fold_rigidly_each_at_its_rate(holds, agree, fan, pleat):
     pattern, folds = earwig_pattern(fan), fan_fold_angles(fan, pleat)
     left = [
@@ -144,7 +119,7 @@ def test_different_veins_fold_rigidly_each_at_its_rate(holds, agree, fan, pleat)
 
 
 @settings(max_examples=60)
-@given(fans())
+@given(different_fans())
 def test_different_veins_fold_flat_as_reflected_polygons(holds, agree, fan):
     pattern, size = earwig_pattern(fan), fan.proximal_length + fan.distal_length
     facets, places, gap = reflected_facets(pattern)

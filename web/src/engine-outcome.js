@@ -143,6 +143,6 @@ function endingText(live, ending) {
 function endingWord({ texts: { endings } }, ending) {
   const { verdict, transition } = ending;
   if (!isConclusive(verdict)) return endings[verdict];
-  if (transition === null) return endings.settled;
+  if (transition === null) return verdict === "reached" ? endings.settled : endings.missed;
   return filled(endings[verdict === "stuck" && underWay(ending) ? "stuck, under way" : verdict], transition.words);
 }

@@ -389,7 +389,7 @@ def _outcome(record: Record) -> Outcome:
         reading=run.state.furthest if verdict.conclusive and run is not None and run.state is not None else None,
         time=record.diverged_at,
         residual=balance.residual if record.diverged_at is None else None,
-        why=record.doubt or unresolved or _reason_text(record, verdict, missed),
+        why=record.doubt or unresolved or _reason_text(record, verdict, missed, run),
     )
     holds = {run.transition.state: run.holds if verdict.conclusive else None for run in runs}
     led_to = {run.transition.state: run.state for run in runs}
@@ -426,10 +426,12 @@ def early_goal(record: Record, end: StageEnd) -> str:
     return ENDING_TEXTS["not held, early"].format(stage=end.stage.name) if early else ""
 
 
-def _reason_text(record: Record, verdict: Verdict, missed: StageEnd | None) -> str:
+def _reason_text(record: Record, verdict: Verdict, missed: StageEnd | None, run: _TransitionRun | None) -> str:
     """Return why a stage missed its goal where the wording of its transition would mislead; else an empty text."""
-    if missed is None or verdict not in (Verdict.MOVING, Verdict.NOT_HELD):
+    if missed is None or verdict not in (Verdict.MOVING, Verdict.NOT_HELD, Verdict.STUCK):
         return ""
+    if verdict is Verdict.STUCK:
+        return ENDING_TEXTS["missed, stage"].format(stage=missed.stage.name) if run is None else ""
     if missed.stage.wait and missed.goal_time is None:
         limit, wait = show_value(missed.stage.time_limit, "s"), show_duration(missed.stage.wait)
         where = f'in the stage "{missed.stage.name}", which waits {wait} at rest'
@@ -438,7 +440,9 @@ def _reason_text(record: Record, verdict: Verdict, missed: StageEnd | None) -> s
         return early_goal(record, missed)
     if missed.at_goal:
         return ENDING_TEXTS["moving, too short"]
-    return ENDING_TEXTS["moving, torque rises"] if missed.at_rest else ""
+    if missed.at_rest:
+        return ENDING_TEXTS["moving, torque rises"]
+    return ENDING_TEXTS["missed, stage"].format(stage=missed.stage.name) if run is None else ""
 
 
 def _transition_run(record: Record, transition: Transition) -> _TransitionRun:

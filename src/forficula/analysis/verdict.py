@@ -35,6 +35,8 @@ UNSETTLED = "its outcome still changes with the timestep"
 # or a verdict with a detail; the fields "done", "doing", "verb" and "stays" come from a transition's wording.
 ENDING_TEXTS = {
     "settled": SETTLED,
+    "missed": "missed the goal of a stage",
+    "missed, stage": 'missed the goal of stage "{stage}"',
     "reached": "{done}",
     "moving": "still {doing}",
     "moving, limit": "still moving when its time to {verb} was over",
@@ -106,7 +108,7 @@ def ending_text(ending: Ending) -> str:
             return ENDING_TEXTS["not built, why"].format(why=ending.why)
         case Verdict.STUCK if _stuck_on_the_way(ending) and ending.reading is not None:
             return ENDING_TEXTS["stuck, reading"].format(reading=_reading_text(ending.transition, ending.reading))
-        case Verdict.MOVING | Verdict.NOT_HELD if ending.why:
+        case Verdict.MOVING | Verdict.NOT_HELD | Verdict.STUCK if ending.why:
             return ending.why
         case Verdict.MOVING if ending.transition is not None:
             verb = ending.transition.wording.verb
@@ -135,7 +137,7 @@ def verdict_word(verdict: Verdict, wording: Wording | None, *, under_way: bool =
     if not verdict.conclusive:
         return ENDING_TEXTS[verdict]
     if wording is None:
-        return ENDING_TEXTS["settled"]
+        return ENDING_TEXTS["settled" if verdict is Verdict.REACHED else "missed"]
     key = "stuck, under way" if verdict is Verdict.STUCK and under_way else verdict
     return ENDING_TEXTS[key].format_map(vars(wording))
 

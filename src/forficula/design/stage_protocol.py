@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from forficula.design.named_protocol import RestState, Transition, Wording
 from forficula.design.protocol import GoalText, StageSection, read_goal, stage_drives
+from forficula.names import listed
 
 
 def is_bound(stage: StageSection) -> bool:
@@ -47,7 +48,7 @@ def stage_transitions(
                 kind="distance" if measure in distances else "angle",
                 furthest="smallest" if written is None or written.relation == ">" else "largest",
                 begun=None,
-                wording=_wording(state, " and ".join([*(transition.state for transition in transitions), state])),
+                wording=_wording(state, listed([*(transition.state for transition in transitions), state])),
             )
         )
     return tuple(transitions)

@@ -1,4 +1,4 @@
-"""Remarks on the energy landscape of bodies on joints: what it leaves out, and what decides its least drives."""
+"""Remarks on the energy landscape of bodies on joints: its limits, and the reasons for its least drives."""
 
 from __future__ import annotations
 

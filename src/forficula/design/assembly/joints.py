@@ -120,7 +120,7 @@ class PlacingJoint(_AnyJoint):
         if self.points and not (self.onto or self.position):
             raise InputError("onto: is missing; give onto or position, the position of the points in the assembly")
         if (self.position or self.along is not None) and not self.points:
-            raise InputError("points: is missing; name the point of the part that comes to lie at position")
+            raise InputError("points: is missing; name the point of the part that position places")
         if self.along is not None and len(self.points) < 2:
             raise InputError("along: needs two entries of points, whose direction it sets")
         return self
@@ -277,7 +277,14 @@ Joint = Annotated[
     Discriminator(_tag),
 ]
 
-
+_DRIVE_KIND = Field(description="torque on hinges, or force at points")
+_Targets = Annotated[
+    str | tuple[str, ...],
+    Field(
+        description='hinges by name or role for a torque, such as "claval line" or "fan.turn0"; points for a force, '
+        'such as "fan.tip0"'
+    ),
+]
 _RISE = quantity(
     TIME, "time over which the drive rises linearly from 0; if not given, protocol.rise", default=None, at_least=0
 )
@@ -292,14 +299,8 @@ class HingeDrive(NamedDrive):
     about: ClassVar[str] = "A drive of the assembly, in addition to those of its parts"
     strength_key: ClassVar[str] = "value"
 
-    kind: Annotated[Literal["torque"], Field(description="torque on hinges, or force at points")]
-    of: Annotated[
-        str | tuple[str, ...],
-        Field(
-            description='hinges by name or role for a torque, such as "claval line" or "fan.turn0"; points for a force,'
-            ' such as "fan.tip0"'
-        ),
-    ]
+    kind: Annotated[Literal["torque"], _DRIVE_KIND]
+    of: _Targets
     value: float = quantity(TORQUE, "for kind torque: torque on each of these hinges, in the hinge's own sense")
     no_load_speed: float | None = quantity(
         ANGULAR_SPEED,
@@ -321,14 +322,8 @@ class PointDrive(NamedDrive):
     about: ClassVar[str] = "A drive of the assembly, in addition to those of its parts"
     strength_key: ClassVar[str] = "force"
 
-    kind: Annotated[Literal["force"], Field(description="torque on hinges, or force at points")]
-    of: Annotated[
-        str | tuple[str, ...],
-        Field(
-            description='hinges by name or role for a torque, such as "claval line" or "fan.turn0"; points for a force,'
-            ' such as "fan.tip0"'
-        ),
-    ]
+    kind: Annotated[Literal["force"], _DRIVE_KIND]
+    of: _Targets
     force: float = quantity(FORCE, "for kind force: force at each of these points")
     direction: Annotated[
         _Vector, Field(description="direction of a force, as a vector of any length", examples=[[0, 0, -1]])

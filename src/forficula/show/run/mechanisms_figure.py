@@ -260,7 +260,7 @@ def _add_legend(figure: Figure, beside: Axes | None, handles: list[Patch | Line2
 
 
 def _text(record: Record, shares: EnergyShares, spans: list[EnergySpan]) -> str:
-    """Describe the stack of every span: the largest energies, the losses and what is missing."""
+    """Describe the stack of every span: the largest energies, the losses and the missing energy."""
     sentences = []
     for span in spans:
         rows = _rows(record, shares, span)

@@ -12,7 +12,8 @@ import numpy as np
 from forficula.analysis import Verdict
 from forficula.analysis.margin import margin_column
 from forficula.arrays import Flags
-from forficula.names import counted
+from forficula.design.files.tables import REMOVED
+from forficula.names import counted, listed
 from forficula.quantities import reading_unit
 from forficula.study.changes import CHANGE, ChangePlan, OmittedPair
 from forficula.study.tables.outcome_kinds import reached_all, studied_transitions, whole_of
@@ -57,6 +58,7 @@ class Redundancy:
         pairs: results of two changes together.
         omitted: pairs that were not made, with the reason.
         task: what the structure does if all transitions succeed, such as "the wing folds and opens again".
+        removes: whether a change removes a part of the design.
     """
 
     unchanged: ChangedRun
@@ -64,6 +66,7 @@ class Redundancy:
     pairs: tuple[ChangedRun, ...]
     omitted: tuple[OmittedPair, ...]
     task: str
+    removes: bool
 
     @property
     def tolerated(self) -> tuple[ChangedRun, ...]:
@@ -121,6 +124,7 @@ def redundancy(table: Dataset) -> Redundancy:
             for entry in json.loads(table.attrs.get(_OMITTED, "[]"))
         ),
         task=_task(table),
+        removes=any(f" {REMOVED}" in str(text) for text in table[CHANGED_VALUES].values),
     )
 
 
@@ -139,7 +143,7 @@ def _task(table: Dataset) -> str:
     does = [transition.wording.does for transition in studied_transitions(table)]
     if not does:
         return f"the {whole_of(table)} settles"
-    return f"the {whole_of(table)} {' and '.join(does)}{' again' if len(does) > 1 and 'again' not in does[-1] else ''}"
+    return f"the {whole_of(table)} {listed(does)}{' again' if len(does) > 1 and 'again' not in does[-1] else ''}"
 
 
 def omitted_text(plan: ChangePlan) -> str:
@@ -160,16 +164,15 @@ def redundancy_sentences(table: Dataset) -> list[str]:
     sentences = [f"Unchanged, {report.task}{_margin_text(report.unchanged, ' with a margin of ')}."]
     if report.tolerated:
         which = _listed(run.names[0] for run in report.tolerated)
+        means = " (a mechanism that such a change removes is redundant)" if report.removes else ""
         count = f"{len(report.tolerated)} of {counted(len(report.alone), 'change')}"
-        sentences.append(
-            f"{count} {'is' if len(report.tolerated) == 1 else 'are'} tolerated (a mechanism that such a change removes"
-            f" is redundant): {which}."
-        )
+        sentences.append(f"{count} {'is' if len(report.tolerated) == 1 else 'are'} tolerated{means}: {which}.")
     if report.nearest is not None and len(report.tolerated) > 1:
         sentences.append(f"The least margin of these is{_margin_text(report.nearest, ' ')}: {report.nearest.names[0]}.")
     if report.fatal:
         which = _listed(map(_failure, report.fatal))
-        sentences.append(f"Changes that make it fail (a mechanism that one of them removes is essential): {which}.")
+        means = " (a mechanism that one of them removes is essential)" if report.removes else ""
+        sentences.append(f"Changes that make it fail{means}: {which}.")
     if unknown := [run.names[0] for run in report.alone if run.works is None]:
         sentences.append(f"Changes without a reliable result: {_listed(unknown)}.")
     return [*sentences, *_pair_sentences(report)]
