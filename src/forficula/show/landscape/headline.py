@@ -18,15 +18,33 @@ _COUNTS = ("no stable state", "monostable", "bistable")
 
 def headline(landscape: EnergyLandscape) -> str:
     """Return whether a design is bistable, its barriers, and the force or torque that holds each state."""
-    names = [state.name for state in landscape.states]
+    groups = _separate_states(landscape)
+    names = [group[0] for group in groups]
     count = _COUNTS[len(names)] if len(names) < len(_COUNTS) else f"multistable, {len(names)} stable states"
     if landscape.net is not None and len(names) > 0:
         count += ", as far as the search found"
     more = ", ..." * (len(names) > _MOST_NAMED)
     states = f" ({', '.join(names[:_MOST_NAMED])}{more})" if names else ""
     parts = [f"{landscape.design.name}: {count}{states}"]
+    parts += [f"it moves without force from {first} to {listed(others)}" for first, *others in groups if others]
     parts += [text for text in (_barriers(landscape), _holds(landscape), _partial_folds(landscape)) if text]
     return "; ".join(parts)
+
+
+def _separate_states(landscape: EnergyLandscape) -> list[list[str]]:
+    """Group the names of the states between which the structure moves without force: they are not locked."""
+    groups: list[list[str]] = []
+    for state in landscape.states:
+        near = [group for group in groups if any(_moves_freely(landscape, name, state.name) for name in group)]
+        groups = [group for group in groups if group not in near]
+        groups.append([*(name for group in near for name in group), state.name])
+    return groups
+
+
+def _moves_freely(landscape: EnergyLandscape, one: str, other: str) -> bool:
+    with suppress(InputError):  # no saddle was found between them
+        return not barrier(landscape, one, other) and not barrier(landscape, other, one)
+    return False
 
 
 def _barriers(landscape: EnergyLandscape) -> str:
@@ -35,7 +53,7 @@ def _barriers(landscape: EnergyLandscape) -> str:
     Transitions between states that the protocol names precede all others. Without a known saddle between the states of
     a tree, it is the barrier of one hinge that folds alone.
     """
-    names = [state.name for state in landscape.states]
+    names = [group[0] for group in _separate_states(landscape)]
     if landscape.net is None and landscape.fold_path is None and not landscape.passes:
         alone = landscape.easiest_barrier
         start = landscape.rests[0].name or AT_START
