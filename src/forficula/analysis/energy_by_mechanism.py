@@ -21,6 +21,7 @@ _LOSSES = (
     "branch_damping_work",
     "letting_go_work",
     "yield_work",
+    "crease_yield_work",
     "drag_work",
 )
 # series of the energies of elements, by the field of a mechanism that contains their numbers

@@ -61,6 +61,8 @@ OPTIONAL_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "branch_energy": (("tendon",), "J", "energy of the tendon's Maxwell branches"),
     "branch_damping_work": ((), "J", "work of the dampers in the tendons' Maxwell branches since the start"),
     "tendon_rest_length": (("tendon",), "m", "resting length of the tendon, which grows when it yields"),
+    "hinge_set": (("hinge",), "rad", "permanent fold: rest angle of the part of a crease's spring that yields"),
+    "crease_yield_work": ((), "J", "work of the creases' yielding since the start"),
     "yield_work": ((), "J", "work of the tendons' yielding since the start"),
     "closure_work": ((), "J", "work of closures of loops of bodies since the start, ideally 0"),
     "closure_gap": ((), "m", "widest gap of the creases that close loops since the start"),

@@ -19,7 +19,7 @@ from forficula.dynamics.engine.closures import APART_TEXT, LARGEST_GAP
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.record import Record, StageEnd
 from forficula.dynamics.stepping.stage_plan import NEVER
-from forficula.dynamics.stepping.steps import EngineState, Steps
+from forficula.dynamics.stepping.steps import SETS, EngineState, Steps
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -275,6 +275,8 @@ def keep_rows(recorders: Sequence[Recorder], chunk: Chunk) -> None:
     # for all structures at once, which replaces thousands of calls by a few
     structure, before = np.nonzero(kept)
     inner = {name: steps.states(structure, before, place) for name, place in steps.inner.items()}
+    if steps.sets is not None:
+        inner[SETS] = steps.sets[structure, before // steps.followed]
     rows = _Rows(
         number=number[structure, before],
         angle=_angles(recorders, steps, structure, before),

@@ -161,6 +161,8 @@ class Hinge:
         lock_above: angle, rad, above which the spring stiffens until it locks at 180 deg; inf for a spring that does
             not lock.
         stop_stiffness: stiffness of the stops of a crease, N m/rad; None if `crease_law` chooses it.
+        yield_angle: angle from rest at which the spring begins to yield, rad; inf for one that never yields.
+        hardening: slope of the moment while the spring yields, N m/rad.
         damping: N m s/rad.
         friction: torque of the dry friction of a joint, N m.
         armature: added inertia, kg m^2.
@@ -184,6 +186,8 @@ class Hinge:
     lock_below: float = -math.inf
     lock_above: float = math.inf
     stop_stiffness: float | None = None
+    yield_angle: float = math.inf
+    hardening: float = 0.0
     damping: float = 0.0
     friction: float = 0.0
     armature: float = 0.0

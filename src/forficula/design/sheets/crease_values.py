@@ -48,6 +48,13 @@ def crease_key(design: SheetDesign, edge: int, key: str) -> str:
     return next(group_keys, f"crease.{key}")
 
 
+def yield_angle(crease: Crease) -> float:
+    """Return the angle from rest at which a crease begins to yield, rad; inf if it never yields."""
+    if crease.yield_moment is None or not crease.stiffness:
+        return math.inf
+    return crease.yield_moment / crease.stiffness
+
+
 def rest_angle(crease: Crease, built: float) -> float:
     """Return the rest angle of a crease's spring, rad, in the crease's own sense."""
     match crease.rest_angle:

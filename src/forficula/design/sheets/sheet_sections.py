@@ -14,6 +14,7 @@ from forficula.quantities import Unit
 CREASE_STIFFNESS = Unit(display="N m/rad/m", si="N m/rad/m", example="1e-2 N m/rad/m")
 EXTENSION = Unit(display="N/m^2", si="N/m^2", example="1e5 N/m^2")
 EXTENSION_DAMPING = Unit(display="N s/m^2", si="N s/m^2", example="10 N s/m^2")
+CREASE_MOMENT = Unit(display="N m/m", si="N m/m", example="1e-2 N m/m")
 CREASE_DAMPING = Unit(display="N m s/rad/m", si="N m s/rad/m", example="1e-3 N m s/rad/m")
 
 _RESTS = ("as built", "flat")
@@ -102,6 +103,12 @@ class CreaseGroup(Section):
         below=math.pi,
         examples=["135 deg"],
     )
+    yield_moment: float | None = quantity(
+        CREASE_MOMENT, "moment per length at which they begin to fold permanently", default=None, above=0
+    )
+    hardening: float | None = quantity(
+        CREASE_STIFFNESS, "slope of their moment while they yield, per length", default=None, at_least=0
+    )
     damping: float | None = quantity(CREASE_DAMPING, "viscous damping per length", default=None, at_least=0)
     extension: float | None = quantity(
         EXTENSION, "stiffness per length of the springs against opening", default=None, above=0
@@ -163,6 +170,20 @@ class Crease(Section):
         default=math.radians(135.0),
         above=0,
         below=math.pi,
+    )
+    yield_moment: float | None = quantity(
+        CREASE_MOMENT,
+        "moment per length of the crease at which it begins to fold permanently; if not given, it never does",
+        default=None,
+        above=0,
+    )
+    hardening: float | None = quantity(
+        CREASE_STIFFNESS,
+        "slope of the moment over the angle while a crease yields, per length of the crease: kinematic hardening; 0 if"
+        " not given",
+        default=None,
+        at_least=0,
+        examples=["1e-3 N m/rad/m"],
     )
     damping: float | None = quantity(
         CREASE_DAMPING, "viscous damping per length of the crease; chosen if not given", default=None, at_least=0

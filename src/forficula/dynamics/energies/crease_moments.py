@@ -42,20 +42,27 @@ class CreaseMoments:
         }
         return CreaseMoments(law=self.law.some(which), **rows)
 
-    def at(self, angles: Array, turning: Array, efforts: Array) -> tuple[Array, Array]:
-        """Compute moments in own senses and their derivatives by the angle, (structure, crease).
+    def at(self, angles: Array, turning: Array, efforts: Array, sets: Array) -> tuple[Array, Array, Array]:
+        """Compute moments in own senses, their derivatives by the angle, and the new sets, (structure, crease).
 
         Args:
             angles: in own senses, rad, (structure, crease).
             turning: speeds of the angles between the flaps, valleys positive, (structure, crease).
             efforts: settings of the motors, (structure, motor).
+            sets: permanent folds before, rad, (structure, crease).
         """
         rests, torques, braking = (
             np.einsum("rm,rmc->rc", item, gains)
             for item, gains in ((efforts, self.rests), (efforts, self.torques), (np.abs(efforts), self.braking))
         )
+        if self.law.yields:
+            before, sets = sets, self.law.next_set(angles, rests, sets)
+            rests = rests + self.law.rest_shift(sets)
         moment, slope = self.law.moment_and_slope(angles, rests)
-        return moment + (self.damping + braking) * self.senses * turning - torques, slope
+        if self.law.yields:
+            # while a crease yields, its moment grows with the slope of the hardening
+            slope = slope - np.where(sets != before, np.asarray(self.law.stiffness) - self.law.hardening, 0.0)
+        return moment + (self.damping + braking) * self.senses * turning - torques, slope, sets
 
 
 def crease_moments(models: Sequence[Model]) -> CreaseMoments:

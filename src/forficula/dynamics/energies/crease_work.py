@@ -10,12 +10,13 @@ from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.placement import Placement
 from forficula.dynamics.stepping.steps import Steps
+from forficula.material import CreaseLaw
 from forficula.structure import Motor, Structure
 
 
 def crease_works(
     model: Model, steps: Steps, place: int, travel: Array, efforts: Array, before: Array
-) -> tuple[Array, Array]:
+) -> tuple[Array, Array, Array]:
     """Compute the works on a structure with creases in some steps, in the model's units.
 
     The work of a moving rest angle is the change of the energy of the spring. Because this energy is quadratic in the
@@ -30,7 +31,7 @@ def crease_works(
         before: settings before each step, (step, motor).
 
     Returns:
-        Work of every motor, (motor, step), and of the creases' damping, (step,).
+        Work of every motor, (motor, step), of the creases' damping, (step,), and of their yielding, (step,).
     """
     assert model.creases is not None
     assert steps.angles is not None
@@ -48,7 +49,9 @@ def crease_works(
         damped = -np.sum((creases.damping * speeds)[block] * turned, axis=1)
     angles = steps.angles[place][block]
     rests, mean = model.settings(before)[0], model.settings((before + efforts) / 2)[0]
-    moments = creases.law.rest_moment(angles, mean) if np.any(mean) or np.any(rests) else np.zeros_like(angles)
+    sets, lost = _sets_and_loss(creases.law, steps, place, len(travel))
+    moved = np.any(mean) or np.any(rests)
+    moments = creases.law.rest_moment(angles, mean + sets[block]) if moved else np.zeros_like(angles)
     works = []
     for number, motor in enumerate(model.structure.motors):
         if motor.kind == "displacement":
@@ -65,7 +68,23 @@ def crease_works(
         changes = np.zeros_like(efforts)
         changes[:, number] = efforts[:, number] - before[:, number]
         works.append(-np.sum(moments * model.settings(changes)[0], axis=1))
-    return np.array(works).reshape(-1, len(travel)), damped
+    return np.array(works).reshape(-1, len(travel)), damped, lost
+
+
+def _sets_and_loss(law: CreaseLaw, steps: Steps, place: int, count: int) -> tuple[Array, Array]:
+    """Return shifts of rest angles by sets, (block, crease) or zeros, and the work of yielding, <= 0, (step,).
+
+    A set changes where a block of steps begins, so the work is that of the first step of the block.
+    """
+    lost = np.zeros(count)
+    if not law.yields:
+        return np.zeros((-(-count // steps.followed), 1)), lost
+    assert steps.sets is not None
+    assert steps.sets_before is not None
+    sets = steps.sets[place]
+    changes = np.diff(np.concatenate([steps.sets_before[place, None], sets]), axis=0)
+    lost[:: steps.followed] = -np.sum(law.yield_loss(changes), axis=1)[: -(-count // steps.followed)]
+    return law.rest_shift(sets), lost
 
 
 def engine_work(model: Model, motor: int, steps: Steps, place: int, travel: Array) -> Array:

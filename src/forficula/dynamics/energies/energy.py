@@ -11,6 +11,7 @@ from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.couplings import coupling_energies
 from forficula.dynamics.engine.membrane import stretch_energy
 from forficula.dynamics.engine.model import Model
+from forficula.dynamics.stepping.steps import SETS
 
 # fields of the engine that `clamping_work` needs
 CLAMPING_FIELDS = ("ten_length", "ten_velocity", "ten_J")
@@ -146,7 +147,8 @@ def state_series(
         "tendon_length": units.length * length,
         "tendon_energy": units.energy * model.elastic.energy(length - crept),
     }
-    series |= _hinge_series(model, angles, np.zeros((len(angles), len(built.motors))) if efforts is None else efforts)
+    set_to = np.zeros((len(angles), len(built.motors))) if efforts is None else efforts
+    series |= _hinge_series(model, angles, set_to, derived)
     if any(not coupling.rigid for coupling in built.couplings):
         series["coupling_energy"] = units.energy * coupling_energies(built, angles)
     if built.springs:
@@ -185,15 +187,30 @@ def state_series(
     }
 
 
-def _hinge_series(model: Model, angles: Array, efforts: Array) -> dict[str, Array]:
-    """Return the energies of hinges' springs, if there are any, and their rest angles, if motors move them."""
+def _hinge_series(model: Model, angles: Array, efforts: Array, derived: Mapping[str, Array]) -> dict[str, Array]:
+    """Return energies of hinges' springs, if there are any, rest angles that motors move, and permanent folds."""
     hinges, series = model.in_units.hinges, dict[str, Array]()
     springs, rests = (np.array([getattr(hinge, name) for hinge in hinges]) for name in ("stiffness", "rest_angle"))
-    energy = model.units.energy * springs / 2 * (angles - rests) ** 2
+    if (yielding := model.hinge_creep >= 0).any():
+        sets = np.zeros_like(angles)
+        rest = model.folds.senses[yielding] * derived["plastic"][:, model.hinge_creep[yielding]]
+        sets[:, yielding] = rest - rests[yielding]
+        hardening = np.where(yielding, [hinge.hardening for hinge in hinges], springs)
+        energy = hardening / 2 * (angles - rests) ** 2 + (springs - hardening) / 2 * (angles - rests - sets) ** 2
+        energy *= model.units.energy
+        series["hinge_set"] = sets
+    else:
+        energy = model.units.energy * springs / 2 * (angles - rests) ** 2
     if model.creases is not None:
         creases, (further, _) = model.folds.creases, model.settings(efforts)
         law = model.creases.law
-        energy[:, creases] = model.units.energy * law.energy(angles[:, creases], further)
+        if law.yields:
+            sets = derived[SETS]
+            energy[:, creases] = law.energy(angles[:, creases], further + law.rest_shift(sets)) + law.set_energy(sets)
+            series.setdefault("hinge_set", np.zeros_like(angles))[:, creases] = sets
+        else:
+            energy[:, creases] = law.energy(angles[:, creases], further)
+        energy[:, creases] *= model.units.energy
         springs = springs + np.bincount(
             creases, (np.isfinite(law.lower) | np.isfinite(law.upper)).astype(float), len(hinges)
         )

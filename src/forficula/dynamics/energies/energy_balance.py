@@ -41,6 +41,7 @@ class EnergyBalance:
         branches: change of the energy of the tendons' Maxwell branches; None without branches.
         branch_damping: dissipated by the dampers of these branches; None without branches.
         yielding: dissipated by the tendons' yielding; None if they never yield.
+        crease_yielding: dissipated by creases that fold permanently; None if they never do.
         letting_go: minus the energy that branches stored without work while a slack tendon could not push; None if no
             tendon is clamped.
         hinges: change of the energy of the hinges' springs; None without such springs.
@@ -70,6 +71,7 @@ class EnergyBalance:
     branches: Annotated[_Term, Key("branch_energy_change")] = None
     branch_damping: _Term = None
     yielding: _Term = None
+    crease_yielding: _Term = None
     letting_go: _Term = None
     hinges: Annotated[_Term, Key("hinge_energy_change")] = None
     springs: Annotated[_Term, Key("spring_energy_change")] = None
@@ -92,7 +94,15 @@ class EnergyBalance:
         Real contacts only dissipate energy, so energy supplied by contacts counts as missing as well.
         """
         stored = self.tendon + self.membrane + self.kinetic + self.gravitational
-        of_law = (self.branches, self.branch_damping, self.yielding, self.letting_go, self.hinges, self.springs)
+        of_law = (
+            self.branches,
+            self.branch_damping,
+            self.yielding,
+            self.crease_yielding,
+            self.letting_go,
+            self.hinges,
+            self.springs,
+        )
         taken = (self.friction, max(self.contacts or 0.0, 0.0), self.drag)
         others = sum(term or 0.0 for term in (*of_law, self.couplings, *taken))
         return self.work - stored - self.hinge_damping - self.elastic_damping - self.stops - others
@@ -135,6 +145,7 @@ def energy_balance(record: Record) -> EnergyBalance:
         branches=change.get("branch_energy"),
         branch_damping=_loss(change, "branch_damping_work"),
         yielding=_loss(change, "yield_work"),
+        crease_yielding=_loss(change, "crease_yield_work"),
         letting_go=_loss(change, "letting_go_work"),
         hinges=change.get("hinge_energy"),
         springs=change.get("spring_energy"),

@@ -101,6 +101,8 @@ class WorkBalance:
                 self._add_stops(work, done, rows, steps, taken)
             else:
                 self._add_losses(work, rows, steps, travel, of_creases)
+            if (self._models[0].hinge_creep >= 0).any():
+                self._add_yielding(work, rows, steps)
             for place, row in enumerate(rows.tolist()):
                 self._add_branches(work, place, self._models[row], steps, travel)
             seconds = [float(self._models[row].design.protocol.timestep) for row in rows]
@@ -239,10 +241,12 @@ class WorkBalance:
                 for place, row in enumerate(rows.tolist())
             ]
             work = {
-                motor_work_name(number): np.array([motors[number] for motors, _ in parts_of_pieces])
+                motor_work_name(number): np.array([motors[number] for motors, _, _ in parts_of_pieces])
                 for number in range(len(self._motors))
             }
-            of_creases = np.array([damped for _, damped in parts_of_pieces])
+            of_creases = np.array([damped for _, damped, _ in parts_of_pieces])
+            if any(creases.law.yields for model in self._models if (creases := model.creases) is not None):
+                work["crease_yield_work"] = np.array([lost for _, _, lost in parts_of_pieces])
         return work, of_creases
 
     def _add_losses(
@@ -314,6 +318,19 @@ class WorkBalance:
             work["elastic_damping_work"][place] += damper
             if model.branches.size:
                 work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared
+
+    def _add_yielding(self, work: dict[str, Array], rows: Indices, steps: Steps) -> None:
+        """Add the work of joints that yield: the moment of the spring that yields times the change of its rest angle."""
+        lost = work.setdefault("crease_yield_work", np.zeros(steps.position.shape[:2]))
+        rests = np.concatenate(
+            [steps.before[:, None, steps.inner["plastic"]], steps.after[:, :, steps.inner["plastic"]]], axis=1
+        )
+        for place, row in enumerate(rows.tolist()):
+            model = self._models[row]
+            for number in np.flatnonzero(model.hinge_creep >= 0).tolist():
+                hinge = model.in_units.hinges[number]
+                moment = (hinge.stiffness - hinge.hardening) * hinge.yield_angle
+                lost[place] -= moment * np.abs(np.diff(rests[place, :, model.hinge_creep[number]]))
 
     def _add_contacts(self, work: dict[str, Array], rows: Indices, steps: Steps, travel: Array) -> None:
         """Divide the work of constraints into that of stops and that of contacts."""

@@ -148,8 +148,21 @@ def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, stops: Stops) -> None:
         solimp_limit=STOP_IMPEDANCE,
     )
     if hinge.stiffness:
-        joint.stiffness = [hinge.stiffness, 0, 0]
+        # of the two springs in parallel of a joint that yields, this is the one that yields; see `add_hardening`
+        joint.stiffness = [hinge.stiffness - hinge.hardening, 0, 0]
         joint.springref = hinge.sense * hinge.rest_angle
+        if math.isfinite(hinge.yield_angle):
+            joint.springyield = hinge.yield_angle
+
+
+def add_hardening(spec: mujoco.MjSpec, structure: Structure) -> None:
+    """Add the elastic springs that act beside the springs of joints that yield; see `CreaseLaw`."""
+    for hinge in structure.hinges:
+        if hinge.flaps is None and hinge.hardening:
+            spring = spec.add_tendon(name=f"{hinge.name}_hardening", stiffness=[hinge.hardening, 0, 0])
+            rest = hinge.sense * hinge.rest_angle
+            spring.springlength = [rest, rest]
+            spring.wrap_joint(hinge.name, 1.0)
 
 
 def _add_motor(spec: mujoco.MjSpec, hinge: Hinge, no_load_speed: float) -> None:

@@ -45,7 +45,9 @@ class CreaseRows:
         """Select structures by index, in ascending order."""
         return replace(self, built=self.built[which], moments=self.moments.some(which))
 
-    def follow(self, positions: Array, velocities: Array, near: Array, efforts: Array) -> tuple[Array, Array]:
+    def follow(
+        self, positions: Array, velocities: Array, near: Array, efforts: Array, sets: Array
+    ) -> tuple[Array, Array, Array]:
         """Compute the angles of creases, and rows with their moments and slopes at these angles.
 
         Args:
@@ -53,9 +55,10 @@ class CreaseRows:
             velocities: of the structures, (structure, dof).
             near: reference angles within half a turn, rad, (structure, crease).
             efforts: settings of the motors, (structure, motor).
+            sets: permanent folds of the creases before, rad, (structure, crease).
 
         Returns:
-            Angles in own senses without jumps, rad, (structure, crease), and rows, (structure, crease, 17).
+            Angles in own senses without jumps and sets, rad, (structure, crease), and rows, (structure, crease, 17).
         """
         moments, senses = self.moments, self.moments.senses
         (edge, away), (edge_moves, moves) = self._sides(positions, velocities)
@@ -69,7 +72,7 @@ class CreaseRows:
         angles = without_jump(senses * np.arctan2(length * volume, dot(normals[:, 0], normals[:, 1])), near)
         turned = dot(normals, moves - share * edge_moves[:, None]) / area
         turning = length * (turned[0] + turned[1])
-        moment, slope = moments.at(angles, turning, efforts)
+        moment, slope, sets = moments.at(angles, turning, efforts, sets)
         # rows use the sense of the angle between the flaps
         rest = senses * (angles - np.arctan2(moment, slope))
         size, moment = np.hypot(moment, slope), senses * moment
@@ -100,7 +103,7 @@ class CreaseRows:
         rows = np.empty((*angles.shape, _ROW))
         rows[..., :_FORM] = form.reshape(_FORM, *angles.shape)[self.form, :, self._columns].transpose(2, 1, 0)
         rows[..., _FORM] = self.parity * last
-        return angles, rows
+        return angles, sets, rows
 
     @property
     def _columns(self) -> Indices:

@@ -14,6 +14,7 @@ from forficula.design import Design
 from forficula.dynamics.energies.creases import EngineCreases, add_creases, clear_rows, creases_of
 from forficula.dynamics.engine.bodies import (
     add_bodies,
+    add_hardening,
     brake_name,
     engine_sites,
     force_name,
@@ -66,6 +67,7 @@ class Model:
         gaps: index of the tendons that measure the gaps of closures, (gap,).
         branches: index into activations of the forces of the tendons' Maxwell branches, (tendon, branch); -1 for absent
             branches.
+        hinge_creep: index into plastic states of the rest angle of each joint that yields, (hinge,); -1 for others.
         creep: index into plastic states of the tendons' resting lengths, (tendon,); -1 for tendons that do not yield.
         motors: number of the structure's motor that each control follows, (control,); -1 for none.
         holds: number of the motor whose servo each control switches on, (control,), next to the control that sets its
@@ -100,6 +102,7 @@ class Model:
     distances: Indices
     gaps: Indices
     branches: Indices
+    hinge_creep: Indices
     creep: Indices
     motors: Indices
     holds: Indices
@@ -220,6 +223,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         distances=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]),
         gaps=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, gaps),
         branches=_branches([len(tendon.law.branches) for tendon in in_units.tendons]),
+        hinge_creep=_hinge_creep(engine, in_units),
         # upper end of the dead band, the second of both numbers of a tendon
         creep=np.where(plastic >= 0, plastic + 1, -1),
         motors=_followed(engine, in_units),
@@ -231,6 +235,12 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         elastic=stacked_laws([tendon.law.elastic for tendon in in_units.tendons]),
         lets_go=np.array([tendon.law.lets_go for tendon in in_units.tendons], dtype=bool),
     )
+
+
+def _hinge_creep(engine: mujoco.MjModel, structure: Structure) -> Indices:
+    """Return the place of each joint's rest angle among the plastic states, (hinge,); -1 for one that never yields."""
+    joints = [mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_JOINT, hinge.name) for hinge in structure.hinges]
+    return np.array([-1 if joint < 0 else engine.jnt_plasticadr[joint] for joint in joints], dtype=np.int64)
 
 
 def _check_size(design: Design, structure: Structure) -> None:
@@ -283,6 +293,7 @@ def _spec_of(structure: Structure, timestep: float, mesh: MembraneMesh, distance
     add_creases(spec, structure)
     add_couplings(spec, structure, timestep)
     add_closures(spec, structure, timestep)
+    add_hardening(spec, structure)
     for spring in structure.springs:
         add_spring(spec, spring, structure)
     for tendon in structure.tendons:

@@ -49,18 +49,20 @@ class PlateRows:
             moments=self.moments.some(which),
         )
 
-    def follow(self, positions: Array, velocities: Array, near: Array, efforts: Array) -> tuple[Array, Array]:
+    def follow(
+        self, positions: Array, velocities: Array, near: Array, efforts: Array, sets: Array
+    ) -> tuple[Array, Array, Array]:
         """Compute the angles of creases, and rows with their moments and slopes; see `CreaseRows.follow`."""
         moments, senses = self.moments, self.moments.senses
         apart, turned = self.folds.turns(positions, velocities)
         angles = without_jump(senses * apart.angles, near)
-        moment, slope = moments.at(angles, turned, efforts)
+        moment, slope, sets = moments.at(angles, turned, efforts, sets)
         factors = -senses * moment * apart.slopes
         # add an energy without force at the present angle that has the slope of the moment
         upright, side = apart.values[:2]
         factors[:3] += slope / np.hypot(upright, side) * apart.values[:3]
         values = np.moveaxis(factors, 0, -1).reshape(len(positions), -1)
-        return angles, values[..., None] * self.forms
+        return angles, sets, values[..., None] * self.forms
 
 
 def plate_rows(models: Sequence[Model]) -> PlateRows:

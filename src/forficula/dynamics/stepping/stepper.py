@@ -23,7 +23,7 @@ from forficula.dynamics.engine.drag import KINEMATICS, stacked_drag
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.plate_creases import PlateRows, plate_rows
 from forficula.dynamics.stepping.folds import joint_address, slide_name
-from forficula.dynamics.stepping.steps import EngineState, Steps
+from forficula.dynamics.stepping.steps import SETS, EngineState, Steps
 from forficula.structure import RestShape
 
 # the full state that a step depends on, and the part that a step changes: time, positions and velocities first
@@ -95,11 +95,18 @@ class Stepper:
         self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
         # last angles of creases, without jumps
         self._angles = np.array([_start_creases(model) for model in models])
+        # permanent folds of creases; a crease that starts beyond its yield angle has a set already
+        self._sets = np.array(
+            [
+                np.zeros_like(start) if model.creases is None else model.creases.law.next_set(start, 0.0, np.zeros_like(start))
+                for model, start in zip(models, self._angles, strict=True)
+            ]
+        )
         self._creases = crease_rows(models) if models[0].folds.placement is None else plate_rows(models)
         # writable rows of the engine's models
         self._bends = [] if self._creases is None else [engine_rows(model) for model in self._models]
         self._blocks = deque(
-            [np.empty((len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
+            [np.empty((2, len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
         )
         self.threads = int(Batch(model, len(models), threads).nthread)
         # least number of structures per worker, if there are enough
@@ -127,7 +134,7 @@ class Stepper:
         self._memory.rotate()
         self._blocks.rotate()
         fields = {name: field[: len(rows)] for name, field in self._memory[0].items()}
-        angles = None if self._structures[0].creases is None else self._blocks[0][: len(rows)]
+        followed = None if self._structures[0].creases is None else self._blocks[0][:, : len(rows)]
         bounds = np.linspace(0, len(rows), self._parts(len(rows)) + 1).astype(int).tolist()
         parts = [slice(*pair) for pair in itertools.pairwise(bounds)]
         late = {name: np.empty_like(fields[name]) for name in self._names} if self._explicit else None
@@ -140,7 +147,9 @@ class Stepper:
             derived={name: fields[name] for name in self._names},
             kept=self._kept,
             late=late,
-            angles=angles,
+            angles=None if followed is None else followed[0],
+            sets=None if followed is None else followed[1],
+            sets_before=self._sets[rows],
             followed=self._structures[0].followed,
         )
         return Pending(
@@ -152,7 +161,7 @@ class Stepper:
                     efforts[part],
                     {name: field[part] for name, field in fields.items()},
                     {name: field[part] for name, field in (late or {}).items()},
-                    None if angles is None else angles[part],
+                    None if followed is None else followed[:, part],
                 )
                 for part in parts
             ],
@@ -163,8 +172,10 @@ class Stepper:
         """Put structures into their states after the steps that count, (row,)."""
         self._state[np.ix_(rows, self._moving)] = steps.states(np.arange(len(rows)), taken)
         if steps.angles is not None:
+            assert steps.sets is not None
             for place, (row, step) in enumerate(zip(rows.tolist(), taken.tolist(), strict=True)):
-                near = steps.angles[place, min(step // steps.followed, steps.angles.shape[1] - 1)]
+                block = min(step // steps.followed, steps.angles.shape[1] - 1)
+                near, self._sets[row] = steps.angles[place, block], steps.sets[place, block]
                 folds = self._structures[row].folds
                 position = self._state[row, self._moving][1 : 1 + steps.positions]
                 self._angles[row] = without_jump(folds.angles(position)[folds.creases], near)
@@ -172,7 +183,7 @@ class Stepper:
     def follow_leader(self, row: int, leader: int) -> None:
         """Copy the state of another structure."""
         self._state[row] = self._state[leader]
-        self._angles[row] = self._angles[leader]
+        self._angles[row], self._sets[row] = self._angles[leader], self._sets[leader]
 
     def state(self, row: int) -> EngineState:
         """Return the state of a structure."""
@@ -183,6 +194,7 @@ class Stepper:
         with _quiet:
             mujoco.mj_forward(engine, data)
         derived = {name: getattr(data, name).copy() for name in (*_OF_STATES, "xmat", *self._branch_slices)}
+        derived[SETS] = self._sets[row].copy()
         folds = self._structures[row].folds
         angle = folds.angles(data.qpos)
         angle[folds.creases] = without_jump(angle[folds.creases], self._angles[row])
@@ -302,7 +314,7 @@ class Stepper:
         efforts: Array,
         memory: Mapping[str | int, Array],
         late: Mapping[str, Array],
-        angles: Array | None,
+        followed: Array | None,
     ) -> None:
         """Take a chunk of steps of some structures and write the results to memory.
 
@@ -310,21 +322,21 @@ class Stepper:
         """
         engine, state = self._engines.get(), self._state[rows]
         try:
-            if angles is None and self._drag is None:
+            if followed is None and self._drag is None:
                 self._roll_out(engine, rows, state, controls, memory, late)
                 return
-            followed = self._structures[0].followed
+            length = self._structures[0].followed
             creases = None if self._creases is None else self._creases.some(rows)
-            in_block = {name: _block(values, followed) for name, values in memory.items()}
-            of_late = {name: _block(values, followed) for name, values in late.items()}
-            blocks = controls.shape[1] // followed
-            means = efforts.reshape(len(rows), blocks, followed, -1).mean(axis=2)
+            in_block = {name: _block(values, length) for name, values in memory.items()}
+            of_late = {name: _block(values, length) for name, values in late.items()}
+            blocks = controls.shape[1] // length
+            means = efforts.reshape(len(rows), blocks, length, -1).mean(axis=2)
             for block in range(blocks):
-                steps = slice(block * followed, (block + 1) * followed)
+                steps = slice(block * length, (block + 1) * length)
                 with np.errstate(all="ignore"):  # diverging structures, whose later steps do not count
-                    if angles is not None and creases is not None:
-                        near = self._angles[rows] if block == 0 else angles[:, block - 1]
-                        angles[:, block] = self._set_creases(rows, creases, state, near, means[:, block])
+                    if followed is not None and creases is not None:
+                        before = (self._angles[rows], self._sets[rows]) if block == 0 else followed[:, :, block - 1]
+                        followed[:, :, block] = self._set_creases(rows, creases, state, before, means[:, block])
                     if self._drag is not None:
                         self._set_drag(engine, rows, state)
                 self._roll_out(engine, rows, state, np.ascontiguousarray(controls[:, steps]), in_block, of_late)
@@ -350,14 +362,20 @@ class Stepper:
         return moving[:, : engine.nq], moving[:, engine.nq : engine.nq + engine.nv]
 
     def _set_creases(
-        self, rows: Indices, creases: CreaseRows | PlateRows, state: Array, near: Array, efforts: Array
-    ) -> Array:
-        """Set the rows of creases of structures in some states; return their angles, without jumps, (row, crease)."""
+        self,
+        rows: Indices,
+        creases: CreaseRows | PlateRows,
+        state: Array,
+        before: tuple[Array, Array] | Array,
+        efforts: Array,
+    ) -> tuple[Array, Array]:
+        """Set the rows of creases of structures in some states; return their angles and sets, (row, crease) each."""
         position, velocity = self._motion(state)
-        angles, values = creases.follow(position, velocity, near, efforts)
+        near, sets = before
+        angles, sets, values = creases.follow(position, velocity, near, efforts, sets)
         for row, numbers in zip(rows.tolist(), values, strict=True):
             self._bends[row][creases.rows] = numbers
-        return angles
+        return angles, sets
 
 
 def energy_of(model: Model, moving: Array) -> float:
@@ -441,7 +459,7 @@ def start_position(model: Model) -> Array:
 
 
 def _start_creep(model: Model) -> Array:
-    """Return the plastic state at the start: a tendon that the start stretches too far has already yielded."""
+    """Return the plastic state at the start: a tendon or joint that the start stretches too far has already yielded."""
     engine = model.engine
     data = mujoco.MjData(engine)
     data.qpos[:] = start_position(model)
@@ -450,6 +468,11 @@ def _start_creep(model: Model) -> Array:
     for tendon, place, creep in zip(model.in_units.tendons, model.tendons, model.creep, strict=True):
         if tendon.law.yield_extension is not None:
             plastic[creep] = max(tendon.law.rest_length, data.ten_length[place] - tendon.law.yield_extension)
+    for hinge, creep in zip(model.in_units.hinges, model.hinge_creep, strict=True):
+        if creep >= 0:
+            turned = hinge.start - hinge.rest_angle
+            beyond = turned - max(-hinge.yield_angle, min(turned, hinge.yield_angle))
+            plastic[creep] = hinge.sense * (hinge.rest_angle + beyond)
     return plastic
 
 

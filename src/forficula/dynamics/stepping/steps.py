@@ -12,6 +12,10 @@ from forficula.dynamics.engine.crease_rows import without_jump
 from forficula.dynamics.stepping.folds import Folds
 
 
+# name of the sets of creases among the fields of a state
+SETS = "crease_set"
+
+
 @dataclass(frozen=True, kw_only=True)
 class Steps:
     """Steps of some structures, in their models' units; later steps of the stepper overwrite them.
@@ -29,6 +33,8 @@ class Steps:
             and Kutta; None for other steps.
         angles: of the creases at the start of every block of steps with constant rows, in own senses and without jumps,
             rad, (structure, block, crease); None without creases.
+        sets: permanent folds of the creases in every block, rad, (structure, block, crease); None without creases.
+        sets_before: those before the first block, (structure, crease).
         followed: number of steps of a block.
     """
 
@@ -41,6 +47,8 @@ class Steps:
     kept: Sequence[str]
     late: Mapping[str, Array] | None = None
     angles: Array | None = None
+    sets: Array | None = None
+    sets_before: Array | None = None
     followed: int = 1
 
     @property

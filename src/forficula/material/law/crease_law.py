@@ -24,6 +24,12 @@ class CreaseLaw:
     20170348, who use the angle from contact). Stops are additional one-sided linear springs. The numbers may be arrays
     for many creases, which broadcast with the angles.
 
+    A crease may yield: two springs in parallel have the given stiffness together. One is elastic, with the stiffness
+    `hardening`. The rest angle of the other one creeps so that it is never turned by more than `yield_angle` (its
+    change is the permanent fold, the "set"). Without stops and locking the moment over a cycle is a parallelogram with
+    the slopes `stiffness` and `hardening`: linear kinematic hardening (Prager 1956), as one Jenkin element beside a
+    spring (Iwan 1966, J. Appl. Mech. 33, 893).
+
     Attributes:
         stiffness: N m/rad.
         rest_angle: rad.
@@ -32,6 +38,8 @@ class CreaseLaw:
         lower: angle of the lower stop, rad; -inf without a stop.
         upper: angle of the upper stop, rad; inf without a stop.
         stop_stiffness: stiffness of both stops, N m/rad.
+        yield_angle: angle from rest at which the crease begins to yield, rad, > 0; inf for a crease that never yields.
+        hardening: slope of the moment while the crease yields, N m/rad, < stiffness.
 
     Raises:
         InputError: a number out of these bounds, or bounds in the wrong order.
@@ -44,9 +52,11 @@ class CreaseLaw:
     lower: Array | float = -math.inf
     upper: Array | float = math.inf
     stop_stiffness: Array | float = 0.0
+    yield_angle: Array | float = math.inf
+    hardening: Array | float = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("stiffness", "stop_stiffness"):
+        for name in ("stiffness", "stop_stiffness", "hardening"):
             value = np.asarray(getattr(self, name))
             if not np.all(np.isfinite(value) & (value >= 0)):
                 raise InputError(f"{name}: need a finite number >= 0, got {_worst(value):g} N m/rad")
@@ -59,6 +69,52 @@ class CreaseLaw:
         for low, high in (("lock_below", "lock_above"), ("lower", "upper")):
             if not np.all(np.asarray(getattr(self, low)) < np.asarray(getattr(self, high))):
                 raise InputError(f"{low}: need an angle below {high}, got one that is not")
+
+        if not np.all(np.asarray(self.yield_angle) > 0):
+            raise InputError(f"yield_angle: need > 0, got {np.min(self.yield_angle):g} rad")
+        if not np.all(np.isinf(self.yield_angle) | (np.asarray(self.hardening) < np.asarray(self.stiffness))):
+            raise InputError("hardening: need a slope below the stiffness, got one that is not")
+
+    @property
+    def yields(self) -> bool:
+        """Return whether any crease yields."""
+        return bool(np.isfinite(self.yield_angle).any())
+
+    @property
+    def _yielding_stiffness(self) -> Array:
+        """Return the stiffness of the springs that yield, N m/rad; 0 for creases that never yield."""
+        return np.where(np.isfinite(self.yield_angle), np.asarray(self.stiffness) - self.hardening, 0.0)
+
+    def next_set(self, angle: Array, further: Array | float, before: Array) -> Array:
+        """Return the sets after creases have turned from an earlier state to these angles, rad.
+
+        A set follows the angle as in play of the half width `yield_angle`, exactly for a monotone turn.
+
+        Args:
+            angle: rad, (...).
+            further: change of the rest angles, rad.
+            before: sets before, rad, (...).
+        """
+        turned = angle - self.rest_angle - further
+        return np.asarray(turned - np.clip(turned - before, -np.asarray(self.yield_angle), self.yield_angle))
+
+    def rest_shift(self, sets: Array) -> Array:
+        """Return the change of the rest angles that has the effect of these sets on moments, rad, (...)."""
+        return np.asarray(sets * _share(self._yielding_stiffness, self.stiffness))
+
+    def set_energy(self, sets: Array) -> Array:
+        """Return the energy of these sets, J, (...), in addition to that of springs with shifted rest angles."""
+        both = self._yielding_stiffness
+        return np.asarray(both * _share(np.where(both > 0, self.hardening, 0.0), self.stiffness) / 2 * sets**2)
+
+    def yield_loss(self, change: Array) -> Array:
+        """Return the energy that creases dissipate while their sets change monotonically, J, (...).
+
+        Args:
+            change: of the sets, rad.
+        """
+        stiffness = self._yielding_stiffness
+        return np.asarray(stiffness * np.where(stiffness > 0, self.yield_angle, 0.0) * np.abs(change))
 
     def some(self, which: Indices) -> CreaseLaw:
         """Return the law of some creases, by their indices in the arrays."""
@@ -142,6 +198,11 @@ class CreaseLaw:
     def _stopped(self, angle: Array) -> Array:
         """Compute the angle beyond a stop, rad, negative below the lower stop."""
         return angle - np.clip(angle, self.lower, self.upper)
+
+
+def _share(part: Array, whole: ArrayLike) -> Array:
+    """Return a part of a whole as a share; 0 where the whole is 0."""
+    return np.divide(part, whole, out=np.zeros(np.broadcast(part, whole).shape), where=np.asarray(whole) > 0)
 
 
 def _worst(value: ArrayLike) -> float:

@@ -117,6 +117,7 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
         ("branch_damping_work", "dissipated by branches", ORANGE),
         ("letting_go_work", "branches that gave way", PURPLE),
         ("yield_work", "dissipated by yielding", PURPLE),
+        ("crease_yield_work", "dissipated by yielding creases", ORANGE),
         ("drag_work", "dissipated by drag", BLUE),
     ):
         if name in series:

@@ -340,6 +340,7 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
         ("+ change of energy of the Maxwell branches", balance.branches, True),
         ("+ dissipated by the Maxwell branches", balance.branch_damping, True),
         ("+ dissipated by yielding", balance.yielding, True),
+        ("+ dissipated by yielding creases", balance.crease_yielding, True),
         ("+ stored by branches that gave way, without work", balance.letting_go, True),
         ("+ missing", balance.missing, True),
     )

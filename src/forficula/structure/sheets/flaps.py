@@ -73,4 +73,6 @@ def crease_law(structure: Structure, creases: Indices, *, rigid_stops: bool = Fa
         lower=np.array([hinge.lower for hinge in hinges]),
         upper=np.array([hinge.upper for hinge in hinges]),
         stop_stiffness=np.array(stops),
+        yield_angle=np.array([hinge.yield_angle for hinge in hinges]),
+        hardening=np.array([hinge.hardening for hinge in hinges]),
     )

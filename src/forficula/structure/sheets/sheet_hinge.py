@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from forficula.design import SheetDesign
-from forficula.design.sheets.crease_values import rest_angle, stops
+from forficula.design.sheets.crease_values import rest_angle, stops, yield_angle
 from forficula.design.sheets.sheet_creases import crease_role, crease_sense
 from forficula.design.sheets.sheet_sections import Crease
 from forficula.pattern import CreasePattern
@@ -38,6 +38,8 @@ def sheet_hinge(
         lock_below=-lock,
         lock_above=lock,
         stop_stiffness=None if crease.stop_stiffness is None else crease.stop_stiffness * length,
+        yield_angle=yield_angle(crease),
+        hardening=(crease.hardening or 0.0) * length,
         damping=(crease.damping or 0.0) * length,
         start=folded,
         assignment=pattern.edges_assignment[edge],
