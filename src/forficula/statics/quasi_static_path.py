@@ -140,9 +140,25 @@ class QuasiStaticPath:
         A moment is the derivative of the energy of the spring by the hinge's angle in its own sense, positive if the
         spring reduces the angle. A drive that changes rest angles changes the moments accordingly.
         """
-        return spring_moments(
-            self.structure, self.angles, self.strength[:, None] * rest_changes(self.structure, self.drive)
-        )
+        further = self.strength[:, None] * rest_changes(self.structure, self.drive)
+        return spring_moments(self.structure, self.angles, further + self._rest_shifts)
+
+    @cached_property
+    def sets(self) -> Array:
+        """Return the permanent folds of creases that yield, rad, (point, hinge); 0 for others."""
+        law = crease_law(self.structure, np.arange(len(self.structure.hinges)), rigid_stops=True)
+        sets = np.zeros_like(self.angles)
+        if law.yields:
+            before = np.zeros(self.angles.shape[1])
+            for row, angles in enumerate(self.angles):
+                sets[row] = before = law.next_set(angles, 0.0, before)
+        return sets
+
+    @property
+    def _rest_shifts(self) -> Array:
+        """Return the changes of rest angles that have the effect of the permanent folds, rad, (point, hinge)."""
+        law = crease_law(self.structure, np.arange(len(self.structure.hinges)), rigid_stops=True)
+        return law.rest_shift(self.sets)
 
     @cached_property
     def strains(self) -> Mapping[str, Array]:

@@ -67,6 +67,10 @@ def energy_landscape(design: AnyDesign, points: int = 181, progress: Progress = 
     """
     design = as_design(design)
     structure = structure_of(design)
+    if reason := _history(structure):
+        raise InputError(
+            f"{structure.name}: has no energy landscape, because {reason}; a run, or its fold path, shows it"
+        )
     if is_net(structure):
         return net_landscape(design, structure, progress)
     return tree_landscape(design, structure, points)
@@ -102,9 +106,28 @@ def quasi_static_path(
         raise InputError(f"error: need a number above 0 and up to 1, got {error}")
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
     drive, made = _driven_transition(structure, transition)
+    reason = _history(structure)
+    if reason and not is_net(structure):
+        raise InputError(f"{structure.name}: has no quasi-static path, because {reason}, and its facets are rigid")
+    if reason and any(
+        setting and motor.kind == "rest-angle" for setting, motor in zip(drive.strengths, structure.motors, strict=True)
+    ):
+        raise InputError(
+            f'{structure.name}: has no quasi-static path under "{drive.name}", which changes rest angles, because'
+            f" {reason}"
+        )
     if is_net(structure):
         return net_path(structure, drive, made, error=error, near=near, follow=follow)
     return tree_path(structure, drive, made, error=error, near=near, follow=follow)
+
+
+def _history(structure: Structure) -> str:
+    """Return why the rest states of a structure depend on what happened before, as a clause; empty if they do not."""
+    yielding = next((hinge for hinge in structure.hinges if math.isfinite(hinge.yield_angle)), None)
+    if yielding is None:
+        return ""
+    name = yielding.label or yielding.name
+    return f"{name} folds permanently, so that where it rests depends on how it was folded before"
 
 
 def stage_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) -> RestPath:
@@ -145,6 +168,8 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
         return "the law of a tendon has Maxwell branches, whose force depends on time"
     if any(law.yield_extension is not None for law in laws):
         return "a tendon yields, and statics ignores permanent extensions"
+    if reason := _history(structure):
+        return reason
     if structure.contact is not None:
         return "statics ignores contact"
     if any(hinge.friction for hinge in structure.hinges):

@@ -22,6 +22,7 @@ from forficula.design.sheets.rigid_checks import (
 from forficula.design.sheets.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
 from forficula.design.sheets.sheet_drives import DisplacementDrive, RestAngleDrive, TorqueDrive, places_of
 from forficula.design.sheets.sheet_places import GROUND_PLACE, SheetPlace, facet_of, is_vertex, place_on, vertex_of
+from forficula.design.sheets.sheet_sections import CREASE_STIFFNESS
 from forficula.design.stops import StopSection
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, built_fold_angles
@@ -78,6 +79,7 @@ def check_sheet(design: SheetDesign) -> None:
         if design.facet.kind != "rigid" and extension is not None:
             key = f"crease.group.{number - 1}" if number else "crease"
             raise InputError(f'{key}.extension: is for facet.kind = "rigid", with which creases can open')
+    _check_yielding(design)
     _check_names(design, sheet)
     for number, _ in enumerate(design.tendon):
         _check_tendon(design, sheet, number)
@@ -95,6 +97,28 @@ def check_sheet(design: SheetDesign) -> None:
         check_medium(design.medium, design.protocol.gravity, lightest, "facet.density")
     _check_protocol(design, sheet)
     check_duration(design, len(sheet.faces_vertices), "facets")
+
+
+def _check_yielding(design: SheetDesign) -> None:
+    """Refuse creases that cannot yield, and a hardening without a yield or above the stiffness."""
+    sections = (design.crease, *design.crease.group)
+    if not any(section.yield_moment is not None or section.hardening is not None for section in sections):
+        return
+    settled = design.settled()
+    for edge, crease in creases_by_edge(settled).items():
+        hardening, stiffness = crease.hardening or 0.0, crease.stiffness or 0.0
+        key, of_stiffness = (crease_key(design, edge, name) for name in ("hardening", "stiffness"))
+        if crease.yield_moment is None:
+            if crease.hardening is not None:
+                raise InputError(f"{key}: needs {crease_key(design, edge, 'yield_moment')}, from which on it acts")
+        elif not stiffness:
+            yielding = crease_key(design, edge, "yield_moment")
+            raise InputError(f"{yielding}: needs a stiffness > 0 under {of_stiffness}, got 0")
+        elif hardening >= stiffness:
+            raise InputError(
+                f"{key}: need < {of_stiffness}, {show_quantity(stiffness, CREASE_STIFFNESS)}, got"
+                f" {show_quantity(hardening, CREASE_STIFFNESS)}"
+            )
 
 
 def _check_no_stops(design: SheetDesign) -> None:

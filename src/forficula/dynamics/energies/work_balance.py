@@ -320,7 +320,7 @@ class WorkBalance:
                 work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared
 
     def _add_yielding(self, work: dict[str, Array], rows: Indices, steps: Steps) -> None:
-        """Add the work of joints that yield: the moment of the spring that yields times the change of its rest angle."""
+        """Add the work of joints that yield: moment of the yielding spring times the change of its rest angle."""
         lost = work.setdefault("crease_yield_work", np.zeros(steps.position.shape[:2]))
         rests = np.concatenate(
             [steps.before[:, None, steps.inner["plastic"]], steps.after[:, :, steps.inner["plastic"]]], axis=1

@@ -347,6 +347,8 @@ def _viewers(structure: Structure) -> str:
         return "layout only: creases or drag are updated outside the engine between steps"
     if structure.membranes:
         return "MuJoCo 4.0 or later: earlier versions stretch membranes differently"
+    if any(hinge.yield_angle < np.inf for hinge in structure.hinges):
+        return "MuJoCo 4.0 or later: in earlier versions no joint yields"
     if any(tendon.law.yield_extension is not None for tendon in structure.tendons):
         return "MuJoCo 4.0 or later: in earlier versions no tendon yields"
     return "MuJoCo 3.9 or later"

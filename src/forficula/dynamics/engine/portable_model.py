@@ -77,6 +77,8 @@ def why_not_portable(model: Model) -> str:
         return "it moves in air or water, whose drag is computed outside the engine"
     if (model.creep >= 0).any():
         return "its tendons yield, which only MuJoCo 4.0 supports"
+    if (model.hinge_creep >= 0).any():
+        return "its joints yield, which only MuJoCo 4.0 supports"
     if model.structure.contact is not None:
         return "its parts touch, and older engines compute contacts differently"
     if (model.holds >= 0).any():

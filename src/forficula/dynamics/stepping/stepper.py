@@ -98,7 +98,9 @@ class Stepper:
         # permanent folds of creases; a crease that starts beyond its yield angle has a set already
         self._sets = np.array(
             [
-                np.zeros_like(start) if model.creases is None else model.creases.law.next_set(start, 0.0, np.zeros_like(start))
+                np.zeros_like(start)
+                if model.creases is None
+                else model.creases.law.next_set(start, 0.0, np.zeros_like(start))
                 for model, start in zip(models, self._angles, strict=True)
             ]
         )

@@ -11,7 +11,6 @@ from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.crease_rows import without_jump
 from forficula.dynamics.stepping.folds import Folds
 
-
 # name of the sets of creases among the fields of a state
 SETS = "crease_set"
 

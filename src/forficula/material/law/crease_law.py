@@ -95,8 +95,9 @@ class CreaseLaw:
             further: change of the rest angles, rad.
             before: sets before, rad, (...).
         """
-        turned = angle - self.rest_angle - further
-        return np.asarray(turned - np.clip(turned - before, -np.asarray(self.yield_angle), self.yield_angle))
+        turned = angle - self.rest_angle - further - before
+        # exactly the sets before if no crease yields
+        return np.asarray(before + (turned - np.clip(turned, -np.asarray(self.yield_angle), self.yield_angle)))
 
     def rest_shift(self, sets: Array) -> Array:
         """Return the change of the rest angles that has the effect of these sets on moments, rad, (...)."""
@@ -174,8 +175,14 @@ class CreaseLaw:
             slope = slope + np.where(stopped != 0, self.stop_stiffness, 0.0)
         return np.asarray(spring), np.asarray(slope)
 
-    def expansion(self, angle: Array) -> tuple[Array, Array, Array]:
-        """Compute the results of `energy`, `moment` and `slope` together, in the shape of `angle` (rad)."""
+    def expansion(self, angle: Array, sets: Array | None = None) -> tuple[Array, Array, Array]:
+        """Compute the results of `energy`, `moment` and `slope` together, in the shape of `angle` (rad).
+
+        For creases that yield, they are those of a turn in one sense from a state with these sets, rad (None for 0),
+        and the energy contains what is dissipated on the way.
+        """
+        if self.yields:
+            return self._yielding_expansion(angle, np.zeros_like(angle) if sets is None else sets)
         within = (np.maximum(self.lock_below, self.lower) <= angle) & (angle <= np.minimum(self.lock_above, self.upper))
         if not within.all():
             return (self.energy(angle), *self.moment_and_slope(angle))
@@ -183,6 +190,13 @@ class CreaseLaw:
         moment = np.asarray(self.stiffness * turned)
         slope = np.asarray(self.stiffness, dtype=np.float64)
         return moment * turned / 2, moment, slope if slope.shape == angle.shape else np.broadcast_to(slope, angle.shape)
+
+    def _yielding_expansion(self, angle: Array, before: Array) -> tuple[Array, Array, Array]:
+        sets = self.next_set(angle, 0.0, before)
+        further = self.rest_shift(sets)
+        moment, slope = self.moment_and_slope(angle, further)
+        energy = self.energy(angle, further) + self.set_energy(sets) + self.yield_loss(sets - before)
+        return energy, moment, slope - np.where(sets != before, self._yielding_stiffness, 0.0)
 
     def _locked(self, angle: Array) -> tuple[Array, Array, Array]:
         """Return the angle clipped to the linear range, the share of the locking range that is used, and this range.

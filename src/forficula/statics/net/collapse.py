@@ -10,7 +10,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.net.energy import expand, shape_at
+from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.load import Load, crease_torques
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
 from forficula.statics.net.minimum import NetRest, minimum
@@ -92,7 +92,7 @@ def state_after_collapse(net: Net, lost: Collapse) -> NetRest:
     ends = []
     for sense in (1, -1):
         aside = sense * _BEYOND * net.size * lost.mode + (factor - lost.factor) * load.displacements
-        pushed = shape_at(net, shape.positions + aside, shape.angles)
+        pushed = moved_shape(net, shape, shape.positions + aside)
         rest = minimum(net, pushed, load, factor, longest_step=net.size / 50)
         ends.append((expand(net, rest.shape, load, factor).energy, rest))
     return min(ends, key=lambda end: end[0])[1]

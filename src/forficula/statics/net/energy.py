@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -54,7 +54,7 @@ class Expansion:
         return self.layout.whole(self.blocks)
 
 
-def shape_at(net: Net, positions: Array, near: Array | None = None) -> NetShape:
+def shape_at(net: Net, positions: Array, near: Array | None = None, sets: Array | None = None) -> NetShape:
     """Return the shape of a net with nodes at given positions.
 
     Args:
@@ -62,9 +62,27 @@ def shape_at(net: Net, positions: Array, near: Array | None = None) -> NetShape:
         positions: m, (node, 3).
         near: reference angles, rad, (crease,); None for 0. The angle of a crease is chosen within half a turn of its
             reference.
+        sets: permanent folds of the creases, rad, (crease,); None for none.
     """
     near = np.zeros(len(net.creases.points)) if near is None else near
-    return NetShape(positions=positions, angles=fold_angles(sides_of(net, positions)[2], near))
+    return NetShape(positions=positions, angles=fold_angles(sides_of(net, positions)[2], near), sets=sets)
+
+
+def moved_shape(net: Net, shape: NetShape, positions: Array) -> NetShape:
+    """Return the shape of a net that moves from a shape, with its permanent folds, to positions, m, (node, 3)."""
+    return shape_at(net, positions, shape.angles, shape.sets)
+
+
+def kept_folds(net: Net, shape: NetShape) -> NetShape:
+    """Return the shape of a net after a motion in which each crease turned in one sense: with its new permanent folds.
+
+    Up to here the motion was computed with the permanent folds at its beginning, and with springs whose moment depends
+    on the angle alone (deformation theory of plasticity), which is exact for such motions.
+    """
+    if not net.creases.law.yields:
+        return shape
+    before = np.zeros_like(shape.angles) if shape.sets is None else shape.sets
+    return replace(shape, sets=net.creases.law.next_set(shape.angles, 0.0, before))
 
 
 def built_shape(net: Net) -> NetShape:
@@ -85,11 +103,11 @@ def expand(net: Net, shape: NetShape, load: Load | None = None, factor: float = 
     return _expanded(net, shape, sides, _frames(sides[2]), load, factor)
 
 
-def expand_at(net: Net, positions: Array, near: Array, load: Load | None = None, factor: float = 0.0) -> Expansion:
-    """Compute the expansion about a shape that is given as for `shape_at`, in less time than both together."""
+def expand_at(net: Net, positions: Array, near: NetShape, load: Load | None = None, factor: float = 0.0) -> Expansion:
+    """Compute the expansion about a shape that is given as for `moved_shape`, in less time than both together."""
     sides = sides_of(net, positions)
     frames = _frames(sides[2])
-    shape = NetShape(positions=positions, angles=_turned(frames, near))
+    shape = NetShape(positions=positions, angles=_turned(frames, near.angles), sets=near.sets)
     return _expanded(net, shape, sides, frames, load, factor)
 
 
@@ -108,7 +126,7 @@ def _expanded(
     turning = _slopes(frames, shares)
     pieces = [
         _straight(net, springs, tendons),
-        _folds(net, frames, shares, turning, shape.angles, torques),
+        _folds(net, frames, shares, turning, shape, torques),
     ]
     if net.membranes is not None:
         pieces.append(_stretched(net.membranes, triangles))
@@ -145,7 +163,7 @@ def stored_by_part(net: Net, shape: NetShape, further: Array | float = 0.0) -> t
     springs, tendons, _, triangles = sides_of(net, shape.positions)
     return (
         float(net.springs.stiffness @ (_length(springs) - net.springs.rest_length) ** 2) / 2,
-        np.asarray(net.creases.law.energy(shape.angles, further)),
+        _crease_energies(net, shape, further),
         float(np.sum(net.tendons.law.energy(_length(tendons)))),
         0.0 if net.membranes is None else _stretched(net.membranes, triangles)[0],
         -float(np.sum(layout_of(net).weight * shape.positions)),
@@ -223,8 +241,19 @@ def _straight(net: Net, springs: Array, tendons: Array) -> Piece:
     return energy, per_length * sides, blocks.reshape(9, -1)
 
 
-def _folds(net: Net, frames: _Frames, shares: Array, slope: Array, angles: Array, torques: Array | None) -> Piece:
-    energy, moment, stiffness = net.creases.law.expansion(angles)
+def _crease_energies(net: Net, shape: NetShape, further: Array | float) -> Array:
+    """Return the stored energy of each crease, J, (crease,), without what yielding has dissipated."""
+    law = net.creases.law
+    if not law.yields:
+        return np.asarray(law.energy(shape.angles, further))
+    before = np.zeros_like(shape.angles) if shape.sets is None else shape.sets
+    sets = law.next_set(shape.angles, further, before)
+    return np.asarray(law.energy(shape.angles, further + law.rest_shift(sets)) + law.set_energy(sets))
+
+
+def _folds(net: Net, frames: _Frames, shares: Array, slope: Array, shape: NetShape, torques: Array | None) -> Piece:
+    angles = shape.angles
+    energy, moment, stiffness = net.creases.law.expansion(angles, shape.sets)
     acting = moment if torques is None else moment - torques
     blocks = np.empty((3, 3, 3, 3, len(angles)))
     np.multiply((stiffness * slope)[:, None, :, None], slope[None, :, None, :], out=blocks)

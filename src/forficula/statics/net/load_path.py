@@ -11,7 +11,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.net.energy import Expansion, expand, expand_at, load_slope, shape_at
+from forficula.statics.net.energy import Expansion, expand, expand_at, kept_folds, load_slope, moved_shape
 from forficula.statics.net.factor import Factorisation, factored, softest
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, NetShape
@@ -221,7 +221,7 @@ def _settled(net: Net, load: Load, start: NetShape, factor: float) -> Expansion 
 
 
 def _moved(net: Net, shape: NetShape, step: Array, load: Load, factor: float) -> Expansion:
-    return expand_at(net, shape.positions + step, shape.angles, load, factor)
+    return expand_at(net, shape.positions + step, shape, load, factor)
 
 
 def _tangent(net: Net, load: Load, current: Expansion, parts: Factorisation) -> Array:
@@ -246,7 +246,7 @@ def _station(
     forwards = rising if before is None else float(np.sum(before * tangent)) > 0
     pace = (1.0 if forwards else -1.0) / length
     point = PathPoint(
-        shape=current.shape,
+        shape=kept_folds(net, current.shape),
         factor=factor,
         energy=current.stored,
         index=parts.index,
@@ -314,13 +314,13 @@ def intermediate_point(
     net, _ = supported(net, load)
     chord = after.shape.positions - before.shape.positions
     length = float(np.linalg.norm(chord))
-    guess = expand_at(net, positions, before.shape.angles, load, factor)
+    guess = expand_at(net, positions, before.shape, load, factor)
     corrected = _corrected(net, load, guess, factor, chord / length, length)
     if corrected is None:
         return None
     expansion, factor, corrections = corrected
     return PathPoint(
-        shape=expansion.shape,
+        shape=kept_folds(net, expansion.shape),
         factor=factor,
         energy=expansion.stored,
         index=before.index,
@@ -479,7 +479,7 @@ def _point_at_factor(
     for _ in range(_HALVINGS):
         share = (factor - begin.point.factor) / (following.point.factor - begin.point.factor)
         positions = begin.point.shape.positions * (1 - share) + following.point.shape.positions * share
-        last = _settled(net, load, shape_at(net, positions, begin.point.shape.angles), factor)
+        last = _settled(net, load, moved_shape(net, begin.point.shape, positions), factor)
         if last is not None and np.linalg.norm(last.shape.positions - positions) <= high - low:
             return _station(net, load, last, factor, current.direction, True, 0)
         middle = _increment(net, load, current, (low + high) / 2)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.statics.net.energy import Expansion, expand, expand_at
+from forficula.statics.net.energy import Expansion, expand, expand_at, kept_folds
 from forficula.statics.net.factor import Factorisation, factored, largest_entry
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, NetShape
@@ -135,7 +135,7 @@ def _rest(net: Net, current: Expansion, pins: tuple[tuple[int, int], ...], steps
     near = _NEUTRAL * largest_entry(current.free)
     index = factored(current.free, near).index
     return NetRest(
-        shape=current.shape,
+        shape=kept_folds(net, current.shape),
         energy=current.stored,
         slope=float(np.abs(current.slope[net.free]).max(initial=0.0)),
         index=index,
@@ -153,7 +153,7 @@ def _raised(shift: float, stiffest: float) -> float:
 def _moved(net: Net, shape: NetShape, step: Array, load: Load | None, factor: float) -> Expansion:
     positions = shape.positions.copy()
     positions[net.free] += step
-    return expand_at(net, positions, shape.angles, load, factor)
+    return expand_at(net, positions, shape, load, factor)
 
 
 def _proximal_step(

@@ -158,7 +158,9 @@ class NetShape:
     Attributes:
         positions: of the nodes, m, (node, 3).
         angles: of the creases, rad, (crease,); beyond +-pi if one panel went through the other.
+        sets: permanent folds of the creases when the motion to this shape began, rad, (crease,); None for none.
     """
 
     positions: Array
     angles: Array
+    sets: Array | None = None

@@ -14,7 +14,7 @@ from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.tendon_law import stacked_laws
-from forficula.statics.net.energy import shape_at
+from forficula.statics.net.energy import kept_folds, shape_at
 from forficula.statics.net.load import Load, no_load, point_forces
 from forficula.statics.net.net import Net, NetCreases, NetShape, Springs, Tendons, Triangles
 from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, stiffness_of
@@ -93,7 +93,7 @@ def panels(structure: Structure) -> Indices:
 def start_shape(structure: Structure, net: Net) -> NetShape:
     """Return the shape as built, with start angles that distinguish panels that lie on one another."""
     start = np.array([hinge.start for hinge in structure.hinges])
-    return shape_at(net, net.nodes, valley_angles(structure, start))
+    return kept_folds(net, shape_at(net, net.nodes, valley_angles(structure, start)))
 
 
 def own_angles(structure: Structure, shape: NetShape) -> Array:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from forficula.statics.net.energy import expand, shape_at
+from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.factor import lowest
 from forficula.statics.net.load import Load, no_load
 from forficula.statics.net.load_path import LoadPath, load_path
@@ -117,7 +117,7 @@ def _saddle_at(net: Net, path: LoadPath, known: list[Saddle]) -> Saddle | None:
     off = np.zeros_like(net.nodes)
     off[held.free] = lowest(expand(held, rest.shape).free)
     off *= _OFF * net.size / np.abs(off).max()
-    sides = [shape_at(net, rest.shape.positions + sign * off, rest.shape.angles) for sign in (1, -1)]
+    sides = [moved_shape(net, rest.shape, rest.shape.positions + sign * off) for sign in (1, -1)]
     one, another = (minimum(net, side, longest_step=_STEP * net.size) for side in sides)
     known.append(Saddle(rest=rest, ends=(one, another), joins=False, path=path))
     return known[-1]

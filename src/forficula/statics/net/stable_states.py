@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.statics.net.energy import expand, shape_at
+from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.factor import softest
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
@@ -121,7 +121,7 @@ def _random_push(net: Net, shape: NetShape, random: np.random.Generator) -> NetS
     push = np.zeros_like(net.nodes)
     push[held.free] = modes @ shares
     push *= random.uniform(*_PUSH) * net.size / np.abs(push).max()
-    return shape_at(net, shape.positions + push, shape.angles)
+    return moved_shape(net, shape, shape.positions + push)
 
 
 def _folded(net: Net, shape: NetShape, random: np.random.Generator) -> NetShape:

@@ -16,7 +16,7 @@ from forficula.statics.net.driven.driven_net import (
     short_of,
 )
 from forficula.statics.net.driven.slow_path import SlowPath
-from forficula.statics.net.energy import expand, shape_at
+from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.factor import softest
 from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
@@ -73,7 +73,7 @@ def released(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
         mode = np.zeros_like(net.nodes)
         mode[held.free] = softest(expand(held, rest.shape).free, 1)[1][:, 0]
         mode *= _OFF * net.size / mode.flat[np.argmax(np.abs(mode))]
-        sides = [minimum(net, shape_at(net, rest.shape.positions + sign * mode, rest.shape.angles)) for sign in (1, -1)]
+        sides = [minimum(net, moved_shape(net, rest.shape, rest.shape.positions + sign * mode)) for sign in (1, -1)]
         rest, off = min(sides, key=lambda side: side.energy), off + 1
     if not off:
         return rest, ()

@@ -60,6 +60,8 @@ def net_path(
         points = [net_point(driven, start.shape, 0.0)]
         lost = [last_event(points, reached=False)]
         return path_of(structure, driven.name, drive, points, lost, reached=False, remarks=(*remarks, _LOOSE))
+    if driven.net.creases.law.yields:
+        near = None  # the path depends on what happened before this shape
     near_rest = None if near is None else _near_rest(driven, near)
     growing = GrowingPath(structure, driven.name, drive, follow, continued=near_rest is not None)
     slow = None if near is None or near_rest is None else _continued(driven, start, near, near_rest, growing)

@@ -12,7 +12,7 @@ import numpy as np
 from forficula.arrays import Array, Flags
 from forficula.errors import InputError
 from forficula.statics.net.driven.driven_net import goal_values
-from forficula.statics.net.energy import expand, shape_at
+from forficula.statics.net.energy import expand, moved_shape, shape_at
 from forficula.statics.net.load import Load
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, NetShape
@@ -89,7 +89,7 @@ class _LoadedNet:
         if self._displaced.any():
             moved = self._motor_load(self._load.settings(share) - self._load.before).displacements
             positions = np.where(self._displaced, self._load.built_on + moved, positions)
-        start = shape_at(self._net, positions, near.angles)
+        start = moved_shape(self._net, near, positions)
 
         def is_far(shape: NetShape) -> bool:
             return bool(np.abs(shape.positions - near.positions).max() > _NEAR * self._net.size)
@@ -101,7 +101,7 @@ class _LoadedNet:
         return motor_load(self._structure, self._net, tuple(settings.tolist()))
 
     def middle(self, one: NetShape, other: NetShape) -> NetShape:
-        return shape_at(self._net, (one.positions + other.positions) / 2, one.angles)
+        return moved_shape(self._net, one, (one.positions + other.positions) / 2)
 
     def conjugates(self, share: float, state: NetShape) -> Array:
         structure, settings = self._structure, self._load.settings(share)

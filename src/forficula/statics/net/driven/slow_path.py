@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
-from forficula.statics.net.energy import expand, shape_at
+from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathEvent, PathPoint, load_path
 from forficula.statics.net.minimum import NetRest, minimum
@@ -152,10 +152,10 @@ def _snap(
 ) -> Snap:
     """Return the snap at a limit or a bifurcation; of two directions, the one that ends at lower energy."""
     beyond = (factor - event.point.factor) * load.displacements
-    before = shape_at(net, event.point.shape.positions + beyond, event.point.shape.angles)
+    before = moved_shape(net, event.point.shape, event.point.shape.positions + beyond)
     landed = list[tuple[float, NetRest, list[NetShape]]]()
     for sign in (1.0, -1.0) if event.kind == "bifurcation" else (0.0,):
-        pushed = shape_at(net, before.positions + sign * _PUSH * net.size * event.mode, before.angles)
+        pushed = moved_shape(net, before, before.positions + sign * _PUSH * net.size * event.mode)
         descent = list[NetShape]()
 
         def follow(shape: NetShape, descent: list[NetShape] = descent) -> bool:
@@ -165,7 +165,9 @@ def _snap(
             return stop(shape)
 
         rest = minimum(net, pushed, load, factor, longest_step=_STEP * net.size, stop=follow)
-        landed.append((expand(net, rest.shape, load, factor).energy, rest, descent))
+        # with the energy that creases dissipate during the snap
+        end = replace(rest.shape, sets=pushed.sets)
+        landed.append((expand(net, end, load, factor).energy, rest, descent))
     energy, after, descent = min(landed, key=lambda landing: landing[0])
     moved = np.abs(after.shape.positions - before.positions).max()
     near = event.kind == "bifurcation" and moved < _NEAR * net.size

@@ -1,0 +1,157 @@
+"""Sheets whose creases take a set: spring-back and losses against closed forms, in runs and in quasi-static paths.
+
+A crease of stiffness K, yield moment M0 and hardening H, folded slowly by the moment M > M0, turns by
+M0 / K + (M - M0) / H, of which (M - M0) / H is the set p. Released, it rests at (1 - H / K) p, because the spring of
+stiffness H beside the one that yields pulls it back.
+"""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.design import design_from_text, with_values
+from forficula.dynamics import energy_balance, simulate
+from forficula.dynamics.engine.model import compile_model
+from forficula.errors import InputError
+from forficula.statics import quasi_static_path
+
+WIDTH = 0.02
+STIFFNESS, HARDENING, YIELD = 1.0 * WIDTH, 0.4 * WIDTH, 0.5 * WIDTH
+MOMENT = YIELD + 0.9 * HARDENING
+SET = 0.9
+DRIVE = {"kind": "torque", "of": "creases"}
+NUMBERS = {
+    "crease.stiffness": "1 N m/rad/m",
+    "crease.yield_moment": "0.5 N m/m",
+    "crease.hardening": "0.4 N m/rad/m",
+    "crease.damping": "5e-3 N m s/rad/m",
+    "crease.rest_angle": "flat",
+    "crease.back_limit": "170 deg",
+}
+# the bars of nodes are softer than by default, which allows longer timesteps
+FACETS = {"nodes": {"kind": "bars", "youngs_modulus": "1e8 Pa"}, "plates": {"kind": "rigid", "thickness": "0.3 mm"}}
+FACET = """[facet]
+kind = "bars"
+"""
+STEP = {"nodes": "0.04 ms", "plates": "0.1 ms"}
+TEXT = """
+name = "strip"
+source = "a test"
+[pattern]
+kind = "pleats"
+panels = 2
+panel_lengths = ["4 cm", "4 cm"]
+width = "2 cm"
+assignment = "V"
+[[support]]
+of = "facet 0"
+[[drive]]
+name = "fold"
+kind = "torque"
+of = "creases"
+value = "{moment} N m"
+rise = "0.1 s"
+[[drive]]
+name = "back"
+kind = "torque"
+of = "creases"
+value = "-{moment} N m"
+rise = "0.1 s"
+[[protocol.stages]]
+name = "fold"
+drive = "fold"
+until = "time"
+time_limit = "0.2 s"
+[[protocol.stages]]
+name = "{second}"
+drive = "{drive}"
+until = "time"
+time_limit = "{time}"
+"""
+
+
+@cache
+def strip(facets, second="release", drive="none", time="0.1 s"):
+    text = TEXT.format(moment=MOMENT, second=second, drive=drive, time=time)
+    tables = design_from_text(text + FACET)
+    return with_values(tables, NUMBERS | {f"facet.{key}": value for key, value in FACETS[facets].items()})
+
+
+@cache
+def record(facets, **values):
+    design = strip(facets, **values)
+    return simulate([compile_model(with_values(design, {"protocol.timestep": STEP[facets]}))])[0]
+
+
+@pytest.mark.parametrize("facets", FACETS)
+def test_a_folded_strip_springs_back_as_far_as_its_elastic_part(facets):
+    run = record(facets)
+    angle, sets = run.series["hinge_angle"][:, 0], run.series["hinge_set"][:, 0]
+    folded = np.searchsorted(run.time, 0.2) - 1
+    assert angle[folded] == pytest.approx(YIELD / STIFFNESS + SET, rel=2e-3)
+    assert sets[[folded, -1]] == pytest.approx([SET, SET], rel=2e-3)
+    assert angle[-1] == pytest.approx((1 - HARDENING / STIFFNESS) * SET, rel=2e-3)
+
+
+@pytest.mark.parametrize("facets", FACETS)
+def test_the_work_of_yielding_closes_the_energy_balance(facets):
+    run = record(facets)
+    balance = energy_balance(run)
+    lost = (STIFFNESS - HARDENING) * YIELD / STIFFNESS * SET
+    assert balance.crease_yielding == pytest.approx(lost, rel=2e-3)
+    assert balance.residual < 1e-3
+    both = STIFFNESS - HARDENING
+    stored = (
+        both / 2 * (run.series["hinge_angle"][-1, 0] - SET) ** 2 + HARDENING / 2 * run.series["hinge_angle"][-1, 0] ** 2
+    )
+    assert run.series["hinge_energy"][-1, 0] == pytest.approx(stored, rel=5e-3)
+
+
+def test_a_cycle_of_the_moment_dissipates_the_area_of_its_loop():
+    run = record("plates", second="unfold", drive="back", time="0.25 s")
+    # from +M to -M the set changes by 2 p: the moment at which it yields backwards is M - 2 M0
+    sets = run.series["hinge_set"][:, 0]
+    assert sets[-1] == pytest.approx(-SET, rel=5e-3)
+    lost = (STIFFNESS - HARDENING) * YIELD / STIFFNESS * 3 * SET
+    assert energy_balance(run).crease_yielding == pytest.approx(lost, rel=5e-3)
+
+
+def test_the_quasi_static_path_has_the_moment_of_the_closed_form():
+    path = quasi_static_path(strip("nodes"))
+    moment, angle, sets = path.strength, path.angles[:, 0], path.sets[:, 0]
+    beyond = np.maximum(moment - YIELD, 0.0) / HARDENING
+    assert path.reached
+    assert angle == pytest.approx(np.minimum(moment, YIELD) / STIFFNESS + beyond, abs=1e-6)
+    assert sets == pytest.approx(beyond, abs=1e-6)
+    assert path.moments[:, 0] == pytest.approx(moment, abs=1e-9)
+    lost = (STIFFNESS - HARDENING) * YIELD / STIFFNESS * sets[-1]
+    assert np.trapezoid(moment, angle) == pytest.approx(path.stored[-1] + lost, rel=1e-3)
+
+
+def test_a_structure_whose_rest_depends_on_its_past_has_no_landscape():
+    with pytest.raises(InputError, match="strip: has no energy landscape, because crease 0 folds permanently"):
+        ff.landscape(strip("nodes"))
+    with pytest.raises(InputError, match="strip: has no quasi-static path, because crease 0 folds permanently"):
+        ff.quasi_static_path(strip("plates"))
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"crease.hardening": "1 N m/rad/m"}, "crease.hardening: need < crease.stiffness"),
+        ({"crease.yield_moment": "0 N m/m"}, "crease.yield_moment: need > 0"),
+        ({"crease.stiffness": "0 N m/rad/m"}, "crease.yield_moment: needs a stiffness"),
+    ],
+)
+def test_a_yield_without_a_meaning_is_refused(values, message):
+    with pytest.raises(InputError, match=message):
+        with_values(strip("nodes"), values)
+
+
+def test_a_hardening_without_a_yield_moment_is_refused():
+    elastic = {key: value for key, value in NUMBERS.items() if key != "crease.yield_moment"}
+    design = design_from_text(TEXT.format(moment=MOMENT, second="release", drive="none", time="1 s") + FACET)
+    with pytest.raises(InputError, match=r"crease\.hardening: needs crease\.yield_moment"):
+        with_values(design, elastic)
