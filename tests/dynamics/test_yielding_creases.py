@@ -11,10 +11,12 @@ import numpy as np
 import pytest
 
 import forficula as ff
+from forficula.analysis.strength import permanent_fold
 from forficula.design import design_from_text, with_values
 from forficula.dynamics import energy_balance, simulate
 from forficula.dynamics.engine.model import compile_model
 from forficula.errors import InputError
+from forficula.show.run.strength_rows import strength_rows
 from forficula.statics import quasi_static_path
 
 WIDTH = 0.02
@@ -92,6 +94,10 @@ def test_a_folded_strip_springs_back_as_far_as_its_elastic_part(facets):
     folded = np.searchsorted(run.time, 0.2) - 1
     assert angle[folded] == pytest.approx(YIELD / STIFFNESS + SET, rel=2e-3)
     assert sets[[folded, -1]] == pytest.approx([SET, SET], rel=2e-3)
+    assert permanent_fold(run).angle == sets[-1]
+    text, *_, crease, time = strength_rows(run)[-1]
+    assert text.startswith("permanent fold: 51.")
+    assert (crease, time) == ("crease0", "the end")
     assert angle[-1] == pytest.approx((1 - HARDENING / STIFFNESS) * SET, rel=2e-3)
 
 

@@ -41,7 +41,7 @@ class Peak:
 
 @dataclass(frozen=True, kw_only=True)
 class FoldPeak:
-    """Largest fold angle of all creases in a run, in the crease's own sense.
+    """Largest fold angle of all creases in a run, or largest permanent fold at its end, in the crease's own sense.
 
     Attributes:
         angle: rad.
@@ -78,6 +78,19 @@ def fold_peak(record: Record) -> FoldPeak | None:
         crease=record.structure.hinges[creases[crease]].name,
         time=float(record.time[row]),
     )
+
+
+def permanent_fold(record: Record) -> FoldPeak | None:
+    """Find the crease with the largest permanent fold at the end of a run; None if no crease yields, or if it diverged.
+
+    The permanent fold (set) is the angle about which the crease then rests without a moment of the part of its spring
+    that yields; see `CreaseLaw`.
+    """
+    if "hinge_set" not in record.series or record.diverged_at is not None:
+        return None
+    sets = record.series["hinge_set"][-1]
+    crease = int(np.argmax(np.abs(sets)))
+    return FoldPeak(angle=float(sets[crease]), crease=record.structure.hinges[crease].name, time=float(record.time[-1]))
 
 
 def _bars(record: Record) -> Peak | None:

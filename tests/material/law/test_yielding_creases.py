@@ -1,6 +1,5 @@
 """A crease that yields: two springs in parallel, one of which takes a set (Iwan 1966)."""
 
-import itertools
 import math
 
 import numpy as np

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from forficula.analysis.strength import fold_peak, strain_peaks
+from forficula.analysis.strength import fold_peak, permanent_fold, strain_peaks
 from forficula.dynamics import Record
 from forficula.quantities import show_value
 from forficula.show.structure.labels import stress_text
@@ -11,12 +11,16 @@ STRENGTH_HEADINGS = ("", "strain", "stress", "where", "at")
 
 
 def strength_rows(record: Record) -> list[list[str]]:
-    """Return the largest strains of bars, membranes and tendons and the largest fold, with `STRENGTH_HEADINGS`.
+    """Return the largest strains of bars, membranes and tendons and the largest folds, with `STRENGTH_HEADINGS`.
 
-    Empty for a structure without facets that bend.
+    Empty for a structure without facets that bend and without creases that yield.
     """
+    lasting = permanent_fold(record)
+    kept = []
+    if lasting is not None:
+        kept = [[f"permanent fold: {show_value(lasting.angle, 'rad')}", "", "", lasting.crease, "the end"]]
     if not record.structure.facets:
-        return []
+        return kept
     rows = [
         [
             peak.kind,
@@ -31,4 +35,4 @@ def strength_rows(record: Record) -> list[list[str]]:
     if furthest is not None:
         angle, time = show_value(furthest.angle, "rad"), show_value(furthest.time, "s")
         rows.append([f"creases: {angle}", "", "", furthest.crease, time])
-    return rows
+    return [*rows, *kept]
