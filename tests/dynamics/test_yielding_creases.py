@@ -1,7 +1,7 @@
 """Sheets whose creases take a set: spring-back and losses against closed forms, in runs and in quasi-static paths.
 
 A crease of stiffness K, yield moment M0 and hardening H, folded slowly by the moment M > M0, turns by
-M0 / K + (M - M0) / H, of which (M - M0) / H is the set p. Released, it rests at (1 - H / K) p, because the spring of
+M0 / K + (M - M0) / H, and its set is p = (M - M0) / H. Released, it rests at (1 - H / K) p, because the spring of
 stiffness H beside the one that yields pulls it back.
 """
 

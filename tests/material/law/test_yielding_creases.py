@@ -1,4 +1,4 @@
-"""A crease that yields: two springs in parallel, one of which takes a set (Iwan 1966)."""
+"""A crease that yields: two springs in parallel, and one of them takes a set (Iwan 1966)."""
 
 import math
 

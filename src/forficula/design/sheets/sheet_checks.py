@@ -101,8 +101,9 @@ def check_sheet(design: SheetDesign) -> None:
 
 def _check_yielding(design: SheetDesign) -> None:
     """Refuse creases that cannot yield, and a hardening without a yield or above the stiffness."""
-    sections = (design.crease, *design.crease.group)
-    if not any(section.yield_moment is not None or section.hardening is not None for section in sections):
+    moments = [design.crease.yield_moment, *(group.yield_moment for group in design.crease.group)]
+    slopes = [design.crease.hardening, *(group.hardening for group in design.crease.group)]
+    if all(value is None for value in (*moments, *slopes)):
         return
     settled = design.settled()
     for edge, crease in creases_by_edge(settled).items():
