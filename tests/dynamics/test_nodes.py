@@ -80,7 +80,7 @@ def test_the_engine_pushes_nodes_by_the_moments_of_creases_and_in_no_other_way(s
     position = size * random.normal(size=dof)
     effort = random.normal(size=(1, len(model.structure.motors)))
     start = model.folds.angles(position)[None, model.folds.creases]
-    angles, values = rows.follow(position[None], np.zeros((1, dof)), start, effort)
+    angles, _, values = rows.follow(position[None], np.zeros((1, dof)), start, effort, np.zeros_like(start))
     engine = copy.copy(model.engine)
     engine_rows(engine)[rows.rows] = values[0]
     data = mujoco.MjData(engine)

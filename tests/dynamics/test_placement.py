@@ -72,7 +72,7 @@ def test_the_engine_pushes_by_the_slope_of_the_energy_of_creases(moved):
     rows = plate_rows([model])
     near = model.folds.angles(data.qpos)[model.folds.creases][None]
     rest = np.zeros_like(data.qvel)
-    _, values = rows.follow(data.qpos[None], rest[None], near, np.zeros((1, 0)))
+    *_, values = rows.follow(data.qpos[None], rest[None], near, np.zeros((1, 0)), np.zeros_like(near))
     engine_rows(model.engine)[rows.rows] = values[0]
     # a state at rest: no damping
     data.qvel[:] = 0
