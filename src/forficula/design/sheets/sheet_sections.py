@@ -107,7 +107,11 @@ class CreaseGroup(Section):
         CREASE_MOMENT, "moment per length at which they begin to fold permanently", default=None, above=0
     )
     hardening: float | None = quantity(
-        CREASE_STIFFNESS, "slope of their moment while they yield, per length", default=None, at_least=0
+        CREASE_STIFFNESS,
+        "slope of their moment while they yield, per length",
+        default=None,
+        at_least=0,
+        examples=["1e-3 N m/rad/m"],
     )
     damping: float | None = quantity(CREASE_DAMPING, "viscous damping per length", default=None, at_least=0)
     extension: float | None = quantity(
