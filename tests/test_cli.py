@@ -835,7 +835,7 @@ def test_ctrl_c_stops_a_run_with_one_line_and_leaves_nothing(tmp_path):
     while not process.stderr.readline().startswith("settle"):
         assert process.poll() is None
     process.send_signal(signal.SIGINT)
-    output, errors = process.communicate(timeout=30)
+    output, errors = process.communicate(timeout=120)
     assert process.returncode == 130
     assert errors.splitlines()[-1] == "forficula: stopped"
     assert "Traceback" not in errors
