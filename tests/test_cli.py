@@ -1,3 +1,4 @@
+import contextlib
 import csv
 import json
 import math
@@ -1141,13 +1142,10 @@ def test_the_verdict_comes_before_warnings_and_the_page_last(in_an_empty_folder,
     opened = []
     monkeypatch.setattr("webbrowser.open", opened.append)
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
-    done = process(
-        "-c",
-        UNDRAWN + "sys.stderr = sys.stdout\n"
-        "main(['run', 'wing.toml', '--set', 'protocol.timestep=10 ms', '--no-confirm', '--tolerate'])",
-    )
+    with contextlib.redirect_stderr(sys.stdout):
+        said = call("run", "wing.toml", "--set", "protocol.timestep=10 ms", "--no-confirm", "--tolerate")
     # a slow machine says what it waits for
-    lines = [line for line in done.stdout.splitlines() if not line.endswith(" ...")]
+    lines = [line for line in said.out.splitlines() if not line.endswith(" ...")]
     assert lines[0].startswith("wing: ")
     assert lines[1].startswith("warning: ")
     assert lines[-1] == "written to out/wing; open out/wing/report.html"
