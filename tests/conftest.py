@@ -260,6 +260,18 @@ def letter_run() -> Record:
     return ff.run(ff.load_design("letter-fold"), confirm=False).record
 
 
+@pytest.fixture(scope="session")
+def kresling_run(once) -> Record:
+    """A run of facets that bend, computed once in a session."""
+    return once("kresling-run", lambda: ff.run("kresling-cell", confirm=False).record)
+
+
+@pytest.fixture(scope="session")
+def snap_run(once) -> Record:
+    """A run of plates in a loop that snaps, computed once in a session."""
+    return once("snap-run", lambda: ff.run("four-plate-snap", confirm=False).record)
+
+
 @pytest.fixture
 def no_column_figures(monkeypatch):
     """Leave figures as wide as a column empty, which take most of the time that a folder of results takes."""

@@ -144,12 +144,13 @@ def test_every_number_in_a_table_of_the_findings_is_computed_or_measured_with_th
         assert not re.search(r"\d", re.sub(r"\{(number|key)\}`[^`]*`", "", row)), row
     blocks = measurements.measured_in(page)
     assert sum(line.startswith("|") for block in blocks for line in block.text.splitlines()) > 20
+    names = {"run": ff.examples(), "study": ff.examples("studies")}
     for block in blocks:
         of_this_version = (ff.__version__, measurements.SAME_RUNS.get(ff.__version__))
         assert block.version in of_this_version, f"{block.command}: measure again, or state why its numbers remain"
         program, command, name, *_ = block.command.split()
         assert program == "forficula"
-        assert name in {"run": ff.examples(), "study": ff.examples("studies")}[command]
+        assert name in names[command]
 
 
 def test_a_cell_has_its_options_and_commands():

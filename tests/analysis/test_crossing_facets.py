@@ -1,7 +1,7 @@
 """Plates that pass through each other: which ones and from when, for given positions and for a run."""
 
 from dataclasses import replace
-from time import perf_counter
+from time import process_time
 
 import numpy as np
 import pytest
@@ -127,6 +127,6 @@ def test_many_facets_over_many_rows_are_checked_in_seconds():
     structure = structure_of(design)
     places = np.repeat(built_points(structure)[None], 400, axis=0)
     record = replace(strip("V", 0), structure=structure, series={"point_position": places}, time=np.linspace(0, 1, 400))
-    started = perf_counter()
+    started = process_time()
     assert facets_that_cross(record) == []
-    assert perf_counter() - started < 10
+    assert process_time() - started < 10

@@ -27,11 +27,6 @@ def by_panel(record):
     return replace(record, structure=replace(record.structure, mechanisms=mechanisms))
 
 
-@pytest.fixture(scope="module")
-def snap_run():
-    return run(load_design("four-plate-snap"))
-
-
 def test_energies_of_mechanisms_add_up_to_the_recorded_energies(reference_run, letter_run, snap_run):
     for record in (reference_run, letter_run, snap_run):
         stored = sum(energy_shares(record).stored.values())

@@ -417,9 +417,9 @@ def test_a_wrong_value_is_answered_with_the_key_the_rule_and_the_value(refusal, 
 
 @pytest.mark.parametrize("unit", ["N/cm**9**9**9", "N" * 100_000, "N/cm" + "⁹" * 20, "(" * 100_000])
 def test_hostile_text_in_a_file_is_refused_at_once(refusal, unit):
-    start = time.perf_counter()
+    start = time.process_time()
     assert "tendon.stiffness: " in refusal(f'{BASED}[tendon]\nstiffness = "10 {unit}"')
-    assert time.perf_counter() - start < 1  # s; takes milliseconds
+    assert time.process_time() - start < 1  # s; takes milliseconds
 
 
 @pytest.mark.parametrize(

@@ -39,8 +39,8 @@ def test_values_are_read_as_the_ones_that_they_are(name):
     design = load_design(name)
     values = {key.fact.key: key.value for key in design_keys(design) if key.value and not key.chosen}
     read = load_design(name, read_settings([f"{key}={text}" for key, text in values.items() if ".law." not in key]))
-    for key, text in values.items():
-        assert next(item.value for item in design_keys(read) if item.fact.key == key) == text
+    values_read = {item.fact.key: item.value for item in design_keys(read)}
+    assert {key: values_read[key] for key in values} == values
 
 
 def test_chosen_values_are_listed_with_the_rule(reference):

@@ -333,7 +333,7 @@ def test_ctrl_c_stops_a_study_with_one_line_and_the_same_command_continues(tmp_p
             assert process.poll() is None
             time.sleep(1e-3)
         process.send_signal(signal.SIGINT)
-        output, errors = process.communicate(timeout=60)
+        output, errors = process.communicate(timeout=120)
     said = [line for line in errors.splitlines() if not line.startswith("estimate: ")]
     assert (process.returncode, output, said) == (130, "", ["forficula: stopped"])
     before, rows = keys(tmp_path / "out")[0], []

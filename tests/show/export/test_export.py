@@ -33,16 +33,6 @@ validator.validateBytes(new Uint8Array(read(process.argv[1]))).then((report) => 
 """
 
 
-@pytest.fixture(scope="module")
-def kresling_run():
-    return ff.run("kresling-cell", confirm=False).record
-
-
-@pytest.fixture(scope="module")
-def snap_run():
-    return ff.run("four-plate-snap", confirm=False).record
-
-
 @pytest.fixture
 def run_of(request):
     """A record by its name in RUNS."""

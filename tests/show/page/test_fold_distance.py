@@ -14,22 +14,17 @@ from forficula.show.page.data.fold_distance import fold_distances, read_motion
 
 
 @pytest.fixture(scope="module")
-def cell_run():
-    return ff.run("kresling-cell", confirm=False).record
-
-
-@pytest.fixture(scope="module")
-def frames_file(cell_run, tmp_path_factory):
+def frames_file(kresling_run, tmp_path_factory):
     path = tmp_path_factory.mktemp("frames") / "other.fold"
-    ff.export(cell_run, path)
+    ff.export(kresling_run, path)
     return path
 
 
 @pytest.fixture(scope="module")
-def run_folder(cell_run, tmp_path_factory):
+def run_folder(kresling_run, tmp_path_factory):
     folder = tmp_path_factory.mktemp("runs") / "cell"
     folder.mkdir()
-    save_record(cell_run, folder / "record.nc")
+    save_record(kresling_run, folder / "record.nc")
     return folder
 
 
@@ -41,13 +36,13 @@ def changed(path, target, change):
     return target
 
 
-def test_a_run_has_no_distance_from_its_own_frames(cell_run, frames_file):
-    distances = fold_distances(cell_run, np.arange(len(cell_run.time)), read_motion(frames_file))
-    assert distances.max() <= 1e-4 * cell_run.structure.span
+def test_a_run_has_no_distance_from_its_own_frames(kresling_run, frames_file):
+    distances = fold_distances(kresling_run, np.arange(len(kresling_run.time)), read_motion(frames_file))
+    assert distances.max() <= 1e-4 * kresling_run.structure.span
 
 
-def test_unit_position_and_order_of_the_frames_do_not_matter(cell_run, frames_file, tmp_path):
-    turn, rows = Rotation.from_rotvec([0.3, -1.1, 2.0]), np.arange(0, len(cell_run.time), 50)
+def test_unit_position_and_order_of_the_frames_do_not_matter(kresling_run, frames_file, tmp_path):
+    turn, rows = Rotation.from_rotvec([0.3, -1.1, 2.0]), np.arange(0, len(kresling_run.time), 50)
 
     def change(document):
         for frame in (document, *document["file_frames"]):
@@ -57,13 +52,13 @@ def test_unit_position_and_order_of_the_frames_do_not_matter(cell_run, frames_fi
         del document["frame_unit"]
 
     before, after = (
-        fold_distances(cell_run, rows, read_motion(path))
+        fold_distances(kresling_run, rows, read_motion(path))
         for path in (frames_file, changed(frames_file, tmp_path / "moved.fold", change))
     )
     np.testing.assert_allclose(after, before, rtol=0, atol=1e-9)
 
 
-def test_the_distance_is_the_root_mean_square_of_a_known_displacement(cell_run, frames_file, tmp_path):
+def test_the_distance_is_the_root_mean_square_of_a_known_displacement(kresling_run, frames_file, tmp_path):
     height = 1e-3
 
     def change(document):
@@ -74,17 +69,17 @@ def test_the_distance_is_the_root_mean_square_of_a_known_displacement(cell_run, 
         document["file_frames"] = [first]
 
     motion = read_motion(changed(frames_file, tmp_path / "moved.fold", change))
-    assert fold_distances(cell_run, np.array([0]), motion)[0] == pytest.approx(height, rel=1e-2)
+    assert fold_distances(kresling_run, np.array([0]), motion)[0] == pytest.approx(height, rel=1e-2)
 
 
-def test_a_mirrored_shape_is_another_shape(cell_run, frames_file, tmp_path):
+def test_a_mirrored_shape_is_another_shape(kresling_run, frames_file, tmp_path):
     def change(document):
         for frame in document["file_frames"]:
             for place in frame["vertices_coords"]:
                 place[0] *= -1
 
     motion = read_motion(changed(frames_file, tmp_path / "mirrored.fold", change))
-    assert fold_distances(cell_run, np.array([0]), motion)[0] > 0.05 * cell_run.structure.span
+    assert fold_distances(kresling_run, np.array([0]), motion)[0] > 0.05 * kresling_run.structure.span
 
 
 @pytest.mark.parametrize(
@@ -119,8 +114,8 @@ def test_a_pattern_of_another_run_is_refused(letter_run, frames_file, tmp_path):
         ff.compare([letter_run, frames_file], tmp_path / "page.html")
 
 
-def test_the_page_plays_the_run_and_plots_its_distance(watch_all, cell_run, frames_file, tmp_path):
-    ff.compare([cell_run, frames_file], tmp_path / "page.html")
+def test_the_page_plays_the_run_and_plots_its_distance(watch_all, kresling_run, frames_file, tmp_path):
+    ff.compare([kresling_run, frames_file], tmp_path / "page.html")
     opened = watch_all(tmp_path / "page.html")
     assert opened.messages == []
     assert opened.page.locator("#plots").get_by_text("distance to other.fold").count() > 0
