@@ -1,8 +1,8 @@
 """A study of many points: planned, run in shards, killed, resumed, collected, tabled and drawn; time and peak memory.
 
-The runs are not simulated. A stand-in evaluator returns rows of two real runs of the design, one that does all that its
-protocol asks for and one that does not, on the two sides of a curve in the plane of two factors, with noise. Everything
-else is what `forficula study` does: the shards by `run_study`, the rest by the command itself.
+The runs are not simulated. A stand-in evaluator returns rows of three real runs of the design, which opens, does not open
+or does not fold, in three regions of the space of the factors, with scaled numbers. Everything else is what
+`forficula study` does: the shards by `run_study`, the rest by the command itself.
 """
 
 from __future__ import annotations
@@ -38,11 +38,11 @@ method = "{method}"
 count = {points}
 seed = 5
 """
-# designs of the two real runs: (tendon stiffness in N/cm, tendon rest length in cm)
-_WORKS, _FAILS = (30, 8), (10, 6)
+# designs of the three real runs, which open, do not open, and do not fold: tendon stiffness, N/cm, and rest length, cm
+_REAL = ((30, 10), (30, 6), (60, 6))
 
 
-def stand_in(works: dict[str, Any], fails: dict[str, Any]) -> Any:
+def stand_in(opens: dict[str, Any], folds: dict[str, Any], fails: dict[str, Any]) -> Any:
     """Return a function that `run_study` accepts as `cluster`, which returns rows without simulating anything."""
 
     def rows(designs: Sequence[Design], _: bool) -> Iterator[dict[str, Any]]:
@@ -53,7 +53,7 @@ def stand_in(works: dict[str, Any], fails: dict[str, Any]) -> Any:
             )
             noise = int(key[-4:], 16) / 2**16 - 0.5
             margin = (length - 0.06) / 0.03 - (stiffness - 3000) / 3000 * (density / 2000) ** 0.5 + 0.1 * noise
-            row = works if margin > 0 else fails
+            row = opens if margin > 0 else folds if margin > -0.4 else fails
             scale = 1 + 0.3 * margin
             yield {"key": key} | {
                 name: scale * value if isinstance(value, float) and name != "timestep_s" else value
@@ -72,11 +72,11 @@ def run_shard(path: str, folder: str, number: int, count: int) -> None:
 
 
 def real_rows(folder: Path) -> None:
-    """Write the rows of the two real runs."""
+    """Write the rows of the three real runs."""
     base = ff.load_design("binder2025")
     designs = [
         base.with_values({"tendon.stiffness": f"{stiffness} N/cm", "tendon.rest_length": f"{length} cm"})
-        for stiffness, length in (_WORKS, _FAILS)
+        for stiffness, length in _REAL
     ]
     by_key = {row["key"]: row for row in evaluate(designs)}
     (folder / "rows.json").write_text(json.dumps([by_key[row_key(design)] for design in designs]))
@@ -143,7 +143,17 @@ def measure(folder: Path, points: int, shards: int, method: str) -> list[dict[st
     done.append(Measured("collect, table, maps and page", [*command, "--collect", "--keep", "0"]).end())
     reading = f"import xarray; t = xarray.open_dataset({str(out / 'table.nc')!r}); print(t['status'][-3:].values)"
     done.append(Measured("open the table, read three texts", [sys.executable, "-c", reading]).end())
-    drawing = [sys.executable, "-m", "forficula", "figure", str(out), "--kind", "status", "--out", str(folder / "status.png")]
+    drawing = [
+        sys.executable,
+        "-m",
+        "forficula",
+        "figure",
+        str(out),
+        "--kind",
+        "status",
+        "--out",
+        str(folder / "status.png"),
+    ]
     done.append(Measured("draw a map again", drawing).end())
     sizes = {file.name: file.stat().st_size / 1e6 for file in sorted(out.iterdir()) if file.is_file()}
     print("\n" + ", ".join(f"{name} {size:.1f} MB" for name, size in sizes.items() if size >= 0.05))

@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.arrays import Array
+from forficula.names import counted
 from forficula.show.study.map_panel import MapPanel, MapView
 from forficula.show.study.outcome_looks import NO_POINTS
 
 if TYPE_CHECKING:
-    from xarray import DataArray
+    from xarray import DataArray, Dataset
 
 Indices = NDArray[np.int64]
 Words = NDArray[np.object_]
@@ -72,7 +73,7 @@ class Bins:
     def size_text(self) -> str:
         """Number of points and bins, such as "1 000 000 points in 200 x 200 bins"."""
         points, bins = f"{len(self.index):,}".replace(",", " "), " x ".join(map(str, reversed(self.shape)))
-        others = ", over all values of the other factors" if self.view.sampled_bins and self.factors > 2 else ""
+        others = ", over all values of the other factors" if self.factors > len(self.shape) else ""
         return f"{points} points in {bins} bins{others}"
 
     def text(self, *, numbers: bool) -> str:
@@ -104,6 +105,29 @@ class Bins:
         means = np.full(len(self.counts), math.nan)
         means[has_mean] = sums[has_mean] / numbers[has_mean]
         return means, self.most_frequent(words, ~known)
+
+    def shares(self, words: Words) -> list[str]:
+        """Return the number of points of each bin, and the share of each word, as text."""
+        codes, names = word_codes(words)
+        numbers = np.stack([self._count(codes == code) for code in range(len(names))], axis=1)
+        texts = []
+        for row, count in zip(numbers.tolist(), self.counts.tolist(), strict=True):
+            parts = sorted(((number, name) for number, name in zip(row, names, strict=True) if number), reverse=True)
+            listed = ", ".join(f"{100 * number / count:.3g} % {name}" for number, name in parts)
+            texts.append(f"{counted(count, 'point')}{f': {listed}' if listed else ''}")
+        return texts
+
+    def bin_of(self, point: int, table: Dataset) -> int | None:
+        """Return the bin of a point of the study's table, by its index; None if the view does not contain the point."""
+        if self.dimensions == ("sample",):
+            return int(self.index[point])
+        outcome = table["outcome"]
+        places = dict(zip(outcome.dims, np.unravel_index(point, outcome.shape), strict=True))
+        for name, place in places.items():
+            if name not in self.dimensions and int(place) != table.sizes[name] // 2:
+                return None
+        sizes = tuple(table.sizes[name] for name in self.dimensions)
+        return int(self.index[np.ravel_multi_index([int(places[name]) for name in self.dimensions], sizes)])
 
     def most_frequent(self, words: Words, among: NDArray[np.bool_]) -> Words:
         """Return the most frequent word in each bin among some of the points."""
@@ -159,7 +183,7 @@ def bins_of(view: MapView, most: int = MOST_BINS) -> Bins | None:
         view,
         table=Dataset(coords=coordinates, attrs=view.table.attrs),
         sampled=view.sampled and view.y is None,
-        sampled_bins=view.sampled,
+        bins=True,
         edges={name: axis.edges for name, axis in axes.items() if axis.edges is not None},
     )
     varied = sum(values.dims == ("sample",) for values in view.table.coords.values())

@@ -253,7 +253,7 @@ def _draw_cells(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale) -> No
     panel = replace(panel, values=panel.values.transpose(*order), reasons=panel.reasons.transpose(*order))
     values = _cells(view, panel, scale)
     edges = [_edges(view, name, count) for name, count in ((view.x, values.shape[1]), (view.y, values.shape[0]))]
-    fine = max(values.shape) > _MOST_FRAMED
+    fine = view.bins or max(values.shape) > _MOST_FRAMED
     frame = {"rasterized": True} if fine else {"edgecolors": "white", "linewidth": 0.4}
     if np.isfinite(values).any():
         shown = np.ma.masked_invalid(values)

@@ -39,7 +39,7 @@ class MapView:
         y: factor on the vertical axis; None if it shows the quantity.
         note: text that names the slice, or empty.
         sampled: whether the rows are samples and not a grid.
-        sampled_bins: whether the cells are bins of samples.
+        bins: whether the cells are bins of several points.
         edges: boundaries of the cells along a factor, SI, if the factor is a continuous axis.
     """
 
@@ -48,5 +48,5 @@ class MapView:
     y: str | None
     note: str
     sampled: bool
-    sampled_bins: bool = False
+    bins: bool = False
     edges: Mapping[str, Array] = field(default_factory=dict)
