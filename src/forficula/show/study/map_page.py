@@ -303,9 +303,11 @@ def _draw_area(axes: Axes, edges: Sequence[Array], where: Flags, look: OutcomeLo
     cells = np.ma.masked_array(np.zeros(where.shape), ~where)
     axes.pcolormesh(*edges, cells, cmap=ListedColormap([look.face]), rasterized=True)
     if look.hatch and min(where.shape) > 1:
-        middles = [(sides[1:] + sides[:-1]) / 2 for sides in edges]
+        # areas extend from the middles of the cells to the outer edges of the map
+        places = [np.concatenate([sides[:1], (sides[1:] + sides[:-1]) / 2, sides[-1:]]) for sides in edges]
+        covered = np.pad(where.astype(float), 1, mode="edge")
         with rc_context({"hatch.color": INK}):
-            axes.contourf(*middles, where.astype(float), levels=[0.5, 1.5], colors="none", hatches=[look.hatch])
+            axes.contourf(*places, covered, levels=[0.5, 1.5], colors="none", hatches=[look.hatch])
 
 
 def _cells(view: MapView, panel: MapPanel, scale: _Scale) -> Array:
