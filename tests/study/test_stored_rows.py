@@ -12,7 +12,7 @@ DESIGN = ff.load_design("binder2025")
 MODULE = sys.modules["forficula.study.running.stored_rows"]
 
 
-@pytest.fixture(params=[(20_000, 65_536), (1, 2)])
+@pytest.fixture(params=[(10_000, 65_536), (1, 2)])
 def limits(request, monkeypatch):
     in_memory, added = request.param
     monkeypatch.setattr(MODULE, "_MOST_IN_MEMORY", in_memory)
