@@ -14,6 +14,7 @@ from contextlib import contextmanager, redirect_stdout, suppress
 from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import indent
 from typing import Any, TextIO
 
 # spellings of letters that the package writes; units above all must not turn into other units
@@ -65,11 +66,33 @@ def command_output(*, quiet: bool, as_json: bool) -> Iterator[None]:
     finally:
         _output.reset(before)
     if as_json:
-        print(json.dumps(output.data, indent=2, ensure_ascii=False, allow_nan=False))
+        for text in _json_texts(output.data):
+            print(text, end="")
+        print()
+
+
+def _json_texts(data: Any) -> Iterator[str]:
+    """Yield parts of a result as JSON text; an iterator becomes a list."""
+    if not isinstance(data, Iterator):
+        yield _json_text(data)
+        return
+    first = True
+    for item in data:
+        yield "[\n" if first else ",\n"
+        yield indent(_json_text(item), "  ")
+        first = False
+    yield "[]" if first else "\n]"
+
+
+def _json_text(data: Any) -> str:
+    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
 
 
 def set_result(data: Any) -> None:
-    """Set the result that --json writes: plain data, or the path of a JSON file."""
+    """Set the result that --json writes: plain data, an iterator over the items of a list, or the path of a JSON file.
+
+    An iterator is only used if the result is written, and its items are written one after another.
+    """
     _output.get().data = json.loads(data.read_text("utf-8")) if isinstance(data, Path) else data
 
 

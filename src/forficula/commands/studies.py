@@ -63,16 +63,17 @@ def study(
         Parameter(help="Maximum number of runs stored for playback in report.html; default: 100, 0 for none."),
     ] = None,
     no_engine: NoEngine = False,
+    parquet: Annotated[bool, Parameter(help="Write the table as table.parquet, too; needs pyarrow.")] = False,
     open_report: OpenReport = False,
 ) -> None:
     """Run a study, or resume one: a table of all runs, maps, and a page in which each point opens its run."""
     from forficula.reproduction import check_reproduction
     from forficula.show.progress import building_progress
     from forficula.study import collect as collect_study
-    from forficula.study import load_study, table_json
+    from forficula.study import json_rows, load_study
 
     split = {"--shard": shard != _ALL, "--dask": dask is not None}
-    drawn = {"--keep": keep is not None, "--no-engine": no_engine, "--open": open_report}
+    drawn = {"--keep": keep is not None, "--no-engine": no_engine, "--parquet": parquet, "--open": open_report}
     check_apart("--slurm", slurm is not None, {"--collect": collect, "--dry-run": dry_run} | split | drawn)
     check_apart("--collect", collect, {"--dry-run": dry_run} | split)
     check_apart("--dry-run", dry_run, split | drawn)
@@ -85,6 +86,10 @@ def study(
 
         most = keep
         read_option("--keep", lambda: check_most(most))
+    if parquet:
+        from forficula.study.tables.table_files import check_parquet
+
+        read_option("--parquet", check_parquet)
     if slurm is not None:
         _write_job(study, folder, slurm)
         return
@@ -101,8 +106,8 @@ def study(
     print_study(chosen, table)
     if (folder / "table.nc").is_file():
         note(f"{folder}: replaces the table, the maps and the page; the rows are kept")
-    write_study(chosen, table, folder)
-    set_result(table_json(chosen, table))
+    write_study(chosen, table, folder, parquet=parquet)
+    set_result(json_rows(chosen, table))
     _report(chosen, table, keep, folder, engine=not no_engine)
     end_with_page(folder, show=open_report)
 

@@ -15,16 +15,26 @@ from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.files import open_to_append
 from forficula.lock import hold_lock
+from forficula.study.running.stored_rows import CHECKSUM, StoredRows
 
 Row = dict[str, Any]
 
 # Increase this if the meaning of a row changes: old rows are then rejected instead of mixed with new ones.
 SCHEMA = 5
-_CHECKSUM = "crc32"
+# beginning of the line of a row, and of its end
+_BEGINNING, _END = b'{"key": "', f', "{CHECKSUM}": '.encode()
 
 
 def read_rows(folder: Path, base: Design) -> dict[str, Row]:
     """Return all rows of a study's folder by key, from all shards and machines.
+
+    Args and errors are those of `stored_rows`.
+    """
+    return dict(stored_rows(folder, base))
+
+
+def stored_rows(folder: Path, base: Design) -> StoredRows:
+    """Return the rows of a study's folder by key, from all shards and machines; they stay on disk until they are used.
 
     A damaged row, cut short by a crash or changed on disk, is skipped with a warning on stderr. Its run is repeated.
 
@@ -36,15 +46,19 @@ def read_rows(folder: Path, base: Design) -> dict[str, Row]:
         InputError: a journal cannot be read, or was written for another design or by other versions; the message says
             what differs.
     """
-    rows: dict[str, Row] = {}
+    rows = StoredRows()
     try:
         paths = sorted(folder.glob("journal*.jsonl"))
     except OSError as error:
         raise InputError(f"{folder}: cannot be read: {error.strerror}") from None
     for path in paths:
         signed, damaged = False, 0
-        for entry in _entries(path):
-            if isinstance(entry.get("written_by"), dict):
+        for offset, line in _lines(path):
+            key = _intact_key(line) if signed else None
+            entry = _entry(line) if key is None else {}
+            if key is not None:
+                rows.index(key, path, offset)
+            elif isinstance(entry.get("written_by"), dict):
                 _check_signature(path, entry["written_by"], _signature(base))
                 signed = True
             elif not signed and isinstance(entry.get("key"), str):
@@ -52,7 +66,7 @@ def read_rows(folder: Path, base: Design) -> dict[str, Row]:
                     f"{path}: has rows without the versions that wrote them; choose another folder with --out"
                 )
             elif _is_whole(entry):
-                rows[entry["key"]] = entry
+                rows.index(entry["key"], path, offset)
             else:
                 damaged += 1
         if damaged:
@@ -61,22 +75,39 @@ def read_rows(folder: Path, base: Design) -> dict[str, Row]:
     return rows
 
 
-def _entries(path: Path) -> Iterator[dict[str, Any]]:
-    """Yield the lines of a journal: rows and signatures of those who wrote them; an invalid line is empty."""
+def _lines(path: Path) -> Iterator[tuple[int, bytes]]:
+    """Yield the lines of a journal that are not empty, and the bytes at which they begin."""
     if path.is_symlink() or not path.is_file():
         raise InputError(f"{path}: cannot be read: need a file")
+    offset = 0
     try:
-        lines = path.read_bytes().split(b"\n")
+        with path.open("rb") as file:
+            for line in file:
+                if text := line.rstrip(b"\n"):
+                    yield offset, text
+                offset += len(line)
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    for line in lines:
-        if not line:
-            continue
-        try:
-            entry = json.loads(line)
-        except (ValueError, RecursionError):
-            entry = None
-        yield entry if isinstance(entry, dict) else {}
+
+
+def _entry(line: bytes) -> dict[str, Any]:
+    """Return a row, or the signature of those who wrote rows; an invalid line is empty."""
+    try:
+        entry = json.loads(line)
+    except (ValueError, RecursionError):
+        entry = None
+    return entry if isinstance(entry, dict) else {}
+
+
+def _intact_key(line: bytes) -> str | None:
+    """Return the key of a row whose line is as it was written; None for any other line."""
+    end = line.rfind(_END)
+    if not line.startswith(_BEGINNING) or not line[end + len(_END) : -1].isdigit() or not line.endswith(b"}"):
+        return None
+    if zlib.crc32(line[:end] + b"}") != int(line[end + len(_END) : -1]):
+        return None
+    key = line[len(_BEGINNING) : line.index(b'"', len(_BEGINNING))]
+    return None if b"\\" in key else key.decode()
 
 
 def _checksum(row: Mapping[str, Any]) -> int:
@@ -86,7 +117,7 @@ def _checksum(row: Mapping[str, Any]) -> int:
 
 def _is_whole(entry: dict[str, Any]) -> bool:
     """Return whether a row is intact. Its checksum is removed."""
-    checksum = entry.pop(_CHECKSUM, None)
+    checksum = entry.pop(CHECKSUM, None)
     try:
         return isinstance(entry.get("key"), str) and checksum == _checksum(entry)
     except (ValueError, RecursionError):
@@ -119,13 +150,18 @@ class Journal:
         self._file = file
         self._path = path
 
-    def append(self, row: Mapping[str, Any]) -> None:
-        """Write a row so that killing this process does not lose it.
+    @property
+    def path(self) -> Path:
+        """Path of the file."""
+        return self._path
+
+    def append(self, row: Mapping[str, Any]) -> int:
+        """Write a row so that killing this process does not lose it, and return the byte at which its line begins.
 
         Raises:
             InputError: the disk is full, or the file cannot be written.
         """
-        self._write({**row, _CHECKSUM: _checksum(row)})
+        return self._write({**row, CHECKSUM: _checksum(row)})
 
     def sign(self, base: Design) -> None:
         """Write the identity of the writer of the following rows.
@@ -135,10 +171,12 @@ class Journal:
         """
         self._write({"written_by": _signature(base)})
 
-    def _write(self, entry: Mapping[str, Any]) -> None:
+    def _write(self, entry: Mapping[str, Any]) -> int:
         try:
+            offset = self._file.tell()
             self._file.write(json.dumps(entry).encode() + b"\n")
             self._file.flush()
+            return offset
         except OSError as error:
             raise InputError(f"{self._path}: cannot be written: {error.strerror}") from None
 
@@ -176,7 +214,7 @@ def open_journal(folder: Path, base: Design, shard: tuple[int, int]) -> Iterator
             if file.tell():
                 # a line that a crash cut short must not merge with the next one
                 file.write(b"\n")
-            if not any("written_by" in entry for entry in _entries(path)):
+            if not any("written_by" in _entry(line) for _, line in _lines(path)):
                 journal.sign(base)
             yield journal
         finally:
