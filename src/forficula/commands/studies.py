@@ -86,6 +86,10 @@ def study(
         most = keep
         read_option("--keep", lambda: check_most(most))
     if slurm is not None:
+        if chosen.boundaries is not None:
+            from forficula.study.running.run_study import REFINE_ALONE
+
+            raise InputError(f"--slurm: {REFINE_ALONE}")
         _write_job(study, folder, slurm)
         return
     if dry_run:
@@ -97,7 +101,9 @@ def study(
         return
 
     from forficula.show import print_study, write_study
+    from forficula.study.tables.study_table import study_of_table
 
+    chosen = study_of_table(table)  # with the points that refinement placed
     print_study(chosen, table)
     if (folder / "table.nc").is_file():
         note(f"{folder}: replaces the table, the maps and the page; the rows are kept")
@@ -127,6 +133,9 @@ def _print_estimate(study: Study, folder: Path) -> None:
         {"name": study.name, "points": len(study.points), "most_runs": most, "runs_left": left, "time_s": seconds}
     )
     print(f"{study.name}: {len(study.points)} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
+    if study.boundaries is not None:
+        count = study.boundaries.full_grid
+        print(f"These are the points of the initial grid. Refinement adds some of the {count} points of the full grid.")
 
 
 def _run(study: Study, folder: Path, shard: str, dask: str | None) -> Dataset | None:

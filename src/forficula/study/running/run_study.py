@@ -71,7 +71,7 @@ def run_study(
         check_whole(name, value, least)
     if study.boundaries is not None:
         if shard[1] > 1:
-            raise InputError(REFINE_ALONE)
+            raise InputError(f"shard: {REFINE_ALONE}")
         counted = _CountOfRounds(progress)
 
         def run_round(part: Study) -> xarray.Dataset:
@@ -86,7 +86,7 @@ def run_study(
 
 # a study that locates boundaries cannot be divided in advance
 REFINE_ALONE = (
-    'shard: the points of a study with method = "refine" depend on the results of earlier points, so they cannot be'
+    'the points of a study with method = "refine" depend on the results of earlier points, so they cannot be'
     " divided in advance; run the study on one machine or on a Dask cluster. The initial grid can be divided: run the"
     " same study without [sampling] in shards, and then this study in the same folder, which reuses the rows"
 )
@@ -175,7 +175,10 @@ def collect_points(study: Study, out: str | Path, building: Building | None = No
     rows, designs = read_rows(folder, study.base), _designs(study, building)
     if points := _missing_by_point(study, designs, rows):
         raise InputError(f"{folder}: {len(_joined(points))} runs are missing; run the remaining shards, then collect")
-    return build_table(study, designs, rows)
+    table = build_table(study, designs, rows)
+    if study.boundaries is not None:
+        table.attrs["point_runs"] = len(_known(study, designs, rows))
+    return table
 
 
 def estimate(study: Study, out: str | Path, building: Building | None = None) -> tuple[int, int, float]:

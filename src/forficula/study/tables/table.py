@@ -50,7 +50,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         every searched transition. The attribute
         `transitions` has the transitions, see `table_transitions`; `whole` is the noun for the structure in sentences.
         A study of named changes or of boundaries that searches nothing also has the margin of every transition and of
-        the whole run. The attribute `boundaries` has the plan of a study of boundaries.
+        the whole run. The attribute `boundaries` has the plan of a study of boundaries, and `point_runs` the number
+        of runs that its points need.
         If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run. If the
         pattern varies, `folding_ratio` and `folded_height` have the size of the flat-folded sheet.
     """
