@@ -33,7 +33,7 @@ from forficula.show.style import (
     letter_panels,
 )
 from forficula.study.refine.boundary_plan import LatticeAxis
-from forficula.study.refine.cells import Cell, region_parts
+from forficula.study.refine.cells import Cell, Surface, region_parts
 from forficula.study.refine.summary import BoundaryMap, boundary_map
 
 if TYPE_CHECKING:
@@ -189,22 +189,24 @@ def _draw_points(axes: Axes, table: Dataset, found: BoundaryMap, plane: _Plane, 
 
 def _parts(cell: Cell, plane: _Plane) -> Iterator[tuple[str, Corners]]:
     """Yield the parts of a cell in a plane by label, as polygons of places."""
-    surface = cell.surface
-    if surface is None:
+    if not cell.surfaces:
         for label, sides in region_parts(cell):
             if plane.z is None or sides[plane.z][0] <= plane.place <= sides[plane.z][1]:
                 yield label, plane.rectangle(sides)
         return
-    rectangle = plane.rectangle(_sides(cell))
-    distances = [surface.distance(plane.position(x, y, len(cell.low))) for x, y in rectangle]
-    for sign, label in ((-1, surface.labels[0]), (1, surface.labels[1])):
-        polygon = _clipped(rectangle, [sign * distance for distance in distances])
-        if len(polygon) > 2:
-            yield label, polygon
+    rest = plane.rectangle(_sides(cell))
+    for surface in cell.surfaces:
+        below, rest = (_clipped(rest, surface, plane, sign) for sign in (-1, 1))
+        if len(below) > 2:
+            yield surface.labels[0], below
+    if len(rest) > 2:
+        yield cell.surfaces[-1].labels[1], rest
 
 
-def _clipped(polygon: Corners, distances: Sequence[float]) -> Corners:
-    """Return the part of a polygon whose distances are positive (Sutherland and Hodgman 1974)."""
+def _clipped(polygon: Corners, surface: Surface, plane: _Plane, sign: int) -> Corners:
+    """Return the part of a polygon above (sign 1) or below (-1) a surface (Sutherland and Hodgman 1974)."""
+    axes = len(surface.centre)
+    distances = [sign * surface.distance(plane.position(x, y, axes)) for x, y in polygon]
     kept: Corners = []
     for index, (corner, distance) in enumerate(zip(polygon, distances, strict=True)):
         before, earlier = polygon[index - 1], distances[index - 1]

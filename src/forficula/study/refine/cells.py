@@ -10,7 +10,7 @@ import itertools
 import math
 from bisect import bisect_left, bisect_right, insort
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
@@ -67,6 +67,11 @@ class Surface:
         """Return the distance from the plane along the axis."""
         return position[self.axis] - self.height(position)
 
+    @property
+    def accuracy(self) -> float:
+        """Distance from the plane beyond which a label is predicted; boundaries on edges are known to half a step."""
+        return max(1.0, *map(abs, self.slopes))
+
 
 @dataclass(frozen=True, kw_only=True)
 class Cell:
@@ -78,7 +83,8 @@ class Cell:
         corners: labels of its corners, in the order of `itertools.product` over the axes. A corner without a point has
             the label of its neighbours on the edge that contains the corner.
         labels: all labels in the cell.
-        surface: approximation of the boundary; None if the cell has one label, or if its sides are single steps.
+        surfaces: approximations of the boundaries, from low to high along their axis; none if the cell has one label,
+            or if its sides are single steps.
         crossings: boundaries on its edges.
         located: whether its boundaries are known.
     """
@@ -87,7 +93,7 @@ class Cell:
     high: Position
     corners: tuple[str, ...]
     labels: tuple[str, ...]
-    surface: Surface | None = None
+    surfaces: tuple[Surface, ...] = ()
     crossings: tuple[Crossing, ...] = ()
     located: bool = True
 
@@ -113,7 +119,8 @@ def locate(
     1. Every edge of a cell whose ends differ is halved until the boundary on the edge lies between two neighbouring
        positions. Where both ends have margins of opposite signs, the first halving is a secant step.
     2. A cell with two labels and at most one boundary on each edge is approximated by a plane through these boundaries.
-       The plane is tested at the mean of the boundaries, by two neighbouring points. It fails if the boundary is not
+       A cell that bands cross, with the same labels on all edges along one axis, is approximated by several planes.
+       Each plane is tested at the mean of its boundaries, by two neighbouring points. It fails if the boundary is not
        between two points next to the plane, or if any point in the cell is more than a step from the plane and on its
        wrong side.
     3. A cell whose plane fails, a cell with more labels, and a cell with a point of another label inside are split.
@@ -193,19 +200,19 @@ class _Locator:
             crossings=crossings,
             located=all(edge is not None for edge in edges),
         )
-        surface: Surface | None = None
+        surfaces: tuple[Surface, ...] = ()
         tested: bool | None = False
         split = cell.located and len(found) > 1 and any(b - a > 1 for a, b in zip(low, high, strict=True))
-        if split and len(found) == 2 and crossings and all(len(edge or ()) <= 1 for edge in edges):
-            surface = self._fitted(crossings, corners, inside)
-            tested = surface is not None and self._test(surface, low, high, corners)
+        if split:
+            surfaces = self._fitted([edge for edge in edges if edge], len(edges), cell, corners, inside)
+            tested = bool(surfaces) and self._test(surfaces, low, high, corners)
             split = tested is False
         if split:
             if self._split(cell, corners, inside):
                 return
-            cell = _with(cell, None, located=False)
+            cell = replace(cell, located=False)
         elif cell.located:
-            cell = _with(cell, surface, located=tested is not None)
+            cell = replace(cell, surfaces=surfaces, located=tested is not None)
         self._cells.append(cell)
 
     def _edge(self, start: Position, axis: int, end: int, start_label: str, end_label: str) -> list[Crossing] | None:
@@ -254,56 +261,82 @@ class _Locator:
         return (first + last) // 2
 
     def _fitted(
-        self, crossings: Sequence[Crossing], corners: Mapping[Position, str], inside: Sequence[Position]
-    ) -> Surface | None:
-        """Return the plane through the boundaries on the edges; None if a known label contradicts the plane."""
-        middles = np.array([crossing.middle for crossing in crossings])
-        counts = np.bincount([crossing.axis for crossing in crossings], minlength=middles.shape[1])
-        candidates = np.flatnonzero(counts == counts.max())
-        axis = int(candidates[np.argmin(np.ptp(middles[:, candidates], axis=0))])
-        below = {crossing.labels for crossing in crossings if crossing.axis == axis}
-        if len(below) > 1:
-            return None
-        centre = middles.mean(axis=0)
-        offsets = middles - centre
-        across = np.delete(offsets, axis, axis=1)
-        slopes = np.linalg.lstsq(across, offsets[:, axis], rcond=None)[0]
-        surface = Surface(
-            axis=axis,
-            centre=tuple(centre.tolist()),
-            slopes=tuple(np.insert(slopes, axis, 0.0).tolist()),
-            labels=below.pop(),
-        )
-        # places of boundaries on edges are known to half a step
-        allowed = max(1.0, *map(abs, surface.slopes))
-        for position, label in (*corners.items(), *((position, self._labels[position]) for position in inside)):
-            distance = surface.distance(position)
-            if abs(distance) > allowed and label != surface.labels[distance > 0]:
-                return None
-        return surface
+        self,
+        edges: Sequence[Sequence[Crossing]],
+        count: int,
+        cell: Cell,
+        corners: Mapping[Position, str],
+        inside: Sequence[Position],
+    ) -> tuple[Surface, ...]:
+        """Return planes through the boundaries on the edges, from low to high; none if known labels contradict them.
 
-    def _test(self, surface: Surface, low: Position, high: Position, corners: Mapping[Position, str]) -> bool | None:
-        """Return whether the boundary is next to a plane at its centre; None as long as this is unknown."""
-        axis = surface.axis
-        at = tuple(round(place) for place in surface.centre)
-        place = min(max(round(surface.height(at)), low[axis]), high[axis])
-        nearest = _moved(at, axis, place)
-        label = corners.get(nearest) if nearest not in self._labels else self._labels[nearest]
-        if label is None:
-            self._want(nearest)
-            return None
-        if label not in surface.labels:
-            return False
-        is_above = label == surface.labels[1]
-        neighbour = _moved(at, axis, place - 1 if is_above else place + 1)
-        if not low[axis] <= neighbour[axis] <= high[axis]:
-            return True
-        if neighbour in self._labels:
-            return self._labels[neighbour] == surface.labels[not is_above]
-        if neighbour in corners:
-            return corners[neighbour] == surface.labels[not is_above]
-        self._want(neighbour)
-        return None
+        Args:
+            edges: boundaries on every edge that has any.
+            count: number of all edges.
+            cell: the cell.
+            corners: labels of its corners.
+            inside: positions in the cell whose labels are known.
+        """
+        axes = {crossing.axis for edge in edges for crossing in edge}
+        if len(cell.labels) == 2 and edges and all(len(edge) == 1 for edge in edges):
+            groups = [[edge[0] for edge in edges]]
+        elif len(axes) == 1 and len(edges) * len(cell.low) == count:
+            # a band crosses all edges along one axis, with the same labels on all of them
+            groups = [list(group) for group in zip(*edges, strict=False)]
+            if len({len(edge) for edge in edges}) > 1 or any(
+                len({item.labels for item in group}) > 1 for group in groups
+            ):
+                return ()
+        else:
+            return ()
+        fitted = [_plane(group) for group in groups]
+        surfaces = tuple(surface for surface in fitted if surface is not None)
+        if len(surfaces) < len(groups):
+            return ()
+        for corner in corners:
+            heights = [surface.height(corner) for surface in surfaces]
+            if heights != sorted(heights):
+                return ()
+        labels = chain(surfaces)
+        for position, label in (*corners.items(), *((position, self._labels[position]) for position in inside)):
+            distances = [(surface.distance(position), surface.accuracy) for surface in surfaces]
+            above = sum(distance > accuracy for distance, accuracy in distances)
+            perhaps = sum(distance >= -accuracy for distance, accuracy in distances)
+            if label not in labels[above : perhaps + 1]:
+                return ()
+        return surfaces
+
+    def _test(
+        self, surfaces: Sequence[Surface], low: Position, high: Position, corners: Mapping[Position, str]
+    ) -> bool | None:
+        """Return whether each boundary is next to its plane at its centre; None as long as this is unknown."""
+        labels, complete = chain(surfaces), True
+        for number, surface in enumerate(surfaces):
+            axis = surface.axis
+            at = tuple(round(place) for place in surface.centre)
+            place = min(max(round(surface.height(at)), low[axis]), high[axis])
+            nearest = _moved(at, axis, place)
+            label = self._labels.get(nearest, corners.get(nearest))
+            if label is None:
+                self._want(nearest)
+                complete = False
+                continue
+            if label not in labels:
+                return False
+            is_above = label in labels[number + 1 :] and label not in labels[: number + 1]
+            if label in labels[number + 1 :] and not is_above:
+                # the label is on both sides of the band, so the neighbours decide
+                is_above = surface.distance(nearest) > 0
+            neighbour = _moved(at, axis, place - 1 if is_above else place + 1)
+            if not low[axis] <= neighbour[axis] <= high[axis]:
+                continue
+            other = self._labels.get(neighbour, corners.get(neighbour))
+            if other is None:
+                self._want(neighbour)
+                complete = False
+            elif other == label or other not in (labels[: number + 1] if is_above else labels[number + 1 :]):
+                return False
+        return True if complete else None
 
     def _split(self, cell: Cell, corners: Mapping[Position, str], inside: Sequence[Position]) -> bool:
         """Split a cell and examine its parts; return False as long as labels of new corners are missing."""
@@ -347,15 +380,28 @@ class _Locator:
         return corners[_moved(vertex, axis, cell.low[axis])]
 
 
-def _with(cell: Cell, surface: Surface | None, *, located: bool) -> Cell:
-    return Cell(
-        low=cell.low,
-        high=cell.high,
-        corners=cell.corners,
-        labels=cell.labels,
-        surface=surface,
-        crossings=cell.crossings,
-        located=located,
+def chain(surfaces: Sequence[Surface]) -> list[str]:
+    """Return the labels between surfaces, from low to high."""
+    return [surfaces[0].labels[0], *(surface.labels[1] for surface in surfaces)]
+
+
+def _plane(crossings: Sequence[Crossing]) -> Surface | None:
+    """Return the plane through boundaries with the same labels; None if their order of labels differs."""
+    middles = np.array([crossing.middle for crossing in crossings])
+    counts = np.bincount([crossing.axis for crossing in crossings], minlength=middles.shape[1])
+    candidates = np.flatnonzero(counts == counts.max())
+    axis = int(candidates[np.argmin(np.ptp(middles[:, candidates], axis=0))])
+    labels = {crossing.labels for crossing in crossings if crossing.axis == axis}
+    if len(labels) > 1:
+        return None
+    centre = middles.mean(axis=0)
+    offsets = middles - centre
+    slopes = np.linalg.lstsq(np.delete(offsets, axis, axis=1), offsets[:, axis], rcond=None)[0]
+    return Surface(
+        axis=axis,
+        centre=tuple(centre.tolist()),
+        slopes=tuple(np.insert(slopes, axis, 0.0).tolist()),
+        labels=labels.pop(),
     )
 
 
