@@ -90,8 +90,8 @@ def draw_boundary_map(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         table: table of a study that locates boundaries.
         width: largest width of the figure, inch.
     """
-    found = boundary_map(table)
-    planes, note = _planes(found)
+    regions = boundary_map(table)
+    planes, note = _planes(regions)
     columns = 1 if len(planes) == 1 or is_narrow(width) else 2 if len(planes) in (2, 4) else 3
     rows = math.ceil(len(planes) / columns)
     height = _STRIP_HEIGHT if planes[0].y is None else _HEIGHT if columns == 1 else 2.1
@@ -101,27 +101,27 @@ def draw_boundary_map(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         grid = figure.subplots(rows, columns, squeeze=False).ravel()
         for axes in grid[len(planes) :]:
             axes.remove()
-        looks = dict(zip(found.words, _looks(table, found.words), strict=True))
+        looks = dict(zip(regions.words, _looks(table, regions.words), strict=True))
         for index, (axes, plane) in enumerate(zip(grid, planes, strict=False)):
-            _draw_plane(axes, table, found, plane, looks)
+            _draw_plane(axes, table, regions, plane, looks)
             if index + columns >= len(planes):
-                axes.set_xlabel(factor_label(_factor(table, found, plane.x)))
+                axes.set_xlabel(factor_label(_factor(table, regions, plane.x)))
             if plane.y is None:
                 axes.set_yticks([])
             elif index % columns == 0:
-                axes.set_ylabel(factor_label(_factor(table, found, plane.y)))
+                axes.set_ylabel(factor_label(_factor(table, regions, plane.y)))
             if plane.z is not None:
-                axes.set_title(_place_text(_factor(table, found, plane.z), found.plan.axes[plane.z], plane.place))
+                axes.set_title(_place_text(_factor(table, regions, plane.z), regions.plan.axes[plane.z], plane.place))
         letter_panels(list(grid[: len(planes)]))
         if note:
             figure.suptitle(note, fontsize=8)
-        _add_legend(figure, found, looks)
-    return describe(figure, _description(table, found))
+        _add_legend(figure, regions, looks)
+    return describe(figure, _description(table, regions))
 
 
-def _planes(found: BoundaryMap) -> tuple[list[_Plane], str]:
+def _planes(regions: BoundaryMap) -> tuple[list[_Plane], str]:
     """Return the planes that have a panel, and a note if not all values of the third factor have one."""
-    axes = found.plan.axes
+    axes = regions.plan.axes
     if len(axes) == 1:
         return [_Plane(x=0, y=None)], ""
     if len(axes) == 2:
@@ -132,11 +132,11 @@ def _planes(found: BoundaryMap) -> tuple[list[_Plane], str]:
     return [_Plane(x=1, y=0, z=2, place=places[index]) for index in chosen], note
 
 
-def _draw_plane(axes: Axes, table: Dataset, found: BoundaryMap, plane: _Plane, looks: dict[str, OutcomeLook]) -> None:
+def _draw_plane(axes: Axes, table: Dataset, regions: BoundaryMap, plane: _Plane, looks: dict[str, OutcomeLook]) -> None:
     """Draw regions, outlines of cells, boundaries and points in a plane."""
-    last = found.plan.axes[plane.z].size - 1 if plane.z is not None else 0
-    cells = [cell for cell in found.located.cells if plane.contains(cell, last)]
-    to_axes = _transform(table, found, plane)
+    last = regions.plan.axes[plane.z].size - 1 if plane.z is not None else 0
+    cells = [cell for cell in regions.located.cells if plane.contains(cell, last)]
+    to_axes = _transform(table, regions, plane)
     polygons: dict[str, list[Corners]] = {}
     lines: list[Corners] = []
     for cell in cells:
@@ -155,13 +155,13 @@ def _draw_plane(axes: Axes, table: Dataset, found: BoundaryMap, plane: _Plane, l
         outlines = [to_axes(plane.rectangle(_sides(cell))) for cell in cells]
         axes.add_collection(PolyCollection(outlines, facecolors="none", edgecolors="0.6", linewidths=0.3))
     axes.add_collection(LineCollection(lines, colors=BLACK, linewidths=1.0, capstyle="round"))
-    _draw_points(axes, table, found, plane, looks)
+    _draw_points(axes, table, regions, plane, looks)
     for name, index in (("x", plane.x), ("y", plane.y)):
         if index is None:
             axes.set_ylim(0, 1)
             continue
-        axis = found.plan.axes[index]
-        ends = _shown(_factor(table, found, index), axis, np.array([0.0, axis.size - 1.0])).tolist()
+        axis = regions.plan.axes[index]
+        ends = _shown(_factor(table, regions, index), axis, np.array([0.0, axis.size - 1.0])).tolist()
         pad = 0.012 * (ends[1] - ends[0])
         if axis.logarithmic:
             getattr(axes, f"set_{name}scale")("log")
@@ -170,20 +170,22 @@ def _draw_plane(axes: Axes, table: Dataset, found: BoundaryMap, plane: _Plane, l
             getattr(axes, f"set_{name}lim")(ends[0] - pad, ends[1] + pad)
 
 
-def _draw_points(axes: Axes, table: Dataset, found: BoundaryMap, plane: _Plane, looks: dict[str, OutcomeLook]) -> None:
+def _draw_points(
+    axes: Axes, table: Dataset, regions: BoundaryMap, plane: _Plane, looks: dict[str, OutcomeLook]
+) -> None:
     """Draw the points in a plane, with the colour of their region."""
-    positions = np.array(list(found.labels), dtype=float)
-    labels = np.array(list(found.labels.values()))
+    positions = np.array(list(regions.labels), dtype=float)
+    labels = np.array(list(regions.labels.values()))
     if plane.z is not None:
         inside = positions[:, plane.z] == plane.place
         positions, labels = positions[inside], labels[inside]
-    to_axes = _transform(table, found, plane)
+    to_axes = _transform(table, regions, plane)
     size = 10.0 if len(labels) < 250 else 5.0 if len(labels) < 1500 else 1.5
     for word, look in looks.items():
-        here = positions[labels == word]
-        if len(here):
-            upwards = here[:, plane.y] if plane.y is not None else np.full(len(here), 0.5)
-            places = np.array(to_axes(list(zip(here[:, plane.x].tolist(), upwards.tolist(), strict=True))))
+        members = positions[labels == word]
+        if len(members):
+            upwards = members[:, plane.y] if plane.y is not None else np.full(len(members), 0.5)
+            places = np.array(to_axes(list(zip(members[:, plane.x].tolist(), upwards.tolist(), strict=True))))
             axes.scatter(places[:, 0], places[:, 1], s=size, color=look.face, ec=INK, lw=0.35, zorder=3, clip_on=False)
 
 
@@ -236,21 +238,23 @@ def _sides(cell: Cell) -> list[tuple[float, float]]:
     return [(float(low), float(high)) for low, high in zip(cell.low, cell.high, strict=True)]
 
 
-def _transform(table: Dataset, found: BoundaryMap, plane: _Plane) -> Callable[[Corners], Corners]:
+def _transform(table: Dataset, regions: BoundaryMap, plane: _Plane) -> Callable[[Corners], Corners]:
     """Return the function that converts places to values in display units."""
 
     def to_axes(corners: Corners) -> Corners:
         columns = []
         for index, column in zip((plane.x, plane.y), np.array(corners).T, strict=True):
-            shown = column if index is None else _shown(_factor(table, found, index), found.plan.axes[index], column)
+            shown = (
+                column if index is None else _shown(_factor(table, regions, index), regions.plan.axes[index], column)
+            )
             columns.append(shown.tolist())
         return list(zip(*columns, strict=True))
 
     return to_axes
 
 
-def _factor(table: Dataset, found: BoundaryMap, index: int) -> DataArray:
-    return table[found.plan.axes[index].dimension]
+def _factor(table: Dataset, regions: BoundaryMap, index: int) -> DataArray:
+    return table[regions.plan.axes[index].dimension]
 
 
 def _shown(factor: DataArray, axis: LatticeAxis, places: Array) -> Array:
@@ -276,9 +280,9 @@ def _looks(table: Dataset, words: Sequence[str]) -> Iterator[OutcomeLook]:
             yield OutcomeLook(face=next(faces), hatch="", marker="o")
 
 
-def _add_legend(figure: Figure, found: BoundaryMap, looks: dict[str, OutcomeLook]) -> None:
+def _add_legend(figure: Figure, regions: BoundaryMap, looks: dict[str, OutcomeLook]) -> None:
     """Draw a legend with the regions, the boundary and the points."""
-    counts = {word: sum(label == word for label in found.labels.values()) for word in looks}
+    counts = {word: sum(label == word for label in regions.labels.values()) for word in looks}
     handles: list[Patch | Line2D] = [
         Patch(
             facecolor=look.face,
@@ -290,23 +294,23 @@ def _add_legend(figure: Figure, found: BoundaryMap, looks: dict[str, OutcomeLook
         )
         for word, look in looks.items()
     ]
-    if found.boundaries:
+    if regions.boundaries:
         handles.append(Line2D([], [], color=BLACK, lw=1.0, label="boundary, straight in each cell"))
     handles.append(
-        Line2D([], [], ls="", marker="o", ms=3.2, mfc="white", mec=INK, mew=0.5, label=f"{len(found.labels)} points")
+        Line2D([], [], ls="", marker="o", ms=3.2, mfc="white", mec=INK, mew=0.5, label=f"{len(regions.labels)} points")
     )
     legend = fit_legend(figure, handles, 4, loc="outside lower center", columnspacing=1.2, fontsize=7)
     more = legend.get_window_extent().height / figure.dpi - _LEGEND
     figure.set_figheight(figure.get_figheight() + max(more, 0.0))
 
 
-def _description(table: Dataset, found: BoundaryMap) -> str:
+def _description(table: Dataset, regions: BoundaryMap) -> str:
     """Describe the figure."""
-    names = [plain_name(table[axis.dimension]) for axis in found.plan.axes]
-    parts = [f"{word}: {sum(label == word for label in found.labels.values())} points" for word in found.words]
-    between = [f"{first} and {second}" for first, second in found.boundaries]
+    names = [plain_name(table[axis.dimension]) for axis in regions.plan.axes]
+    parts = [f"{word}: {sum(label == word for label in regions.labels.values())} points" for word in regions.words]
+    between = [f"{first} and {second}" for first, second in regions.boundaries]
     lines = f" Boundaries between {'; '.join(between)}." if between else " No boundary was found."
     return (
-        f"Regions of equal results over {' and '.join(names)}, from {len(found.labels)} points of"
-        f" {found.plan.full_grid} of the full grid. {'; '.join(parts)}.{lines}"
+        f"Regions of equal results over {' and '.join(names)}, from {len(regions.labels)} points of"
+        f" {regions.plan.full_grid} of the full grid. {'; '.join(parts)}.{lines}"
     )

@@ -191,18 +191,18 @@ class _Locator:
             if corner[axis] == low[axis]
         ]
         crossings = tuple(crossing for edge in edges for crossing in edge or ())
-        found = {*corners.values(), *(self._labels[position] for position in inside)}
+        present = {*corners.values(), *(self._labels[position] for position in inside)}
         cell = Cell(
             low=low,
             high=high,
             corners=tuple(corners.values()),
-            labels=tuple(sorted(found)),
+            labels=tuple(sorted(present)),
             crossings=crossings,
             located=all(edge is not None for edge in edges),
         )
         surfaces: tuple[Surface, ...] = ()
         tested: bool | None = False
-        split = cell.located and len(found) > 1 and any(b - a > 1 for a, b in zip(low, high, strict=True))
+        split = cell.located and len(present) > 1 and any(b - a > 1 for a, b in zip(low, high, strict=True))
         if split:
             surfaces = self._fitted([edge for edge in edges if edge], len(edges), cell, corners, inside)
             tested = bool(surfaces) and self._test(surfaces, low, high, corners)
@@ -414,9 +414,9 @@ def _moved(position: Position, axis: int, place: int) -> Position:
 
 
 def _probe_shares(axes: int, probes: int) -> Array:
-    """Return where the points inside a cell are, as shares of its sides: Sobol points, of which the first is 0.
+    """Return where the points inside a cell are, as shares of its sides: Sobol points without the first, which is 0.
 
-    The second one is the centre, which is the first to be used.
+    The next one is the centre.
     """
     power = math.ceil(math.log2(probes + 1))
     return np.asarray(scipy.stats.qmc.Sobol(axes, scramble=False).random_base2(power)[1 : probes + 1])

@@ -1,4 +1,4 @@
-"""Run a study that locates boundaries: rounds of points, each of which depends on the results of the earlier ones."""
+"""Run a study that locates boundaries in rounds: the points of a round depend on the results of earlier rounds."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ import numpy as np
 import scipy
 
 from forficula.arrays import Array
-from forficula.names import listed
+from forficula.names import counted, listed
 from forficula.quantities import Unit, show_quantity
 from forficula.study.refine.boundary_plan import BoundaryPlan, LatticeAxis, Position, positions_of, read_plan
 from forficula.study.refine.cells import Located, locate
@@ -67,30 +67,30 @@ def boundary_map(table: Dataset) -> BoundaryMap:
 
 def boundary_sentences(table: Dataset) -> list[str]:
     """Return sentences on the number of points, the width of boundaries, and the islands that may be missed."""
-    found = boundary_map(table)
-    plan, points = found.plan, len(found.labels)
+    regions = boundary_map(table)
+    plan, points = regions.plan, len(regions.labels)
     runs = int(table.attrs.get("point_runs", points))
     share = f"{100 * points / plan.full_grid:.2g} % of the {plan.full_grid} points of the full grid"
     counts = [f"{len(plan.initial_grid)} points are the initial grid"]
     if points > len(plan.initial_grid):
         counts.append(f"refinement placed {points - len(plan.initial_grid)}")
     sentences = [f"{points} points with {runs} runs locate the boundaries: {share}. {' and '.join(counts)}."]
-    if not found.boundaries:
-        sentences.append(f"No boundary was found: every point has the same result ({found.words[0]}).")
+    if not regions.boundaries:
+        sentences.append(f"No boundary was found: every point has the same result ({regions.words[0]}).")
     else:
         widths = listed([_width_text(axis, table[axis.dimension]) for axis in plan.axes], "or")
         sentences.append(
             f"On every edge of a cell, a boundary lies between two points that differ by {widths}. In a cell,"
             " boundaries are planes through these positions, which two points at the centre of each plane confirm."
         )
-        pairs = [f"{first} | {second} ({count})" for (first, second), count in found.boundaries.most_common()]
+        pairs = [f"{first} | {second} ({count})" for (first, second), count in regions.boundaries.most_common()]
         sentences.append(f"Boundaries, with the number of their positions on edges: {', '.join(pairs)}.")
-    if found.open_cells:
+    if regions.open_cells:
         sentences.append(
-            f"Refinement stopped at {points} points (sampling.most_points): in {found.open_cells} cells, boundaries are"
-            " not located to this width."
+            f"Refinement stopped at {points} points (sampling.most_points). Boundaries in"
+            f" {counted(regions.open_cells, 'cell')} are not located to this width."
         )
-    extents = largest_gap(plan, list(found.labels))
+    extents = largest_gap(plan, list(regions.labels))
     sizes = [_extent_text(extent, axis, table[axis.dimension]) for extent, axis in zip(extents, plan.axes, strict=True)]
     shape = {1: "interval", 2: "ellipse", 3: "ellipsoid"}[len(plan.axes)]
     sentences.append(
