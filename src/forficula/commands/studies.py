@@ -85,11 +85,11 @@ def study(
 
         most = keep
         read_option("--keep", lambda: check_most(most))
-    if slurm is not None:
-        if chosen.boundaries is not None:
-            from forficula.study.running.run_study import REFINE_ALONE
+    if chosen.boundaries is not None and (slurm is not None or shard != _ALL):
+        from forficula.study.running.run_study import REFINE_ALONE
 
-            raise InputError(f"--slurm: {REFINE_ALONE}")
+        raise InputError(f"{'--shard' if slurm is None else '--slurm'}: {REFINE_ALONE}")
+    if slurm is not None:
         _write_job(study, folder, slurm)
         return
     if dry_run:

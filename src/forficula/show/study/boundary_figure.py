@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
 _MOST_PANELS = 9
+_MOST_TICKS = 9
 _CELL_LINES = 4000  # number of cells above which their outlines are left out
 _HEIGHT, _STRIP_HEIGHT = 2.9, 0.7  # inch, of axes over two factors, and over one
 _LEGEND = 0.45  # inch
@@ -108,6 +109,7 @@ def draw_boundary_map(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
                 axes.set_xlabel(factor_label(_factor(table, regions, plane.x)))
             if plane.y is None:
                 axes.set_yticks([])
+                axes.spines.left.set_visible(False)
             elif index % columns == 0:
                 axes.set_ylabel(factor_label(_factor(table, regions, plane.y)))
             if plane.z is not None:
@@ -166,8 +168,18 @@ def _draw_plane(axes: Axes, table: Dataset, regions: BoundaryMap, plane: _Plane,
         if axis.logarithmic:
             getattr(axes, f"set_{name}scale")("log")
             getattr(axes, f"set_{name}lim")(ends[0], ends[1])
+            _number_ticks(axes, name, _shown(_factor(table, regions, index), axis, np.array(axis.grid_places)))
         else:
             getattr(axes, f"set_{name}lim")(ends[0] - pad, ends[1] + pad)
+
+
+def _number_ticks(axes: Axes, name: str, values: Array) -> None:
+    """Set ticks at the values of the initial grid on a logarithmic axis; of many values, at some."""
+    step = math.ceil(len(values) / _MOST_TICKS)
+    shown = values[::step].tolist()
+    axis = axes.xaxis if name == "x" else axes.yaxis
+    axis.set_ticks(shown, [number_text(value) for value in shown])
+    axis.set_ticks([], minor=True)
 
 
 def _draw_points(

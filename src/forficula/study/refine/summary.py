@@ -79,9 +79,12 @@ def boundary_sentences(table: Dataset) -> list[str]:
         sentences.append(f"No boundary was found: every point has the same result ({regions.words[0]}).")
     else:
         widths = listed([_width_text(axis, table[axis.dimension]) for axis in plan.axes], "or")
+        edges = f"a boundary lies between two points that differ by {widths}."
         sentences.append(
-            f"On every edge of a cell, a boundary lies between two points that differ by {widths}. In a cell,"
-            " boundaries are planes through these positions, which two points at the centre of each plane confirm."
+            f"{edges[0].upper()}{edges[1:]}"
+            if len(plan.axes) == 1
+            else f"On every edge of a cell, {edges} In a cell, boundaries are planes through these positions, which two"
+            " points at the centre of each plane confirm."
         )
         pairs = [f"{first} | {second} ({count})" for (first, second), count in regions.boundaries.most_common()]
         sentences.append(f"Boundaries, with the number of their positions on edges: {', '.join(pairs)}.")
