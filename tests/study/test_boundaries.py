@@ -14,7 +14,7 @@ from forficula.study import collect, estimate, load_study, run_study, table_csv
 from forficula.study.refine.boundary_plan import BoundaryPlan, LatticeAxis, read_plan
 from forficula.study.refine.cells import chain, locate
 from forficula.study.refine.summary import boundary_map, boundary_sentences, largest_gap
-from forficula.study.running.evaluate import row_key
+from tests.planted import folds_if, soft
 
 REFINE = '[sampling]\nmethod = "refine"\n'
 GRID = '"tendon.stiffness" = "10..60 N/cm step 10"\n"tendon.rest_length" = "0..9 cm step 1"'
@@ -211,25 +211,6 @@ def test_a_plan_is_read_as_it_was_written():
 
 
 # ---- studies with planted verdicts
-
-
-def folds_if(condition):
-    """Return a function that computes rows without a simulation, and the list of the numbers of runs that it did."""
-    batches = []
-
-    def rows(designs, _until_last):
-        batches.append(len(designs))
-        for design in designs:
-            done = condition(design.tendon.stiffness / 1e3, design.tendon.rest_length * 10)
-            word, verdict = ("folded and opened", "reached") if done else ("did not fold", "stuck")
-            columns = {"status": word, "verdict": verdict, "outcome": word, "folded": done, "opened": done}
-            yield {"key": row_key(design), **columns}
-
-    return rows, batches
-
-
-def soft(stiffness, length):
-    return stiffness < 1.23 + 4.1 * length
 
 
 @pytest.fixture
