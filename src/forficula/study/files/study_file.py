@@ -41,6 +41,17 @@ Widths = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed='width such as 
 _MOST_FACTORS = 3
 
 
+def _boundary(value: object) -> object:
+    if isinstance(value, str):
+        return value
+    if not isinstance(value, list | tuple) or not all(isinstance(state, str) for state in value):
+        raise InputError(f'need "{OUTCOME}", "{VERDICT}" or a list of states, got {as_written(value)}')
+    return tuple(value)
+
+
+Boundary = Annotated[Any, "text, or list of states", BeforeValidator(_boundary)]
+
+
 class PointSampling(Section):
     """Sampling of points from distributions, or where outcomes change."""
 
@@ -49,7 +60,7 @@ class PointSampling(Section):
         " change, until each boundary is between two points that are one width apart",
         "sobol",
     )
-    count: Annotated[Whole, Field(le=MOST_VALUES)] | None = entry(
+    count: Annotated[Whole | None, Field(le=MOST_VALUES)] = entry(
         "number of points (random, sobol)", left_out="needed", at_least=1, examples=("count = 64",)
     )
     seed: Whole = entry("random seed (random, sobol)", 0, at_least=0)
@@ -63,7 +74,7 @@ class PointSampling(Section):
         "number of widths in an interval of the initial grid, for keys without a width (refine)", DIVISIONS, at_least=1
     )
     logarithmic: tuple[str, ...] = entry("keys whose intervals are divided by equal ratios (refine)", ())
-    boundary: str | tuple[str, ...] = entry(
+    boundary: Boundary = entry(
         'what changes at a boundary (refine): "outcome", "verdict", or a list of states that are reached or not',
         OUTCOME,
     )
@@ -181,7 +192,7 @@ def _study(file: StudyFile, folder: Path) -> Study:
     if drawn:
         sampling = file.sampling or PointSampling()
         if sampling.count is None:
-            raise InputError("sampling.count: is missing; give the number of points, such as 64")
+            raise InputError(f"sampling.count: is missing; give it (whole number, >= 1, <= {MOST_VALUES})")
         _check_unused(sampling, "refine", ("width", "divisions", "logarithmic", "boundary", "probes", "most_points"))
         points = drawn_values(factors, sampling.method, sampling.count, sampling.seed)
     elif choices:
