@@ -212,6 +212,9 @@ class _Locator:
                 return
             cell = replace(cell, located=False)
         elif cell.located:
+            if tested and surfaces:
+                known = dict(corners) | {position: self._labels[position] for position in inside}
+                surfaces = _separating(surfaces, known)
             cell = replace(cell, surfaces=surfaces, located=tested is not None)
         self._cells.append(cell)
 
@@ -403,6 +406,41 @@ def _plane(crossings: Sequence[Crossing]) -> Surface | None:
         slopes=tuple(np.insert(slopes, axis, 0.0).tolist()),
         labels=labels.pop(),
     )
+
+
+def _separating(surfaces: tuple[Surface, ...], known: Mapping[Position, str]) -> tuple[Surface, ...]:
+    """Return planes with all known labels on their right sides, if there are any close to some tested planes.
+
+    Tested planes may have known labels on the wrong side, because boundaries on edges are known to half a step.
+    """
+    labels = chain(surfaces)
+    if len(set(labels)) < len(labels) or not set(known.values()) <= set(labels):
+        return surfaces
+    moved = []
+    for number, surface in enumerate(surfaces):
+        sides = {position: 1 if labels.index(label) > number else -1 for position, label in known.items()}
+        if all(side * surface.distance(position) >= 0 for position, side in sides.items()):
+            moved.append(surface)
+            continue
+        places, signs = np.array(list(sides), dtype=float), np.array(list(sides.values()), dtype=float)
+        offsets = places - surface.centre
+        across = np.delete(offsets, surface.axis, axis=1)
+        # unknowns: shift and slopes of the plane, and its least distance from a label
+        unknowns = np.column_stack([signs, signs[:, None] * across, np.ones(len(signs))])
+        count = unknowns.shape[1]
+        solution = scipy.optimize.linprog(
+            [0.0] * (count - 1) + [-1.0],
+            A_ub=unknowns,
+            b_ub=signs * offsets[:, surface.axis],
+            bounds=[(None, None)] * (count - 1) + [(0.0, 0.5)],
+        )
+        if not solution.success:
+            return surfaces
+        shift, *slopes = solution.x[:-1].tolist()
+        centre = tuple(at + shift * (axis == surface.axis) for axis, at in enumerate(surface.centre))
+        slopes.insert(surface.axis, 0.0)
+        moved.append(replace(surface, centre=centre, slopes=tuple(slopes)))
+    return tuple(moved)
 
 
 def _without(position: Position, axis: int) -> Position:
