@@ -67,12 +67,15 @@ def test_every_key_of_a_study_is_listed(name):
     tables = tomllib.loads((resources.files("forficula.study") / "references" / f"{name}.toml").read_text("utf-8"))
     known = {fact.key for fact in key_facts("", StudyFile)}
     for key, value in tables.items():
-        inside = [f"{key}.{name}" for name in value] if isinstance(value, dict) else [key]
+        inside = [key]
+        if isinstance(value, dict):
+            by_key = [name for name, entry in value.items() if key == "sampling" and isinstance(entry, dict)]
+            inside = [f"{key}.{name}{'.KEY' * (name in by_key)}" for name in value]
         if isinstance(value, list) and isinstance(value[0], dict):
             entries = {name: entry for table in value for name, entry in table.items()}
             inside = [f"{key}.0.{name}{'.KEY' * isinstance(entry, dict)}" for name, entry in entries.items()]
         for item in inside:
-            output = re.sub(r"^(settings|factors|grid)\..*", r"\1.KEY", item)
+            output = re.sub(r"^(settings|factors|grid|sampling\.width)\..*", r"\1.KEY", item)
             assert re.sub(r"\.[a-z]+_(torques|with)$", r".DRIVE_\1", output) in known
 
 
@@ -81,6 +84,12 @@ def test_an_unknown_table_of_a_study_is_rejected():
         "sampling.method",
         "sampling.count",
         "sampling.seed",
+        "sampling.width.KEY",
+        "sampling.divisions",
+        "sampling.logarithmic",
+        "sampling.boundary",
+        "sampling.probes",
+        "sampling.most_points",
     ]
     with pytest.raises(ff.InputError, match=r"serch: unknown key; did you mean search\?"):
         key_facts("serch", StudyFile)

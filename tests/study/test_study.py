@@ -219,7 +219,7 @@ def test_an_invalid_study_is_rejected_with_its_file_and_the_error(tmp_path, monk
             "sampling.count: need a whole number >= 1 and <= 1000000, got 1000000000000",
         ),
         ("[sampling]\ncount = 3\nseed = -1", "sampling.seed: need a whole number >= 0, got -1"),
-        ('[sampling]\ncount = 3\nmethod = "grid"', 'sampling.method: need "random" or "sobol"'),
+        ('[sampling]\ncount = 3\nmethod = "grid"', 'sampling.method: need "random", "sobol" or "refine"'),
         ("[sampling]\ncounts = 3", "sampling.counts: unknown key, got 3; did you mean sampling.count?"),
     ],
 )

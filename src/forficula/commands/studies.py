@@ -90,6 +90,10 @@ def study(
         from forficula.study.tables.table_files import check_parquet
 
         read_option("--parquet", check_parquet)
+    if chosen.boundaries is not None and (slurm is not None or shard != _ALL):
+        from forficula.study.running.run_study import REFINE_ALONE
+
+        raise InputError(f"{'--shard' if slurm is None else '--slurm'}: {REFINE_ALONE}")
     if slurm is not None:
         _write_job(study, folder, slurm)
         return
@@ -102,7 +106,9 @@ def study(
         return
 
     from forficula.show import print_study, write_study
+    from forficula.study.tables.study_table import study_of_table
 
+    chosen = study_of_table(table)  # with the points that refinement placed
     print_study(chosen, table)
     if (folder / "table.nc").is_file():
         note(f"{folder}: replaces the table, the maps and the page; the rows are kept")
@@ -132,6 +138,9 @@ def _print_estimate(study: Study, folder: Path) -> None:
         {"name": study.name, "points": len(study.points), "most_runs": most, "runs_left": left, "time_s": seconds}
     )
     print(f"{study.name}: {len(study.points)} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
+    if study.boundaries is not None:
+        count = study.boundaries.full_grid
+        print(f"These are the points of the initial grid. Refinement adds some of the {count} points of the full grid.")
 
 
 def _run(study: Study, folder: Path, shard: str, dask: str | None) -> Dataset | None:

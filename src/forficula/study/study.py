@@ -13,6 +13,7 @@ from forficula.names import counted
 from forficula.results import call
 from forficula.study.changes import NO_CHANGES, ChangePlan
 from forficula.study.factors import Factor
+from forficula.study.refine.boundary_plan import BoundaryPlan
 from forficula.study.search_steps import Search
 
 if TYPE_CHECKING:
@@ -37,6 +38,8 @@ class Study(Displayed):
         grid: factors whose whole grid is repeated at every choice; the last varies fastest.
         plan: named changes that the study makes; empty if it varies factors.
         reproduces: name of the paper with which the results are compared; None for no paper.
+        boundaries: how the study locates boundaries between outcomes; None if its points are fixed. Before the study
+            runs, its points are those of the initial grid. The study of its table has all points.
     """
 
     name: str
@@ -50,6 +53,7 @@ class Study(Displayed):
     grid: tuple[Factor, ...] = ()
     plan: ChangePlan = NO_CHANGES
     reproduces: str | None = None
+    boundaries: BoundaryPlan | None = None
 
     def run(
         self, out: str | os.PathLike[str] | None = None, *, threads: int = 0, progress: object = None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from forficula.design import TORQUE
 from forficula.dynamics import versions
 from forficula.files import write_text
+from forficula.names import listed
 from forficula.quantities import show_quantity
 from forficula.reproduction import Comparison
 from forficula.show.page.data.kept_run_data import runs_data
@@ -22,12 +23,13 @@ from forficula.show.page.study_live import study_live
 from forficula.show.study.bins import Bins
 from forficula.show.study.changes_figure import change_drawings
 from forficula.show.study.choices_figure import choice_rows
-from forficula.show.study.maps import table_view
-from forficula.show.style import save_figures
+from forficula.show.study.maps import map_drawings, table_view
+from forficula.show.style import Drawing, save_figures
 from forficula.structure import structure_of
 from forficula.study import Study, named_studies, table_csv
 from forficula.study.assumptions.choices import choice_label
 from forficula.study.factors import Factor
+from forficula.study.refine.summary import boundary_sentences
 from forficula.study.running.kept_runs import KeptRun
 from forficula.study.search_steps import SearchStep
 from forficula.study.tables.outcome_kinds import (
@@ -90,12 +92,14 @@ def study_page(
     """
     data, bins = study_data(study, results), page_bins(results)
     changes = _changes(results) if study.plan else []
+    boundaries = _boundaries(results) if study.boundaries is not None else []
     body = "".join(
         (
             f"<header><h1>{escaped(study.name)}</h1>{paragraph(study_sentence(study, results), 'outcome')}</header>\n",
             '<main class="study">',
             paragraph("" if bins is None else _binned_text(bins, table_view(results).note), "note"),
             '<div id="explorer"></div>\n',
+            section("Boundaries", *boundaries, name="boundaries"),
             section("Redundancy and margins", *changes, name="changes"),
             section("Choices side by side", _choices(results), name="choices"),
             section("All points", _points(study, data, binned=bins is not None), name="points"),
@@ -150,6 +154,9 @@ def study_sentence(study: Study, results: Dataset) -> str:
     confirmed = f" {sentence}." if (sentence := confirmation_sentence(results)) else ""
     if study.plan:
         return f"{count}. {redundancy_sentences(results)[0]}{confirmed}"
+    if study.boundaries is not None:
+        # the share of points that succeed depends on where refinement places them
+        return f"{boundary_sentences(results)[0]}{confirmed}"
     if study.search is None:
         counts = [
             f"{int(reached_all(results, transitions[: index + 1]).sum())} {_can(transitions, index)}"
@@ -184,12 +191,22 @@ def _choices(results: Dataset) -> str:
 def _changes(results: Dataset) -> list[str]:
     """Return the conclusions on named changes, their table and their figures."""
     headings, rows = change_rows(results)
-    drawings = change_drawings(results)
+    sentences = remarks(redundancy_sentences(results))
+    alone = table("Every change alone", headings, rows, numbers=False)
+    return [sentences, *_figures(change_drawings(results)), alone]
+
+
+def _boundaries(results: Dataset) -> list[str]:
+    """Return the figure of located boundaries and the conclusions."""
+    drawings = {"boundaries": map_drawings(results)["boundaries"]}
+    return [*_figures(drawings), remarks(boundary_sentences(results))]
+
+
+def _figures(drawings: Mapping[str, Drawing]) -> list[str]:
+    """Return figures as elements of the page."""
     with TemporaryDirectory() as name:
         texts = save_figures(drawings, Path(name), copies=(".svg",))
-        figures = [figure_html(Path(name), stem, texts[stem]) for stem in drawings]
-    sentences = remarks(redundancy_sentences(results))
-    return [sentences, *figures, table("Every change alone", headings, rows, numbers=False)]
+        return [figure_html(Path(name), stem, texts[stem]) for stem in drawings]
 
 
 def _comparison(compared: Comparison | None) -> str:
@@ -218,6 +235,13 @@ def _about(study: Study) -> list[str]:
     if study.choices:
         rows.append(["varied", "one at a time"])
         rows += [[f"{factor.key}, at every choice", _values(study, factor)] for factor in study.grid]
+    if study.boundaries is not None:
+        rows[1 : 1 + len(study.factors)] = [
+            [f"{factor.key}, initial grid", _values(study, factor)] for factor in study.factors
+        ]
+        kind = study.boundaries.boundary
+        rows.append(["boundaries between", kind if isinstance(kind, str) else f"reached or not: {listed(kind)}"])
+        rows.append(["points of the full grid", str(study.boundaries.full_grid)])
     if study.search is not None:
         search = study.search
         first, second = search.first, search.second
@@ -244,7 +268,7 @@ def _about(study: Study) -> list[str]:
 
 def _values(study: Study, factor: Factor) -> str:
     """Return a factor's values, or their number if they were drawn."""
-    if study.sampled:
+    if study.sampled and study.boundaries is None:
         return f"{len(study.points)} values drawn"
     values = list(dict.fromkeys(str(value) for value in factor.values))
     return ", ".join(values) if len(values) <= 12 else f"{values[0]} to {values[-1]}, {len(values)} values"

@@ -12,12 +12,14 @@ from matplotlib.figure import Figure
 from forficula.analysis import SPRUNG
 from forficula.errors import InputError
 from forficula.quantities import show_value
+from forficula.show.study.boundary_figure import draw_boundary_map
 from forficula.show.study.factor_text import plain_name, value_text, value_with_unit
 from forficula.show.study.map_page import draw_page
 from forficula.show.study.map_panel import MapPanel, MapView
 from forficula.show.study.outcome_looks import OTHER, map_style
 from forficula.show.style import PAGE_WIDTH, Drawing
 from forficula.study.assumptions.choices import CHOICE
+from forficula.study.refine.summary import locates_boundaries
 from forficula.study.tables.outcome_kinds import (
     OutcomeKind,
     not_tried_word,
@@ -36,15 +38,20 @@ def map_drawings(table: Dataset) -> dict[str, Drawing]:
     """Return every map for which a study's table has numbers.
 
     Args:
-        table: table of a search for the least torques or of plain runs, over a grid of factors, with or without
-            choices,
-            or over samples.
+        table: table of a search for the least torques or of plain runs: over a grid of factors, with or without
+            choices, over samples, or of boundaries.
 
     Returns:
         Drawings by the stems of their files.
     """
     transitions = table_transitions(table)
-    drawings: dict[str, Drawing] = {"status": lambda width: draw_status_map(table, width=width)}
+    drawings: dict[str, Drawing] = {}
+    if locates_boundaries(table):
+        drawings["boundaries"] = lambda width: draw_boundary_map(table, width=width)
+        if len(_factors(table)) > 2:
+            # points at all values of a third factor would cover each other
+            return drawings
+    drawings["status"] = lambda width: draw_status_map(table, width=width)
     if any(transition.least and transition.least in table for transition in transitions):
         drawings["torques"] = lambda width: draw_torque_maps(table, width=width)
         if not _is_sampled(table) and len(_axes(table)) > 2:

@@ -12,6 +12,7 @@ from rich.table import Table
 from forficula.quantities import show_quantity
 from forficula.show.study.choices_figure import choice_rows
 from forficula.study import Study
+from forficula.study.refine.summary import boundary_sentences
 from forficula.study.tables.outcome_kinds import (
     confirmation_sentence,
     least_values,
@@ -44,8 +45,8 @@ def print_study(study: Study, table: Dataset) -> None:
         for row in rows:
             by_choice.add_row(*row)
         Console(width=110, highlight=False).print(by_choice)
-    if study.plan:
-        for sentence in redundancy_sentences(table):
+    if study.plan or study.boundaries is not None:
+        for sentence in redundancy_sentences(table) if study.plan else boundary_sentences(table):
             print(textwrap.fill(sentence, 110, break_long_words=False, break_on_hyphens=False))
     if study.search is None:
         return

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import AfterValidator, Field
+from pydantic import AfterValidator, BeforeValidator, Field
 
 from forficula.design import (
     NO_LAW,
@@ -18,11 +18,12 @@ from forficula.design import (
     numbered_key,
     value_from_folder,
 )
-from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
+from forficula.design.file_fields import DESIGN, SETTINGS, ByKey, DesignName, FolderName, Settings, Whole, entry
 from forficula.design.files.provenance import check_paper
 from forficula.design.files.rejection import read_section
 from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
+from forficula.quantities import as_written
 from forficula.structure import drive_keys, structure_of
 from forficula.study.assumptions.choices import one_at_a_time, with_own_word
 from forficula.study.changes import ChangePlan
@@ -31,18 +32,61 @@ from forficula.study.files.change_file import ChangeTable, read_changes
 from forficula.study.files.named_file import FileKind, base_design, load_named, named_files
 from forficula.study.files.search_file import SearchTable, read_search
 from forficula.study.points import SampledPoints, grid_points
+from forficula.study.refine.boundary_plan import OUTCOME, VERDICT, BoundaryPlan
+from forficula.study.refine.lattice import DIVISIONS, read_axis
 from forficula.study.search_steps import Search
 from forficula.study.study import Study
 
+REFINE = "refine"
+Widths = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed='width such as "0.1 cm"'))]
+_MOST_FACTORS = 3
+
+
+def _boundary(value: object) -> object:
+    if isinstance(value, str):
+        return value
+    if not isinstance(value, list | tuple) or not all(isinstance(state, str) for state in value):
+        raise InputError(f'need "{OUTCOME}", "{VERDICT}" or a list of states, got {as_written(value)}')
+    return tuple(value)
+
+
+Boundary = Annotated[Any, "text, or list of states", BeforeValidator(_boundary)]
+
 
 class PointSampling(Section):
-    """Sampling of points from distributions."""
+    """Sampling of points from distributions, or where outcomes change."""
 
-    method: Literal["random", "sobol"] = entry("sampling method", "sobol")
-    count: Annotated[Whole, Field(le=MOST_VALUES)] = entry(
-        "number of points", ..., at_least=1, examples=("count = 64",)
+    method: Literal["random", "sobol", "refine"] = entry(
+        'sampling method; "refine" starts from the grid of the values under [factors] and places points where outcomes'
+        " change, until each boundary is between two points that are one width apart",
+        "sobol",
     )
-    seed: Whole = entry("random seed", 0, at_least=0)
+    count: Annotated[Whole | None, Field(le=MOST_VALUES)] = entry(
+        "number of points (random, sobol)", left_out="needed", at_least=1, examples=("count = 64",)
+    )
+    seed: Whole = entry("random seed (random, sobol)", 0, at_least=0)
+    width: Widths = entry(
+        'largest distance of the two points on both sides of a boundary (refine); "5 %" of the value for a key under'
+        " `logarithmic`",
+        {},
+        left_out="by `divisions`",
+    )
+    divisions: Annotated[Whole, Field(le=100_000)] = entry(
+        "number of widths in an interval of the initial grid, for keys without a width (refine)", DIVISIONS, at_least=1
+    )
+    logarithmic: tuple[str, ...] = entry("keys whose intervals are divided by equal ratios (refine)", ())
+    boundary: Boundary = entry(
+        'what changes at a boundary (refine): "outcome", "verdict", or a list of states that are reached or not',
+        OUTCOME,
+    )
+    probes: Annotated[Whole, Field(le=1024)] = entry(
+        "number of points in each cell of the initial grid, which reveal islands of another outcome (refine)",
+        1,
+        at_least=0,
+    )
+    most_points: Annotated[Whole, Field(le=MOST_VALUES)] = entry(
+        "number of points at which refinement stops (refine)", 100_000, at_least=1
+    )
 
 
 class StudyFile(Section):
@@ -87,7 +131,9 @@ class StudyFile(Section):
         ),
     )
     grid: Grid = entry("values that are combined with every change (one-at-a-time)", {})
-    sampling: PointSampling | None = entry("sampling of factors that are distributions")
+    sampling: PointSampling | None = entry(
+        "sampling of factors that are distributions, or refinement of a grid where outcomes change"
+    )
     search: SearchTable | None = entry('values to try, with ask = "least-torques" or "least-value"')
 
 
@@ -135,17 +181,21 @@ def _study(file: StudyFile, folder: Path) -> Study:
     if file.vary == "grid":  # one at a time, a setting is the value from which a factor is varied
         check_not_settled(file.settings, "factors", factors, base)
     grid = _repeated_grid(file, factors, folder, base)
-    if file.sampling is not None and not drawn:
-        raise InputError("sampling: needs factors that are distributions, got lists and ranges")
+    refined = file.sampling is not None and file.sampling.method == REFINE
+    if file.sampling is not None and not drawn and not refined:
+        raise InputError('sampling: needs factors that are distributions, or method = "refine", got lists and ranges')
     search = _search(file, base, {factor.key: f"factors.{factor.key}" for factor in (*factors, *grid)})
+    boundaries = _boundaries(file, factors, base, search) if refined else None
     choices: tuple[Mapping[str, object], ...] = ()
     if file.vary == "one-at-a-time":
         factors = tuple(with_own_word(base, factor) for factor in factors)
         choices = one_at_a_time(base, factors)
     points: Sequence[Mapping[str, object]]
     if drawn:
-        with error_prefix("sampling."):
-            sampling = file.sampling or read_section(PointSampling, {})
+        sampling = file.sampling or PointSampling()
+        if sampling.count is None:
+            raise InputError(f"sampling.count: is missing; give it (whole number, >= 1, <= {MOST_VALUES})")
+        _check_unused(sampling, "refine", ("width", "divisions", "logarithmic", "boundary", "probes", "most_points"))
         points = SampledPoints(factors, sampling.method, sampling.count, sampling.seed)
     elif choices:
         points = tuple({**choice, **point} for choice in choices for point in grid_points(grid, len(choices)))
@@ -157,12 +207,78 @@ def _study(file: StudyFile, folder: Path) -> Study:
         base=base,
         factors=factors,
         points=points,
-        sampled=bool(drawn),
+        sampled=bool(drawn) or boundaries is not None,
         search=search,
         choices=choices,
         grid=grid,
         reproduces=file.reproduces,
+        boundaries=boundaries,
     )
+
+
+def _boundaries(file: StudyFile, factors: tuple[Factor, ...], base: Design, search: Search | None) -> BoundaryPlan:
+    """Read the plan of a study that locates boundaries."""
+    sampling = file.sampling
+    assert sampling is not None
+    if file.vary != "grid":
+        raise InputError(f'vary: need "grid" for method = "refine" under [sampling], got "{file.vary}"')
+    if len(factors) > _MOST_FACTORS:
+        raise InputError(f'factors: need at most {_MOST_FACTORS} for method = "refine", got {len(factors)}')
+    if file.reproduces is not None:
+        raise InputError('reproduces: a study with method = "refine" is not compared with a paper; leave it out')
+    _check_unused(sampling, '" or "'.join(("random", "sobol")), ("count", "seed"))
+    keys = {numbered_key(base, factor.key): factor.key for factor in factors}
+    widths, logarithmic = {}, set()
+    for name, table in (("width", list(sampling.width)), ("logarithmic", list(sampling.logarithmic))):
+        for key in table:
+            with error_prefix(f"sampling.{name}: "):
+                if numbered_key(base, key) not in keys:
+                    raise InputError(f"need a key under [factors], one of {', '.join(keys.values())}, got {key}")
+            if name == "width":
+                widths[keys[numbered_key(base, key)]] = sampling.width[key]
+            else:
+                logarithmic.add(keys[numbered_key(base, key)])
+    axes = tuple(
+        read_axis(
+            factor,
+            base,
+            width=widths.get(factor.key),
+            divisions=sampling.divisions,
+            logarithmic=factor.key in logarithmic,
+        )
+        for factor in factors
+    )
+    plan = BoundaryPlan(axes=axes, boundary=sampling.boundary, probes=sampling.probes, most_points=sampling.most_points)
+    _check_boundary(plan, base, search)
+    if (count := len(plan.initial_grid)) > plan.most_points:
+        raise InputError(f"sampling.most_points: need at least the {count} points of the initial grid")
+    return plan
+
+
+def _check_boundary(plan: BoundaryPlan, base: Design, search: Search | None) -> None:
+    """Reject a boundary that the study cannot distinguish."""
+    structure = structure_of(base)
+    searched = {step.drive for step in search.steps} if search is not None else None
+    states = [
+        transition.state for transition in structure.transitions if searched is None or transition.drive in searched
+    ]
+    allowed = f'"{OUTCOME}", "{VERDICT}" or a list of states ({", ".join(states)})'
+    if isinstance(plan.boundary, str):
+        if plan.boundary not in (OUTCOME, VERDICT):
+            raise InputError(f"sampling.boundary: need {allowed}, got {as_written(plan.boundary)}")
+        return
+    if not plan.boundary:
+        raise InputError(f"sampling.boundary: need {allowed}, got an empty list")
+    for state in plan.boundary:
+        if state not in states:
+            raise InputError(f"sampling.boundary: need {allowed}, got {as_written(state)}")
+
+
+def _check_unused(sampling: PointSampling, methods: str, keys: Sequence[str]) -> None:
+    """Reject keys of another sampling method, which would have no effect."""
+    for key in keys:
+        if key in sampling.model_fields_set:
+            raise InputError(f'sampling.{key}: needs method = "{methods}", got "{sampling.method}"')
 
 
 def _study_of_changes(file: StudyFile, base: Design, folder: Path) -> Study:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.names import check_whole
+from forficula.study.refine.rounds import refined_study
 from forficula.study.running.evaluate import evaluate, row_key
 from forficula.study.running.journal import Row, open_journal, stored_rows
 from forficula.study.running.plan import Plan
@@ -71,6 +72,57 @@ def run_study(
         raise InputError(f"shard: need a number from 1 to the count, got {shard[0]} of {shard[1]}")
     for name, value, least in (("threads", threads, 0), ("batch", batch, 1)):
         check_whole(name, value, least)
+    if study.boundaries is not None:
+        if shard[1] > 1:
+            raise InputError(f"shard: {REFINE_ALONE}")
+        counted = _CountOfRounds(progress)
+
+        def run_round(part: Study) -> xarray.Dataset:
+            table = _run_points(part, out, shard, threads, batch, cluster, counted.report, building)
+            counted.end_round()
+            assert table is not None
+            return table
+
+        return collect_points(refined_study(study, run_round), out, building)
+    return _run_points(study, out, shard, threads, batch, cluster, progress, building)
+
+
+# a study that locates boundaries cannot be divided in advance
+REFINE_ALONE = (
+    'the points of a study with method = "refine" depend on the results of earlier points, so they cannot be'
+    " divided in advance; run the study on one machine or on a Dask cluster. The initial grid can be divided: run the"
+    " same study without [sampling] in shards, and then this study in the same folder, which reuses the rows"
+)
+
+
+class _CountOfRounds:
+    """Numbers of completed and needed runs over several rounds."""
+
+    def __init__(self, progress: Progress | None) -> None:
+        self._progress, self._before, self._needed = progress, 0, 0
+
+    def report(self, done: int, needed: int, row: Row) -> None:
+        """Report a completed run of the present round."""
+        self._needed = needed
+        if self._progress is not None:
+            self._progress(self._before + done, self._before + needed, row)
+
+    def end_round(self) -> None:
+        """Add the runs of the present round to those of earlier rounds."""
+        self._before, self._needed = self._before + self._needed, 0
+
+
+def _run_points(
+    study: Study,
+    out: str | Path,
+    shard: tuple[int, int],
+    threads: int,
+    batch: int,
+    cluster: Evaluate | None,
+    progress: Progress | None,
+    building: Building | None,
+) -> xarray.Dataset | None:
+    """Do the missing runs of fixed points; see `run_study`."""
     folder = Path(out)
     rows, plan = stored_rows(folder, study.base), Plan(study)
     points_of_shard = range(shard[0] - 1, len(plan), shard[1])
@@ -112,6 +164,13 @@ def collect(study: Study, out: str | Path, building: Building | None = None) -> 
     Raises:
         InputError: rows are missing (the message has their number), or the folder has another study's rows.
     """
+    if study.boundaries is not None:
+        study = refined_study(study, lambda part: collect_points(part, out))
+    return collect_points(study, out, building)
+
+
+def collect_points(study: Study, out: str | Path, building: Building | None = None) -> xarray.Dataset:
+    """Build the table of fixed points from the rows in a folder; see `collect`."""
     folder = Path(out)
     rows, plan = stored_rows(folder, study.base), Plan(study)
     keys: set[str] = set()
@@ -122,7 +181,10 @@ def collect(study: Study, out: str | Path, building: Building | None = None) -> 
     if keys:
         number = f"more than {_MOST_COUNTED}" if len(keys) > _MOST_COUNTED else len(keys)
         raise InputError(f"{folder}: {number} runs are missing; run the remaining shards, then collect")
-    return build_table(study, plan, rows)
+    table = build_table(study, plan, rows)
+    if study.boundaries is not None:
+        table.attrs["point_runs"] = len(_known(study, plan, rows))
+    return table
 
 
 def estimate(study: Study, out: str | Path, building: Building | None = None) -> tuple[int, int, float]:

@@ -53,7 +53,9 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         the energy of the tendons and, if they exist, of the hinges' springs in every state; and the least value of
         every searched transition. The attribute
         `transitions` has the transitions, see `table_transitions`; `whole` is the noun for the structure in sentences.
-        A study of named changes that searches nothing also has the margin of every transition and of the whole run.
+        A study of named changes or of boundaries that searches nothing also has the margin of every transition and of
+        the whole run. The attribute `boundaries` has the plan of a study of boundaries, and `point_runs` the number
+        of runs that its points need.
         If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run. If the
         pattern varies, `folding_ratio` and `folded_height` have the size of the flat-folded sheet.
     """
@@ -101,6 +103,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         **_confirmations(rows),
         **({"reproduces": study.reproduces} if study.reproduces is not None else {}),
         **({"omitted_pairs": omitted_text(study.plan)} if study.plan else {}),
+        **({"boundaries": study.boundaries.text()} if study.boundaries is not None else {}),
     }
     table = StudyTable(variables, coordinates, attributes)
     table.study = study
@@ -246,7 +249,7 @@ def table_numbers(study: Study, structure: Structure) -> dict[str, tuple[str, st
         numbers[f"{state}_hinge_energy"] = ("J", f"energy of the hinges' springs, {where}")
         numbers[f"{state}_spring_energy"] = ("J", f"energy of the {springs_name(structure)}, {where}")
         numbers[f"{state}_coupling_energy"] = ("J", f"energy of the couplings, {where}")
-    if study.plan and search is None:
+    if (study.plan or study.boundaries is not None) and search is None:
         names = [transition.name for transition in structure.transitions]
         numbers |= {margin_column(name): ("", f"margin of {name}, from -1 to 1; negative: failed") for name in names}
         numbers[MARGIN] = ("", "margin of all transitions together")
@@ -312,7 +315,7 @@ def _results(
 
 
 def _of_run(study: Study, row: Row, numbers: Mapping[str, tuple[str, str]]) -> dict[str, Any]:
-    if study.plan:
+    if study.plan or study.boundaries is not None:
         row = _with_margins(row, study)
     return row | {name: row.get(f"{name}_{unit}") for name, (unit, _) in numbers.items() if unit}
 
