@@ -50,6 +50,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         every searched transition. The attribute
         `transitions` has the transitions, see `table_transitions`; `whole` is the noun for the structure in sentences.
         A study of named changes that searches nothing also has the margin of every transition and of the whole run.
+        A search that takes smaller torques to fail where a larger one does (`Search.scan`) also has `monotony`, see
+        `search_result`.
         If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run. If the
         pattern varies, `folding_ratio` and `folded_height` have the size of the flat-folded sheet.
     """
@@ -62,6 +64,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     words: tuple[str, ...] = ("status", "verdict", "outcome")
     if search is not None:
         words += (f"{search.first.transition}_outcome", "reference_outcome")
+        words += ("monotony",) * (search.scan == "bracket")
     variables: dict[str, Any] = {}
     for name, (unit, meaning) in numbers.items():
         sprung = name.endswith(tuple(f"_{kind}_energy" for kind in SPRUNG))
@@ -71,7 +74,9 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         values = np.array([_nan(result.get(name)) for result in results]).reshape(shape)
         variables[name] = (dimensions, values, {"units": unit, "long_name": meaning})
     for name in words:
-        texts = np.array([str(result.get(name, result["outcome"])) for result in results], dtype=object).reshape(shape)
+        texts = np.array(
+            [str(result.get(name, "" if name == "monotony" else result["outcome"])) for result in results], dtype=object
+        ).reshape(shape)
         variables[name] = (dimensions, texts)
     if search is None:
         for transition in structure.transitions:
@@ -167,7 +172,7 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
         names = [transition.name for transition in structure.transitions]
         numbers |= {margin_column(name): ("", f"margin of {name}, from -1 to 1; negative: failed") for name in names}
         numbers[MARGIN] = ("", "margin of all transitions together")
-    numbers["residual"] = ("", "largest share of the energy that is missing in a run")
+    numbers["residual"] = ("", "largest share of the energy that is missing in a run that decides the result")
     return numbers
 
 
@@ -185,7 +190,7 @@ def _columns(study: Study, table: xarray.Dataset) -> list[str]:
     early = [name for name in numbers if name not in (*late, "residual")]
     holds = [transition.state for transition in structure.transitions]
     folded = ("folding_ratio", "folded_height")
-    columns = (*early, *folded, "status", *late, "verdict", "residual", "timestep", *holds)
+    columns = (*early, *folded, "status", *late, "verdict", "residual", "timestep", *holds, "monotony")
     return [name for name in columns if name in table]
 
 
