@@ -82,7 +82,7 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     least_second, next_done = _decided(later, "" if second is None else second.state)
     deciding = [*_deciding(first_trials, None), done]
     if later_trials is not None:
-        deciding += _deciding(later_trials, least_second)
+        deciding += _deciding(later_trials, next_done)
     residuals = [row["residual"] for row in deciding if row.get("residual") is not None]
     result = {
         first.least_name: least_first,
@@ -94,7 +94,7 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
             value: tried[value]["outcome"] if value in tried else first.missed for value in first_trials.values
         },
         "monotony": _monotony([first_trials, *([] if later_trials is None else [later_trials])]),
-        **_ending(search, done, next_done, _used(search, tried, least_first, later, least_second)),
+        **_ending(search, done, next_done, _used(search, tried, least_first, later, next_done)),
     }
     if search.start_state:
         result |= _energies(search.start_state, done)
@@ -146,7 +146,7 @@ def _used(
     tried: Mapping[float, Row],
     least_first: float | None,
     later: Mapping[float, Row],
-    least_second: float | None,
+    next_done: Row,
 ) -> tuple[str, str]:
     """Return texts with the values in the status: of the first transition, and of both; empty if not tried."""
     first, second = search.first, search.second
@@ -158,7 +158,7 @@ def _used(
     )
     if second is None or not later:
         return used_first, ""
-    value = least_second if least_second is not None else list(later)[-1]
+    value = next(value for value, row in later.items() if row is next_done)
     large = show_quantity(search.reference, first.unit)
     last_of_second = show_quantity(value, second.unit)
     return used_first, f"{_with_value(first.transition, large)}, {_with_value(second.transition, last_of_second)}"
@@ -387,13 +387,12 @@ def _last(flags: Sequence[bool]) -> int:
     return next((place for place in reversed(range(len(flags))) if flags[place]), -1)
 
 
-def _deciding(trials: _Trials, least: float | None) -> list[Row]:
-    """Return the rows that decide a least value: from the largest failure below it on, up to the value if given."""
-    rows = list(trials.rows.items())
-    short = [_stays_short(row, trials.step) for _, row in rows]
+def _deciding(trials: _Trials, last: Row | None) -> list[Row]:
+    """Return the rows that decide a least value: from the largest failure below it on, up to a row if it is given."""
+    rows = list(trials.rows.values())
+    short = [_stays_short(row, trials.step) for row in rows]
     start = max([*short, False].index(False) - 1, 0)
-    end = next((place for place, (value, _) in enumerate(rows) if value == least), len(rows) - 1)
-    return [row for _, row in rows[start : end + 1]]
+    return rows[start : rows.index(last) + 1] if last in rows else rows[start:]
 
 
 def _monotony(every: Sequence[_Trials]) -> str:
