@@ -65,9 +65,10 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
 
     Times, work and energies of a transition belong to its least successful value; None if no value succeeds.
     `times_tried` and `outcomes_tried` have the times and outcomes of the first transition by value. A value that was
-    not tried, because a larger one stayed short of its goal, has no time and the outcome of the larger one. `monotony`
-    is "assumed" if values were left out, and "checked" or "violated" if all of them were tried. `residual` is the
-    largest one of the runs that decide the least values.
+    not tried, because a larger one stayed short of its goal, has no time and the outcome of the larger one, although it
+    may fail in another manner; `tried` has the tried values. `monotony` is "assumed" if values were left out, and
+    "checked" or "violated" if all of them were tried. `residual` is the largest one of the runs that decide the least
+    values.
     """
     first, second = search.first, search.second
     first_trials = _trials(design, search, rows, first)
@@ -93,6 +94,7 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
         "outcomes_tried": {
             value: tried[value]["outcome"] if value in tried else first.missed for value in first_trials.values
         },
+        "tried": set(tried),
         "monotony": _monotony([first_trials, *([] if later_trials is None else [later_trials])]),
         **_ending(search, done, next_done, _used(search, tried, least_first, later, next_done)),
     }
@@ -377,7 +379,10 @@ def is_checked(design: Design) -> bool:
 
 
 def _stays_short(row: Row, step: SearchStep) -> bool:
-    """Return whether a run never met the goal of a transition, so that smaller values are taken to miss it, too."""
+    """Return whether a run rested short of the goal of a transition, so that smaller values are taken to miss it, too.
+
+    A run that met the goal for a moment, or that still moved when its time was over, does not count.
+    """
     conclusive = Verdict(row["verdict"]).conclusive
     return bool(conclusive and row.get("short_of_goal") and row["goal"] == step.transition and not row.get(step.state))
 

@@ -50,8 +50,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         every searched transition. The attribute
         `transitions` has the transitions, see `table_transitions`; `whole` is the noun for the structure in sentences.
         A study of named changes that searches nothing also has the margin of every transition and of the whole run.
-        A search that takes smaller torques to fail where a larger one does (`Search.scan`) also has `monotony`, see
-        `search_result`.
+        A search that takes smaller torques to fail where a larger one does (`Search.scan`) also has `monotony`, and
+        which torques of the first transition were tried, see `search_result`.
         If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run. If the
         pattern varies, `folding_ratio` and `folded_height` have the size of the flat-folded sheet.
     """
@@ -205,10 +205,13 @@ def _by_value(
         [result.get("outcomes_tried", {}).get(value, result["outcome"]) for value in first.values] for result in results
     ]
     times = times.reshape(*shape, -1)
+    tried = [[value in result.get("tried", ()) for value in first.values] for result in results]
+    marks = {f"{first.transition}_tried_by_{kind}": (axes, np.array(tried).reshape(*shape, -1))}
     return {
         f"{first.transition}_time_by_{kind}": (axes, times, {"units": "s"}),
         f"{first.state}_by_{kind}": (axes, np.isfinite(times)),
         f"{first.transition}_outcome_by_{kind}": (axes, np.array(outcomes, dtype=object).reshape(*shape, -1)),
+        **(marks if search.scan == "bracket" else {}),
     }
 
 
