@@ -276,9 +276,10 @@ class _Trials:
 
     @property
     def violated(self) -> bool:
-        """Whether a value did not stay short of its goal although a larger one did."""
-        short = [_stays_short(row, self.step) for row in self.rows.values()]
-        return not all(short[: _last(short) + 1])
+        """Whether a value did not fail although a larger one stayed short of its goal."""
+        rows = list(self.rows.values())
+        below = rows[: _last([_stays_short(row, self.step) for row in rows]) + 1]
+        return not all(_fails(row, self.step) for row in below)
 
     @property
     def failures(self) -> int:
@@ -387,6 +388,11 @@ def _stays_short(row: Row, step: SearchStep) -> bool:
     return bool(conclusive and row.get("short_of_goal") and row["goal"] == step.transition and not row.get(step.state))
 
 
+def _fails(row: Row, step: SearchStep) -> bool:
+    """Return whether a run failed for certain."""
+    return Verdict(row["verdict"]).conclusive and not row.get(step.state)
+
+
 def _last(flags: Sequence[bool]) -> int:
     """Return the last place of a true value; -1 if there is none."""
     return next((place for place in reversed(range(len(flags))) if flags[place]), -1)
@@ -395,9 +401,9 @@ def _last(flags: Sequence[bool]) -> int:
 def _deciding(trials: _Trials, last: Row | None) -> list[Row]:
     """Return the rows that decide a least value: from the largest failure below it on, up to a row if it is given."""
     rows = list(trials.rows.values())
-    short = [_stays_short(row, trials.step) for row in rows]
-    start = max([*short, False].index(False) - 1, 0)
-    return rows[start : rows.index(last) + 1] if last in rows else rows[start:]
+    rows = rows[: rows.index(last) + 1] if last in rows else rows
+    start = _last([_stays_short(row, trials.step) for row in rows])
+    return rows[start if start > 0 and all(_fails(row, trials.step) for row in rows[:start]) else 0 :]
 
 
 def _monotony(every: Sequence[_Trials]) -> str:
