@@ -1,4 +1,4 @@
-"""Trials: runs that differ only in the strength of one drive, of which the result of one can make others needless."""
+"""Trials: runs that differ only in the strength of one drive. The result of one trial can make others needless."""
 
 from __future__ import annotations
 
