@@ -126,6 +126,19 @@ def test_an_assembly_may_be_based_on_another(read, tmp_path):
     assert changed.source.startswith("two with other values of outer.facet.density")
 
 
+def test_an_assembly_based_on_another_may_replace_the_tendons_of_a_part(read, tmp_path):
+    read(two())
+    upper = tmp_path / "upper.toml"
+    upper.write_text(
+        'based_on = "two.toml"\nname = "upper"\n[[part.outer.tendon]]\nname = "cord"\nfrom = "edge 1 at 0.5"\n'
+        'to = "edge 2 at 0.5"\nstiffness = "3 N/cm"\nrest_length = "5 cm"\n'
+    )
+    changed = load_design(upper)
+    assert [tendon.name for tendon in changed.outer.tendon] == ["cord"]
+    assert key_value(changed, "outer.tendon.cord.stiffness") == pytest.approx(300)
+    assert [tendon.name for tendon in changed.inner.tendon] == ["band"]
+
+
 def test_a_part_may_be_an_assembly(read, tmp_path):
     read(two())
     outer = tmp_path / "outer.toml"
@@ -164,6 +177,15 @@ def test_gravity_and_contact_of_the_assembly_apply_to_its_parts(read):
         ),
         (two(joints=MOUNT.replace('"facet0_vertex3"]', '"corner"]')), "joint.mount.points: need"),
         (two(joints=MOUNT.replace("onto =", "position =")), "joint.0.position"),
+        (
+            two(joints=MOUNT.replace('["facet1_vertex2", "facet1_vertex5"]', '["facet0_vertex0", "facet0_vertex1"]')),
+            "joint.mount.onto: need points of inner.facet1, which carries the part, got inner.facet0_vertex0, a point"
+            " of inner.facet0",
+        ),
+        (
+            two(joints=MOUNT.replace('["facet0_vertex0", "facet0_vertex3"]', '"facet0_vertex0"')),
+            'joint.0.points: need a list of texts such as ["one", "two"], got "facet0_vertex0"',
+        ),
         (
             two(joints=MOUNT.replace('kind = "rigid"', 'kind = "glued"')),
             'joint.0.kind: need "rigid", "hinge", "coupling"',

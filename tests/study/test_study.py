@@ -1,10 +1,10 @@
 import pytest
 
 import forficula as ff
-from forficula.design import tendon_law, with_values
+from forficula.design import key_value, tendon_law, with_values
 from forficula.errors import InputError
 from forficula.study import named_studies, run_study
-from forficula.study.files.study_file import load_study
+from forficula.study.files.study_file import load_study, study_of
 from forficula.study.search import point_design, search_designs
 
 DRAWN = '"tendon.stiffness" = {distribution = "uniform", low = "10 N/cm", high = "20 N/cm"}'
@@ -109,6 +109,14 @@ def test_a_stage_that_the_design_does_not_have_is_refused_with_those_it_has(stud
     words = rf"protocol\.stages\.{stage}\.hold: need one of 0 \(settle\), 1 \(fold\), .* after protocol\.stages{meant}"
     with pytest.raises(InputError, match=words):
         load_study(study_file(f'"protocol.stages.{stage}.hold" = ["1 ms"]'))
+
+
+def test_the_value_of_a_drive_has_the_unit_of_its_strength():
+    study = study_of({"design": "force-clasp", "factors": {"drive.pull.value": ["1 N", "1.5 N"]}})
+    assert [factor.key for factor in study.factors] == ["drive.pull.force"]
+    assert key_value(point_design(study.base, study.points[1]), "drive.pull.force") == pytest.approx(1.5)
+    with pytest.raises(InputError, match=r'factors\.drive\.pull\.force: "N cm" is not a unit of the right kind'):
+        study_of({"design": "force-clasp", "factors": {"drive.pull.value": ["1 N cm"]}})
 
 
 def test_a_stage_may_be_named_by_its_name(study_file):

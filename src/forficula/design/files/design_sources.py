@@ -136,11 +136,14 @@ def _part_tables(name: str, part: object, path: Path | None, within: Sequence[Pa
     folder = Path() if path is None else path.parent
     part = {key: value_from_folder(key, value, folder) for key, value in part.items()}
     base = part.pop("based_on", None)
-    complete: dict[str, Any] = {}
     try:
-        for _, tables in [] if base is None else _base_files(base, folder, within):
-            complete = laid_over(complete, tables, merged, si=False)
         inside = with_sheet_read(with_parts(part, path, within), folder=folder)
+        if base is None:
+            # the file may change a part of the assembly that it is based on, whose kind is not known here
+            return inside
+        complete: dict[str, Any] = {}
+        for _, tables in _base_files(base, folder, within):
+            complete = laid_over(complete, tables, merged, si=False)
         return laid_over(complete, inside, merged, si=False)
     except RejectedError as error:
         raise RejectedError([name, *error.place], f"part.{name}.{error}") from None

@@ -289,6 +289,11 @@ def _fields_at(place: Sequence[str], model: type[Section]) -> dict[str, FieldInf
     return section_fields(_annotation_at(place, model))
 
 
+def holds_texts(place: Sequence[str], model: type[Section]) -> bool:
+    """Return whether a key, given by its parts, holds a list of texts."""
+    return str in _forms(entry_of(_annotation_at(place, model)))
+
+
 def _annotation_at(place: Sequence[str], model: type[Section]) -> Any:
     """Return the annotation of a key, given by its parts; None if there is no such key."""
     at: Any = model

@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from forficula.design.design import Design
 from forficula.design.fans.fan import FanDesign
 from forficula.design.files.key_table import key_facts
-from forficula.design.files.keys import hint, is_key, known_keys, needed_keys, section_kinds, siblings
+from forficula.design.files.keys import hint, holds_texts, is_key, known_keys, needed_keys, section_kinds, siblings
 from forficula.design.files.tables import RejectedError, written_key
 from forficula.design.section import Section
 from forficula.names import listed, near_name, unknown_key
@@ -162,7 +162,7 @@ def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any],
         "string": "text in quotes",
         "bool": f"true or false{bare}",
         "dict": "a table",
-        "tuple": f"a list of tables, each under [[{header}]]" if is_tables else "a list of numbers such as [0.3, 0.6]",
+        "tuple": f"a list of tables, each under [[{header}]]" if is_tables else _list_rule(place, model),
         "model": _table_rule(header, is_list=is_tables),
     }
     if not issubclass(model, Design) and kind.startswith(("greater", "less", "int", "string_type")):
@@ -174,6 +174,14 @@ def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any],
                 return f"text in quotes: {fact.allowed}"
     rule = rules.get(kind) or next((text for name, text in rules.items() if kind.startswith(f"{name}_")), kind)
     return rule.format(**bounds).replace("'", '"')
+
+
+def _list_rule(place: list[str], model: type[Section]) -> str:
+    return (
+        'a list of texts such as ["one", "two"]'
+        if holds_texts(place, model)
+        else "a list of numbers such as [0.3, 0.6]"
+    )
 
 
 def _table_rule(header: str, *, is_list: bool) -> str:

@@ -252,7 +252,14 @@ def _onto(layout: Layout, joint: PlacingJoint, points: Array) -> Array:
     if joint.onto:
         part = joint.to.partition(".")[0]
         texts = [text if "." in text or joint.to == GROUND_BODY else f"{part}.{text}" for text in joint.onto]
-        numbers = [number_of(f"joint.{joint.name}.onto", layout.points, text) for text in texts]
+        numbers = [number_of(key := f"joint.{joint.name}.onto", layout.points, text) for text in texts]
+        carrier = _body_number(layout, joint)
+        for text, number in zip(texts, numbers, strict=True):
+            if (body := layout.points[number].body) != carrier:
+                place = "on the ground" if body == GROUND else f"of {layout.bodies[body].name}"
+                raise InputError(
+                    f"{key}: need points of {joint.to}, which carries the part, got {text}, a point {place}"
+                )
         return np.array([_built_point(layout, number) for number in numbers])
     if not len(points):
         return np.zeros((0, 3))

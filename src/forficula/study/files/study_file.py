@@ -23,7 +23,7 @@ from forficula.design.files.provenance import check_paper
 from forficula.design.files.rejection import read_section
 from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
-from forficula.structure import structure_of
+from forficula.structure import drive_keys, structure_of
 from forficula.study.assumptions.choices import one_at_a_time, with_own_word
 from forficula.study.changes import ChangePlan
 from forficula.study.factors import MOST_VALUES, Factor, Factors, Grid, drawn_values, grid_points, read_factor
@@ -206,12 +206,22 @@ def read_factors(table: Mapping[str, object], name: str, folder: Path, base: Des
         raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
     with error_prefix(f"{name}."):
         check_keys_once(table, base)
+        table = {_strength_key(base, key): value for key, value in table.items()}
         factors = [read_factor(key, value_from_folder(key, value, folder), type(base)) for key, value in table.items()]
         for factor in factors:
             now, quantity = key_value(base, factor.key), key_quantity(factor.key, factor.model)
             if factor.distribution is not None and quantity is None and not isinstance(now, float):
                 raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
     return tuple(factors)
+
+
+def _strength_key(base: Design, key: str) -> str:
+    """Return the key of a drive's strength if the key `value` stands for it; any other key unchanged."""
+    drive, _, last = numbered_key(base, key).rpartition(".")
+    if last != "value":
+        return key
+    strengths = {numbered_key(base, strength).rpartition(".")[0]: strength for strength in drive_keys(base)}
+    return strengths.get(drive, key)
 
 
 def check_not_settled(settings: Mapping[str, object], name: str, factors: Sequence[Factor], base: Design) -> None:
