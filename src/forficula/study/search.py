@@ -284,9 +284,10 @@ class _Trials:
     @property
     def failures(self) -> int:
         """Number of the first values that are taken to fail, because the last of them stayed short of its goal."""
-        return 0 if self.violated else _last([self._short(value) for value in self.values]) + 1
+        return 0 if self.violated else _last([self.short(value) for value in self.values]) + 1
 
-    def _short(self, value: float) -> bool:
+    def short(self, value: float) -> bool:
+        """Return whether a value was tried and stayed short of its goal."""
         return value in self.rows and _stays_short(self.rows[value], self.step)
 
 
@@ -329,19 +330,21 @@ def _needed(design: Design, search: Search, trials: _Trials) -> list[float]:
         until = list(values if success is None else values[: success + 1])
         # the largest value shows whether the failure of a larger value would have hidden a success
         return [*until, *(values[-1:] if checked and search.scan == "bracket" else ())]
+    # runs pass over the values below one that missed its goal, also if the miss implies nothing for them: they then run
+    # in rising order
     if first:
         # tables contain the outcome in words, and below a structure that is stuck on the way it is unknown
-        plain = [
-            value in rows and _stays_short(rows[value], trials.step) and rows[value]["outcome"] == trials.step.missed
-            for value in values
-        ]
-        return list(values[max(_last(plain), 0) :])[::-1]
+        plain = [trials.short(value) and rows[value]["outcome"] == trials.step.missed for value in values]
+        left = list(values[max(_last(plain), 0) :])
+        passed = any(_fails(rows[value], trials.step) for value in left[any(plain) :] if value in rows)
+        return left if passed else left[::-1]
     failures = trials.failures
     between = range(failures, len(values) if success is None else success)
     unknown = [place for place in between if values[place] not in rows]
-    largest = [place for place in unknown[-1:] if place == len(values) - 1]
-    order = [*largest, *_halving(unknown[: len(unknown) - len(largest)])]
-    return [*(value for value in values if value in rows), *(values[place] for place in order)]
+    if not any(_fails(rows[values[place]], trials.step) for place in between if values[place] in rows):
+        largest = [place for place in unknown[-1:] if place == len(values) - 1]
+        unknown = [*largest, *_halving(unknown[: len(unknown) - len(largest)])]
+    return [*(value for value in values if value in rows), *(values[place] for place in unknown)]
 
 
 def needless_runs(search: Search, runs: Mapping[str, Design], row: Row) -> list[str]:
@@ -350,7 +353,7 @@ def needless_runs(search: Search, runs: Mapping[str, Design], row: Row) -> list[
     others = {key: other for key, run in runs.items() if (other := _tried_step(search, run))[0] is step}
     if step is search.second and row.get(step.state):
         return [key for key, (_, other) in others.items() if other > value]
-    if search.scan == "bracket" and _stays_short(row, step):
+    if search.scan == "bracket" and _misses(row, step):
         return [key for key, (_, other) in others.items() if other < value]
     return []
 
@@ -384,8 +387,12 @@ def _stays_short(row: Row, step: SearchStep) -> bool:
 
     A run that met the goal for a moment, or that still moved when its time was over, does not count.
     """
-    conclusive = Verdict(row["verdict"]).conclusive
-    return bool(conclusive and row.get("short_of_goal") and row["goal"] == step.transition and not row.get(step.state))
+    return row["verdict"] == Verdict.STUCK and _misses(row, step)
+
+
+def _misses(row: Row, step: SearchStep) -> bool:
+    """Return whether a run never met the goal of a transition."""
+    return bool(_fails(row, step) and row.get("short_of_goal") and row["goal"] == step.transition)
 
 
 def _fails(row: Row, step: SearchStep) -> bool:

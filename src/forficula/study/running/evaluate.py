@@ -79,7 +79,7 @@ def _row(record: Record, outcome: Outcome, margins: Mapping[str, float]) -> Row:
     return {
         **outcome_row(outcome),
         **{margin_column(name): margin for name, margin in margins.items()},
-        # whether the structure came to rest without having met the goal of the transition that the run tries
+        # whether the run never met the goal of the transition that it tries
         "short_of_goal": reached_goal(record) is False,
         "confirmed": agree,
         "timestep_s": float(record.design.protocol.timestep),

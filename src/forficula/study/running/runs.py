@@ -337,11 +337,10 @@ class _Needless:
 
 
 def reached_goal(record: Record) -> bool | None:
-    """Return whether a run reached the state of its `tried_transition`; False if it came to rest short of its goal.
+    """Return whether a run reached the state of its `tried_transition`; False if it stayed short of its goal.
 
-    None if the verdict is inconclusive, if the structure still moved when its time was over, or if it met the goal at
-    some moment and lost it. A larger or a smaller drive may then do either: motors that swing a structure past its goal
-    are an example.
+    None if the verdict is inconclusive, or if the run met the goal at some moment and lost it. A larger or a smaller
+    drive may then do either.
     """
     outcome, transition = measure(record), tried_transition(record.design, record.structure)
     if transition is None or transition.stage is None or not outcome.verdict.conclusive:
@@ -350,8 +349,7 @@ def reached_goal(record: Record) -> bool | None:
         return True
     last = transition.stage if transition.goal_stage is None else transition.goal_stage
     ends = record.stages[transition.stage : last + 1]
-    stuck = outcome.verdict is Verdict.STUCK and bool(ends) and ends[-1].goal_time is None
-    return False if stuck and ends[-1].met is False else None
+    return False if ends and ends[-1].goal_time is None and ends[-1].met is False else None
 
 
 def _engine_key(design: Design) -> str:
