@@ -11,7 +11,9 @@ import platform
 import statistics
 import tempfile
 import time
-from collections.abc import Callable, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 from unittest import mock
@@ -21,64 +23,137 @@ import numpy as np
 from mujoco.batch import Batch
 
 import forficula as ff
-from forficula.design import Design, StageSection, stage_drives, with_values
+from forficula.design import Design, StageSection, key_value, stage_drives, with_values
 from forficula.dynamics import Model, compile_model, simulate, versions
+from forficula.dynamics.stepping.stages import StageTracker
+from forficula.dynamics.stepping.steps import Steps
 from forficula.structure import drive_of, goal_of, hinges_of
+from forficula.study.running.evaluate import row_key
 from forficula.study.running.journal import Row
+from forficula.study.running.run_study import run_study
 from forficula.study.search import first_design, second_design
 from forficula.study.search_steps import Search
 from forficula.study.study import Study
+from forficula.study.tables.study_table import StudyTable
 
 _STUDY = "binder2025-search"
 _OTHERS = 0.04  # of the cores' time: what others may take of such a round
 _MOST_ROUNDS = 2.3  # rounds made at most, by the rounds wanted in which others leave the cores to us
 _BENCH_TIME = 0.6  # s, simulated by every wing in the comparison of paces
 
+# steps by design and name of the stage
+StepCounts = Counter[tuple[str, str]]
+
 
 def main() -> None:
     """Measure and print a table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--points", type=int, help="only so many of the 60 tendons, evenly spaced")
+    parser.add_argument("--study", default=_STUDY, help="another study that searches for the least torques")
+    parser.add_argument("--full", action="store_true", help="compare with a scan of all torques, cell by cell")
+    parser.add_argument("--search-only", action="store_true", help="neither the plain loop nor the paces")
     parser.add_argument("--plain", type=int, default=24, help="runs of the plain loop")
     parser.add_argument("--wings", type=int, default=240, help="wings of the comparison of paces")
     parser.add_argument("--rounds", type=int, default=11, help="rounds of that comparison in which the cores are idle")
     parser.add_argument("--json", type=Path, help="write the numbers here, too")
     arguments = parser.parse_args()
-    study = _thinned(ff.load_study(_STUDY), arguments.points)
-    numbers = {
+    study = _thinned(ff.load_study(arguments.study), arguments.points)
+    searched, table = measure_search(study)
+    numbers: dict[str, Any] = {
         "machine": {"cpu": _cpu(), "cores": os.cpu_count(), "python": platform.python_version(), **versions()},
         "load_before": os.getloadavg()[0],
-        "search": measure_search(study),
-        "plain_loop": measure_plain_loop(study, arguments.plain),
-        "pace": measure_pace(study, arguments.wings, arguments.rounds),
-        "load_after": os.getloadavg()[0],
+        "search": searched,
     }
+    if arguments.full:
+        search = dataclasses.replace(_search(study), scan="full")
+        numbers["full_scan"], full = measure_search(dataclasses.replace(study, search=search))
+        numbers["different_cells"] = different_cells(table, full)
+    if not arguments.search_only:
+        numbers["plain_loop"] = measure_plain_loop(study, arguments.plain)
+        numbers["pace"] = measure_pace(study, arguments.wings, arguments.rounds)
+    numbers["load_after"] = os.getloadavg()[0]
     _show(numbers)
     if arguments.json is not None:
         arguments.json.write_text(json.dumps(numbers, indent=2) + "\n")
 
 
-def measure_search(study: Study) -> dict[str, float]:
+def measure_search(study: Study) -> tuple[dict[str, Any], StudyTable]:
     """The whole search as a user runs it, from the study to the table, s of wall and of all cores' time.
 
     Steps are those that the engine was asked for, so that stages which wings go through together count once.
     """
-    runs, steps, rollout = 0, 0, Batch.rollout
-
-    def count_run(done: int, needed: int, row: Row) -> None:  # noqa: ARG001
-        nonlocal runs
-        runs += 1
-
-    def counted(batch: Batch, nstep: int, **options: Any) -> Any:
-        nonlocal steps
-        steps += nstep * len(options["ids"])
-        return rollout(batch, nstep, **options)
-
-    with tempfile.TemporaryDirectory() as folder, mock.patch.object(Batch, "rollout", counted):
+    rows: list[Row] = []
+    with tempfile.TemporaryDirectory() as folder, _counted_steps() as (counts, designs):
         start = _clocks()
-        ff.run_study(study, folder, progress=count_run)
+        table = run_study(study, folder, progress=lambda _done, _needed, row: rows.append(row))
+        assert isinstance(table, StudyTable)
         wall, cpu = _since(start)
-    return {"points": len(study.points), "runs": runs, "steps": steps, "wall_s": wall, "cpu_s": cpu}
+    return {
+        "points": len(study.points),
+        "runs": len(rows),
+        "steps": sum(counts.values()),
+        "wall_s": wall,
+        "cpu_s": cpu,
+        "points_by_monotony": dict(Counter(table["monotony"].values.ravel().tolist())) if "monotony" in table else {},
+        "steps_by_purpose": _steps_by_purpose(study, counts, designs, rows),
+    }, table
+
+
+@contextmanager
+def _counted_steps() -> Iterator[tuple[StepCounts, dict[str, Design]]]:
+    """Count steps by design and stage, including the few beyond the end of a stage; also yield the designs."""
+    counts: StepCounts = Counter()
+    designs: dict[str, Design] = {}
+
+    class CountingTracker(StageTracker):
+        def __init__(self, models: Sequence[Model]) -> None:
+            super().__init__(models)
+            self.designs = [model.design for model in models]
+
+        def follow(self, rows: np.ndarray[Any, np.dtype[np.int64]], steps: Steps) -> np.ndarray[Any, Any]:
+            for row in rows.tolist():
+                design = self.designs[row]
+                designs[design.hash] = design
+                counts[design.hash, design.protocol.stages[self.stage[row]].name] += steps.position.shape[1]
+            return super().follow(rows, steps)
+
+    with mock.patch("forficula.dynamics.stepping.simulate.StageTracker", CountingTracker):
+        yield counts, designs
+
+
+def _steps_by_purpose(
+    study: Study, counts: StepCounts, designs: Mapping[str, Design], rows: Sequence[Row]
+) -> list[dict[str, Any]]:
+    """Steps by what they were for, most first: the transition that a run tries, its value, its outcome, and the stage.
+
+    Repetitions at half the timestep have the outcome of the run that they repeat, and "again" before their stage.
+    """
+    steps = _search(study).steps
+    outcomes = {row["key"]: row["outcome"] for row in rows}
+    total: Counter[tuple[str, float, str, str]] = Counter()
+    for (name, stage), count in counts.items():
+        design, again = designs[name], ""
+        if row_key(design) not in outcomes:
+            protocol = design.protocol.model_copy(update={"timestep": 2 * float(design.protocol.timestep)})
+            design, again = design.model_copy(update={"protocol": protocol}), "again: "
+        driven = {drive for section in design.protocol.stages for drive in stage_drives(section)}
+        step = next((step for step in reversed(steps) if step.drive in driven), steps[0])
+        value = abs(float(str(key_value(design, step.key))))
+        total[step.transition, value, outcomes.get(row_key(design), "unknown"), again + stage] += count
+    return [
+        {"transition": transition, "value": value, "outcome": outcome, "stage": stage, "steps": count}
+        for (transition, value, outcome, stage), count in total.most_common()
+    ]
+
+
+def different_cells(table: StudyTable, full: StudyTable) -> dict[str, int]:
+    """Cells of a table that differ from those of the full scan, by variable, without those about the scan itself."""
+    counts = {}
+    for name, values in full.data_vars.items():
+        one, other = np.atleast_1d(table[name].values).astype(object), np.atleast_1d(values.values).astype(object)
+        equal = (one == other) | ((one != one) & (other != other))
+        counts[str(name)] = int((~equal.astype(bool)).sum())
+    return counts
 
 
 def measure_plain_loop(study: Study, runs: int) -> dict[str, float]:
@@ -278,14 +353,48 @@ def _cpu() -> str:
 
 
 def _show(numbers: dict[str, Any]) -> None:
-    search, plain, pace = numbers["search"], numbers["plain_loop"], numbers["pace"]
-    ratio, cpu_ratio, loaded = pace["ratio"], pace["ratio_of_cpu"], pace["ratio_of_all_rounds"]
     rows = [
         ("machine", ", ".join(f"{name} {value}" for name, value in numbers["machine"].items())),
         ("load before, after", f"{numbers['load_before']:.1f}, {numbers['load_after']:.1f}"),
-        ("search: tendons, runs", f"{search['points']}, {search['runs']}"),
-        ("search: wall, CPU", f"{search['wall_s']:.1f} s, {search['cpu_s']:.1f} s"),
-        ("search: steps, pace", f"{search['steps'] / 1e6:.2f} M, {search['steps'] / search['wall_s']:.0f} steps/s"),
+        *_search_rows("search", numbers["search"]),
+    ]
+    if "full_scan" in numbers:
+        rows += _search_rows("full scan", numbers["full_scan"])
+        different = {name: count for name, count in numbers["different_cells"].items() if count}
+        rows.append(("cells that differ from the full scan", str(different or "none")))
+    if "plain_loop" in numbers:
+        rows += _pace_rows(numbers)
+    width = max(len(name) for name, _ in rows)
+    for name, value in rows:
+        print(f"{name:<{width}}  {value}")
+    for name in ("search", "full_scan"):
+        if name in numbers:
+            _show_purposes(name.replace("_", " "), numbers[name])
+
+
+def _search_rows(name: str, search: Mapping[str, Any]) -> list[tuple[str, str]]:
+    return [
+        (f"{name}: points, runs", f"{search['points']}, {search['runs']}"),
+        (f"{name}: wall, CPU", f"{search['wall_s']:.1f} s, {search['cpu_s']:.1f} s"),
+        (f"{name}: steps, pace", f"{search['steps'] / 1e6:.2f} M, {search['steps'] / search['wall_s']:.0f} steps/s"),
+        (f"{name}: points by monotony", str(search["points_by_monotony"] or "all values tried")),
+    ]
+
+
+def _show_purposes(name: str, search: Mapping[str, Any]) -> None:
+    """Print the steps by purpose, values of one transition, outcome and stage together."""
+    total: Counter[tuple[str, str, str]] = Counter()
+    for part in search["steps_by_purpose"]:
+        total[part["transition"], part["outcome"], part["stage"]] += part["steps"]
+    print(f"{name}: steps by purpose: run that tries a transition, outcome, stage")
+    for (transition, outcome, stage), count in total.most_common(16):
+        print(f"  {count / search['steps']:6.1%}  {transition}, {outcome}, {stage}")
+
+
+def _pace_rows(numbers: dict[str, Any]) -> list[tuple[str, str]]:
+    search, plain, pace = numbers["search"], numbers["plain_loop"], numbers["pace"]
+    ratio, cpu_ratio, loaded = pace["ratio"], pace["ratio_of_cpu"], pace["ratio_of_all_rounds"]
+    return [
         (f"plain loop, from {plain['runs_made']} of {plain['runs']} runs", f"{plain['wall_s']:.0f} s"),
         ("plain loop: steps, pace", f"{plain['steps'] / 1e6:.1f} M, {plain['steps_per_s']:.0f} steps/s"),
         ("search faster than the plain loop", f"{plain['wall_s'] / search['wall_s']:.0f} times"),
@@ -297,9 +406,6 @@ def _show(numbers: dict[str, Any]) -> None:
         ("  by CPU time", f"{cpu_ratio['median']:.2f} ({cpu_ratio['least']:.2f} to {cpu_ratio['most']:.2f})"),
         ("  of all rounds", f"{loaded['median']:.2f} ({loaded['least']:.2f} to {loaded['most']:.2f})"),
     ]
-    width = max(len(name) for name, _ in rows)
-    for name, value in rows:
-        print(f"{name:<{width}}  {value}")
 
 
 if __name__ == "__main__":

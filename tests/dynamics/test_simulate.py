@@ -85,20 +85,32 @@ def test_every_record_is_yielded_once(few):
 
 @pytest.mark.parametrize("few", [0, 16])
 @pytest.mark.parametrize("opens", [None, 0, 1])
-def test_wings_that_differ_only_in_unfold_torque_are_tried_until_one_is_enough(few, opens):
+def test_rising_unfold_torques_are_tried_until_one_reaches_its_goal(few, opens):
     # without a fold torque none folds, and runs that share its stages end there, too
     torques = [0.1, 0.5, 1.0]
     wings = [sharing(fold, torque) for fold in (0.0, 0.5) for torque in torques]
     last = None if opens is None else torques[opens]
 
-    def enough(record):
+    def reached(record):
         return record.design.protocol.unfold_torque == last
 
     with mock.patch.object(MODULE, "_FEW", few):
-        records = dict(simulate_each(wings, enough=enough))
+        records = dict(simulate_each(wings, reached=reached))
     assert len(records) == (6 if last is None else 2 * (opens + 1))
     for row, record in records.items():
         assert_same_bits(record, simulate([wings[row]])[0])
+
+
+@pytest.mark.parametrize(
+    ("order", "least", "tried"),
+    [([2, 1, 0], 0.1, [2, 1, 0]), ([1, 2, 0], 0.9, [1, 2]), ([2, 0, 1], 9.0, [2]), ([1, 0, 2], 0.5, [1, 0])],
+)
+def test_torques_that_a_result_makes_needless_do_not_run(order, least, tried):
+    torques = [0.1, 0.5, 1.0]
+    wings = [sharing(0.5, torques[number]) for number in order]
+    records = simulate_each(wings, reached=lambda record: record.design.protocol.unfold_torque >= least)
+    # a larger torque than one that reaches its goal, or a smaller one than one that stays short of it
+    assert [torques.index(record.design.protocol.unfold_torque) for _, record in records] == tried
 
 
 def test_wings_that_share_stages_have_the_same_numbers_up_to_the_first_difference():

@@ -46,8 +46,11 @@ def test_tendons_with_and_without_branches_and_yield_are_evaluated_side_by_side(
     for design in designs:
         record = ff.run(design, confirm=False)
         margins = {f"{name}_margin": margin for name, margin in transition_margins(record, ff.measure(record)).items()}
+        short = not ff.measure(record).holds["folded"]
         alone = (
-            {"key": row_key(design), "timestep_s": 2e-4, "confirmed": None} | outcome_row(ff.measure(record)) | margins
+            {"key": row_key(design), "timestep_s": 2e-4, "confirmed": None, "short_of_goal": short}
+            | outcome_row(ff.measure(record))
+            | margins
         )
         # sparse records do not have the energy of membranes
         for row in (rows[row_key(design)], alone):

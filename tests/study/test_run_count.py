@@ -1,31 +1,27 @@
 from forficula.study.running.run_study import RunCount
 
 
-def row(key, opened=False):
-    return {"key": key, "opened": opened}
-
-
 def numbers(count):
     return count.done, count.needed
 
 
 def test_torques_above_the_least_opening_torque_count_as_completed():
-    count = RunCount(done=3, last_state="opened")
+    count = RunCount(done=3)
     count.plan([["a10", "a20", "a30", "a40"], ["b10", "b20"]])
     assert numbers(count) == (3, 9)
-    count.count(row("a10"))
-    count.count(row("a20", opened=True))
+    count.count("a10")
+    count.count("a20", needless=["a30", "a40"])
     assert numbers(count) == (7, 9)
-    count.count(row("b10"))
+    count.count("b10")
     # counted as if another machine had run it
-    count.count(row("a40"))
+    count.count("a40")
     assert numbers(count) == (8, 9)
 
 
 def test_runs_that_results_require_are_added():
     count = RunCount(done=0)
     count.plan([["a10", "a20"], ["b10"]])
-    count.count(row("a10"))
+    count.count("a10")
     count.plan([["a20", "a15"], ["b10"]])
     assert numbers(count) == (1, 4)
 
@@ -38,9 +34,9 @@ def test_runs_no_longer_needed_count_as_completed():
 
 
 def test_a_run_that_two_points_share_counts_once():
-    count = RunCount(done=0, last_state="opened")
+    count = RunCount(done=0)
     count.plan([["a10", "a20"], ["a10", "a20"]])
-    count.count(row("a10", opened=True))
+    count.count("a10", needless=["a20"])
     assert numbers(count) == (2, 2)
 
 
@@ -51,7 +47,7 @@ def test_later_points_count_as_needed_from_the_start():
     # of three points one is completed, one is no valid wing, and one has a run
     count.plan([["a"]])
     assert numbers(count) == (2, 5)
-    count.count(row("a"))
+    count.count("a")
     count.reach(2, done=0)
     count.plan([["b10", "b20"], ["c10", "c20"]])
     assert numbers(count) == (3, 7)

@@ -46,6 +46,7 @@ def refined(times):
 
 ENDINGS = {
     "folded": Ending(verdict=Verdict.REACHED, transition=FOLD, residual=1e-3),
+    "did not fold": Ending(verdict=Verdict.STUCK, transition=FOLD, residual=1e-3),
     "did not open": Ending(verdict=Verdict.STUCK, transition=UNFOLD, residual=1e-3),
     "folded and opened": Ending(verdict=Verdict.REACHED, transition=UNFOLD, residual=1e-3),
     "stuck at -134.6 deg": Ending(verdict=Verdict.STUCK, transition=FOLD, reading=math.radians(-134.6), residual=1e-3),

@@ -2,7 +2,7 @@ from forficula.dynamics.energies.energy_balance import EnergyBalance, energy_bal
 from forficula.dynamics.engine.knobs import Knob, knobs_of
 from forficula.dynamics.engine.model import Model, compile_model, compile_structure
 from forficula.dynamics.engine.portable_model import portable_model, why_not_portable
-from forficula.dynamics.engine.sharing import key_without_last_drive
+from forficula.dynamics.engine.trials import design_trial, needless_trials, trial_chains, tried_transition
 from forficula.dynamics.engine.units import design_in_model_units
 from forficula.dynamics.record import (
     AnyRun,
@@ -40,11 +40,12 @@ __all__ = [
     "compile_model",
     "compile_structure",
     "design_in_model_units",
+    "design_trial",
     "energy_balance",
     "goal_in_units",
-    "key_without_last_drive",
     "knobs_of",
     "load_record",
+    "needless_trials",
     "portable_model",
     "save_record",
     "simulate",
@@ -52,6 +53,8 @@ __all__ = [
     "stable_timestep",
     "stepped_protocol",
     "timestep_warnings",
+    "trial_chains",
+    "tried_transition",
     "versions",
     "why_not_portable",
     "with_timestep",

@@ -99,6 +99,8 @@ class StageEnd:
         goal_time: when the goal was reached, s; None if it was not reached, or if the goal was a time.
         at_rest: whether every hinge was slower at the end than the speed that counts as rest.
         at_goal: whether the goal was met at the end, even for a short time.
+        met: whether the goal was met at any moment of a stage that missed it; None if it was reached, or if this is
+            unknown, because files of records do not contain it.
         waited: time at rest that was skipped without stepping, s, not part of the time from start to end.
         share: share at the end to which the drive of a quasi-static stage has grown; None for other stages.
         lost: shares at which the stage lost its equilibrium, so that the structure moved to the next one.
@@ -113,6 +115,7 @@ class StageEnd:
     waited: float = 0.0
     share: float | None = None
     lost: tuple[float, ...] = ()
+    met: bool | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from forficula.quantities import Unit
+
+# which values a search tries: all of them, or only those whose result does not follow from that of a larger value
+Scan = Literal["bracket", "full"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -16,6 +20,7 @@ class SearchStep:
         drive: name of its drive.
         state: name of the state that the transition leads to, such as "folded".
         done: one word for the outcome if the transition succeeds.
+        missed: word for the outcome if the structure comes to rest where it started, such as "did not fold".
         key: key of the design whose values are tried, such as "protocol.fold_torque".
         values: values to try in this order, SI, rising or falling; empty if this transition is not searched.
         unit: unit of the values.
@@ -26,6 +31,7 @@ class SearchStep:
     drive: str
     state: str
     done: str
+    missed: str
     key: str
     values: tuple[float, ...]
     unit: Unit
@@ -54,6 +60,7 @@ class Search:
             this drive. None if there is no such transition: every value then runs the whole protocol.
         start_state: name of the state before the first transition; "" if there is none.
         refinements: number of times the step below the least successful value is halved.
+        scan: which values are tried. A "bracket" takes all values below one that stayed short of its goal to fail.
     """
 
     first: SearchStep
@@ -62,6 +69,7 @@ class Search:
     next_drive: str | None
     start_state: str
     refinements: int
+    scan: Scan = "full"
 
     @property
     def steps(self) -> tuple[SearchStep, ...]:

@@ -11,7 +11,8 @@ import numpy as np
 from forficula.arrays import Array, Flags, Indices
 from forficula.dynamics.energies.work_balance import WorkBalance
 from forficula.dynamics.engine.model import Model
-from forficula.dynamics.engine.sharing import followers, successors
+from forficula.dynamics.engine.sharing import followers
+from forficula.dynamics.engine.trials import design_trial, needless_trials, trial_chains
 from forficula.dynamics.record import Record
 from forficula.dynamics.recorder import Chunk, Recorder, keep_rows
 from forficula.dynamics.stepping.quasi_static_stages import QuasiStaticStages
@@ -56,7 +57,7 @@ def simulate_each(
     threads: int = 0,
     sparse: bool = False,
     progress: Progress | None = None,
-    enough: Callable[[Record], bool] | None = None,
+    reached: Callable[[Record], bool | None] | None = None,
     solver: RestSolver | None = None,
 ) -> Iterator[tuple[int, Record]]:
     """Simulate structures as `simulate` does, and yield every structure's number and record as soon as it is done.
@@ -69,8 +70,10 @@ def simulate_each(
         threads: as in `simulate`.
         sparse: as in `simulate`.
         progress: called repeatedly with a stage's name, the time so far and the longest possible time, s.
-        enough: if given, structures that differ only in the strength of their last transition's drive run one after
-            another, in their order, until this returns True for a record; the remaining ones never run.
+        reached: if given, structures that differ only in the strength of a drive run one after another, see
+            `trial_chains`. It returns whether a record reached the state of its trial; None if it neither reached the
+            state nor stayed short of its goal. Structures that a record makes needless, see `needless_trials`, never
+            run.
         solver: returns the equilibria of structures in quasi-static stages; not needed without such stages.
 
     Raises:
@@ -84,7 +87,7 @@ def simulate_each(
         chunk = max(1, _CHUNK // 4) if short else _CHUNK
         stepper = Stepper(models, threads, sparse, chunk)
         try:
-            yield from _records(models, stepper, chunk, sparse, progress, enough, solver)
+            yield from _records(models, stepper, chunk, sparse, progress, reached, solver)
         finally:
             stepper.close()
     except (MemoryError, mujoco.FatalError) as error:
@@ -99,7 +102,7 @@ def _records(
     chunk: int,
     sparse: bool,
     progress: Progress | None,
-    enough: Callable[[Record], bool] | None,
+    reached: Callable[[Record], bool | None] | None,
     solver: RestSolver | None,
 ) -> Iterator[tuple[int, Record]]:
     """Yield the numbers and records of `simulate_each`."""
@@ -107,8 +110,8 @@ def _records(
     quasi_static = QuasiStaticStages(models, solver)
     recorders = [Recorder(model, sparse) for model in models]
     starts = [stepper.state(row) for row in range(len(models))]
-    following = {} if enough is None else successors(models)
-    held = set(following.values())
+    trials = _Trials(models if reached is not None else ())
+    held = trials.held
     waiting = followers(models, held)
     moving = np.array([row not in waiting and row not in held for row in range(len(models))])
     under_way: deque[tuple[Indices, Array, Pending]] = deque()
@@ -147,9 +150,36 @@ def _records(
                 tracker.steps[row], starts[row], end, totals, tuple(tracker.ends[row]), tracker.diverged_at[row]
             )
             yield row, record
-            if enough is not None and row in following and not enough(record):
-                held.remove(following[row])
-                moving[following[row]] = following[row] not in waiting
+            following = None if reached is None else trials.next_after(row, record, reached)
+            if following is not None:
+                held.remove(following)
+                moving[following] = following not in waiting
+
+
+class _Trials:
+    """Structures that run one after another because the result of one can make others needless.
+
+    Attributes:
+        held: numbers of the structures that wait for the result of another one.
+    """
+
+    def __init__(self, models: Sequence[Model]) -> None:
+        self._trials = [design_trial(model.design, model.structure) for model in models]
+        # trials of each chain that are left, in their order, by the number of the trial that runs
+        self._left = {chain[0]: chain[1:] for chain in trial_chains(self._trials)}
+        self.held = {row for chain in self._left.values() for row in chain}
+
+    def next_after(self, row: int, record: Record, reached: Callable[[Record], bool | None]) -> int | None:
+        """Return the structure that runs after another one of its chain; None if there is none."""
+        left = self._left.pop(row, None)
+        if not left:
+            return None
+        needless = needless_trials(self._trials, left, row, reached=reached(record))
+        remaining = [number for number in left if number not in needless]
+        if not remaining:
+            return None
+        self._left[remaining[0]] = remaining[1:]
+        return remaining[0]
 
 
 def _next_rows(moving: Flags, under_way: Sequence[Indices], few: int) -> Indices:

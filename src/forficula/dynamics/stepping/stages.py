@@ -61,6 +61,8 @@ class StageTracker:
         self._rested: Numbers = np.full(count, -1, dtype=np.int64)
         # structures at rest that must wait
         self.waiting: list[int] = []
+        # whether the goal of the present stage was met at any moment
+        self._met = np.zeros(count, dtype=bool)
         # whether a structure missed a goal or diverged, so that the rest of its protocol is skipped
         self._stopped = np.zeros(count, dtype=bool)
         # structures at rest in a quasi-static stage, for which statics continues
@@ -151,6 +153,7 @@ class StageTracker:
         end = _first(over, count) + 1
         taken = np.minimum(np.minimum(end, sound), count)
         self.steps[rows] += taken
+        self._met[rows] |= (reached & (np.arange(count) < taken[:, None])).any(axis=1)
         self._goal_since[rows] = np.where(reached[:, -1], goal_since[:, -1], -1)
         self._rest_since[rows] = np.where(resting[:, -1], rest_since[:, -1], -1)
         for place in np.flatnonzero((end <= count) | (sound < count)):
@@ -231,6 +234,7 @@ class StageTracker:
             self.stage_start,
             self._goal_since,
             self._rest_since,
+            self._met,
             self._stopped,
             self._begun,
             self._carried,
@@ -373,9 +377,11 @@ class StageTracker:
                 waited=float(self.waited[row] - self._waited_before[row]),
                 share=float(self._share[row]) if stage.quasi_static else None,
                 lost=tuple(self._lost[row]),
+                met=bool(self._met[row]) if goal_step is None else None,
             )
         )
         self._waited_before[row] = self.waited[row]
+        self._met[row] = False
         self._stopped[row] = goal_step is None and not goes_on
         self.ended[row] = self._stopped[row] or self.stage[row] == self._plan.last[row]
         self.stage[row] += 1

@@ -7,6 +7,7 @@ from typing import Annotated, Any
 
 from pydantic import ConfigDict, Field
 
+from forficula.analysis import Verdict, verdict_word
 from forficula.design import TORQUE, Design, key_quantity, key_value
 from forficula.design.file_fields import Whole, entry
 from forficula.design.section import Section
@@ -15,7 +16,7 @@ from forficula.names import check_known, one_of
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
 from forficula.structure import Drive, Structure, Transition, drive_of, first_state, structure_of
 from forficula.study.factors import Values, range_values
-from forficula.study.search_steps import Search, SearchStep
+from forficula.study.search_steps import Scan, Search, SearchStep
 
 _MOST_TORQUES = 1000  # each value costs one run per point
 
@@ -37,6 +38,12 @@ class TorqueSearchTable(Section):
     )
     refinements: Annotated[Whole, Field(le=20)] = entry(
         "number of times the last step of a search is halved", 0, at_least=0
+    )
+    scan: Scan | None = entry(
+        "values to try: all of them (full), or only those whose result does not follow from that of a larger torque"
+        " that stayed short of its goal (bracket)",
+        left_out='"bracket" for torques, "full" for other values',
+        examples=('scan = "full"',),
     )
 
 
@@ -76,7 +83,7 @@ def read_search(ask: str, table: Mapping[str, Any], base: Design) -> Search:
         return _value_search(table, base, structure, start)
     first, *others = structure.transitions[:2]
     names = [f"{transition.name}_torques" for transition in (first, *others)]
-    check_known(table, (names[0], f"{first.name}_with", *names[1:], "refinements"), "search.")
+    check_known(table, (names[0], f"{first.name}_with", *names[1:], "refinements", "scan"), "search.")
     drives = [drive_of(structure, transition.drive) for transition in (first, *others)]
     steps = [
         _torque_step(transition, drive, table, none=transition is not first)
@@ -97,12 +104,18 @@ def read_search(ask: str, table: Mapping[str, Any], base: Design) -> Search:
         next_drive=next((transition.drive for transition in others), None),
         start_state=start,
         refinements=table.get("refinements", 0),
+        scan=table.get("scan", "bracket"),
     )
 
 
 def _value_search(table: Mapping[str, Any], base: Design, structure: Structure, start: str) -> Search:
     """Return a search for the least value of a key with which a state is reached."""
-    check_known(table, ("key", "values", "state", "refinements"), "search.")
+    check_known(table, ("key", "values", "state", "refinements", "scan"), "search.")
+    if table.get("scan") == "bracket":
+        raise InputError(
+            'search.scan: needs ask = "least-torques" for "bracket", because of other values a smaller one may succeed'
+            " where a larger one fails"
+        )
     states = {transition.state: transition for transition in structure.transitions}
     state, key = table.get("state", next(iter(states))), table.get("key")
     if state not in states:
@@ -120,6 +133,7 @@ def _value_search(table: Mapping[str, Any], base: Design, structure: Structure, 
         drive=transition.drive,
         state=state,
         done=transition.wording.done,
+        missed=verdict_word(Verdict.STUCK, transition.wording),
         key=key,
         values=_rising("values", table.get("values"), quantity.unit, none=False),
         unit=quantity.unit,
@@ -141,6 +155,7 @@ def _torque_step(transition: Transition, drive: Drive, table: Mapping[str, Any],
         drive=transition.drive,
         state=transition.state,
         done=transition.wording.done,
+        missed=verdict_word(Verdict.STUCK, transition.wording),
         key=drive.key,
         values=_rising(name, table.get(name, drive.tries or _tenths(drive.strength)), TORQUE, none=none),
         unit=TORQUE,

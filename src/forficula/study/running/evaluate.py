@@ -25,7 +25,7 @@ from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.study.running.journal import SCHEMA, Row
-from forficula.study.running.runs import check_of, half_step, run_each
+from forficula.study.running.runs import check_of, half_step, reached_goal, run_each
 
 # [chosen] size of a margin, in [-1, 1], below which a verdict is confirmed. Calibrated on 200 builds of the reference
 # wing within 10 % (benchmarks/confirmation.py): the rule finds all 14 verdicts that change between 0.2 and 0.1 ms, with
@@ -84,6 +84,8 @@ def _row(record: Record, outcome: Outcome, margins: Mapping[str, float]) -> Row:
     return {
         **outcome_row(outcome),
         **{margin_column(name): margin for name, margin in margins.items()},
+        # whether the run never met the goal of the transition that it tries
+        "short_of_goal": reached_goal(record) is False,
         "confirmed": agree,
         "timestep_s": float(record.design.protocol.timestep),
     }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,7 @@ from forficula.study.running.evaluate import evaluate, row_key
 from forficula.study.running.journal import Row, open_journal, stored_rows
 from forficula.study.running.plan import Plan
 from forficula.study.running.stored_rows import StoredRows
-from forficula.study.search import most_runs, search_designs
+from forficula.study.search import most_runs, needless_runs, search_designs
 from forficula.study.study import Study
 from forficula.study.tables.table import build_table
 
@@ -126,8 +126,7 @@ def _run_points(
     folder = Path(out)
     rows, plan = stored_rows(folder, study.base), Plan(study)
     points_of_shard = range(shard[0] - 1, len(plan), shard[1])
-    second = study.search.second if study.search is not None else None
-    count = RunCount(0, len(points_of_shard), "" if second is None else second.state)
+    count = RunCount(0, len(points_of_shard))
     with open_journal(folder, study.base, shard) as journal:
         # the first points run before the designs of the last ones are built
         for first in range(0, len(points_of_shard), _WINDOW):
@@ -135,12 +134,14 @@ def _run_points(
             done, designs = _split(plan, window, rows)
             count.reach(len(window), len(done | _known(study, designs, rows)))
             while missing := _missing_by_point(study, designs, rows):
-                count.plan([list(point) for point in missing])
+                count.plan(missing)
+                planned = {key: point for point in missing for key in point}
                 todo = list(_joined(missing).values())
                 searches = study.search is not None
                 for row in _in_batches(todo, threads, batch, searches) if cluster is None else cluster(todo, searches):
                     rows.add(row, journal.path, journal.append(row))
-                    count.count(row)
+                    needless = () if study.search is None else needless_runs(study.search, planned[row["key"]], row)
+                    count.count(row["key"], needless)
                     if progress is not None:
                         progress(count.done, count.needed, row)
     if shard[1] > 1 and next(_missing(plan, rows, building), None) is not None:
@@ -292,19 +293,11 @@ class RunCount:
         needed: number of runs, including completed ones.
     """
 
-    def __init__(self, done: int, later: int = 0, last_state: str = "") -> None:
-        """Start with completed runs and with later points; a later point counts as one run for now.
-
-        Args:
-            done: number of completed runs.
-            later: number of later points.
-            last_state: final state of a search. Once a run reaches it, larger values are not tried.
-        """
-        self._last_state = last_state
+    def __init__(self, done: int, later: int = 0) -> None:
+        """Start with completed runs and with later points; a later point counts as one run for now."""
         self.needed = done + later
         self._later, self._spare = later, 0
         self._open: set[str] = set()
-        self._points: dict[str, Sequence[str]] = {}
 
     @property
     def done(self) -> int:
@@ -317,16 +310,14 @@ class RunCount:
         self._spare = max(points - done, 0)
         self.needed += max(done - points, 0)
 
-    def plan(self, points: Collection[Sequence[str]]) -> None:
-        """Set the missing runs: their keys by point, in the order in which they are tried."""
-        self._points = {key: keys for keys in points for key in keys}
-        self.needed += max(len(self._points.keys() - self._open) - self._spare, 0)
+    def plan(self, points: Iterable[Iterable[str]]) -> None:
+        """Set the missing runs: their keys by point."""
+        keys = {key for point in points for key in point}
+        self.needed += max(len(keys - self._open) - self._spare, 0)
         self._spare = 0
-        self._open = set(self._points)
+        self._open = keys
 
-    def count(self, row: Row) -> None:
-        """Count a completed run. If it reaches the last state, larger values are no longer needed."""
-        self._open.discard(row["key"])
-        if self._last_state and row.get(self._last_state):
-            keys = self._points[row["key"]]
-            self._open.difference_update(keys[keys.index(row["key"]) :])
+    def count(self, key: str, needless: Iterable[str] = ()) -> None:
+        """Count a completed run, and the runs that its result makes needless."""
+        self._open.discard(key)
+        self._open.difference_update(needless)

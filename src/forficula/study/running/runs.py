@@ -18,15 +18,19 @@ from forficula.dynamics import (
     Record,
     compile_model,
     design_in_model_units,
-    key_without_last_drive,
+    design_trial,
+    needless_trials,
     simulate_each,
+    trial_chains,
+    tried_transition,
     with_timestep,
 )
+from forficula.dynamics.engine.trials import Trial
 from forficula.dynamics.stepping.simulate import Progress
 from forficula.errors import InputError
 from forficula.quantities import show_duration, show_value
 from forficula.statics.survey import check_quasi_static, stage_rest_path
-from forficula.structure import Structure, drive_keys, structure_of, with_protocol
+from forficula.structure import drive_keys, structure_of, with_protocol
 
 # Allowed relative difference of times between two timesteps; the shorter one is used.
 _TIME_TOLERANCE = 0.02
@@ -160,8 +164,8 @@ def run_each(
         designs: designs to run.
         threads: number of threads; 0 for one per core.
         sparse: whether to keep only what an outcome needs, see `simulate`.
-        until_last: whether to try designs that differ only in the strength of their last drive one after another, in
-            the given order, until one reaches its last state. The remaining ones get no records.
+        until_last: whether to try designs that differ only in the strength of a drive one after another, in the
+            given order. Designs that the result of one makes needless get no records, see `needless_trials`.
         progress: see `run`.
 
     Returns:
@@ -171,11 +175,12 @@ def run_each(
         _Attempt(number=number, design=design, halvings=0 if design.protocol.timestep == "auto" else None)
         for number, design in enumerate(designs)
     ]
+    needless = _Needless(designs)
     while attempts:
         start = time.perf_counter()
         left = {attempt.number: attempt for attempt in attempts}
         for attempt, result in _results(attempts, threads, sparse, until_last, progress):
-            if left.pop(attempt.number, None) is None:  # a smaller value has succeeded in the meantime
+            if left.pop(attempt.number, None) is None:  # needless in the meantime
                 continue
             if isinstance(result, InputError):
                 yield attempt.number, result
@@ -189,14 +194,9 @@ def run_each(
                 continue
             doubt = _doubt(attempt, outcome)
             yield attempt.number, replace(result, doubt=doubt, checks=_coarser(attempt, outcome))
-            structure = result.structure
-            if until_last and _last_holds(outcome, structure) and not doubt:
-                chain = key_without_last_drive(designs[attempt.number], structure)
-                left = {
-                    number: waiting
-                    for number, waiting in left.items()
-                    if number < attempt.number or key_without_last_drive(designs[number], structure) != chain
-                }
+            if until_last and not doubt:
+                for number in needless.after(attempt.number, result):
+                    left.pop(number, None)
         attempts = [left[number] for number in sorted(left)]
 
 
@@ -242,13 +242,13 @@ def _simulated(
     groups: dict[tuple[int, ...], list[tuple[_Attempt, Model]]] = {}
     for attempt, model in built:
         groups.setdefault(topology(model), []).append((attempt, model))
-    is_last = _did_last if until_last else None
+    reached = reached_goal if until_last else None
     for group in groups.values():
         callback = None if progress is None else _with_timestep_shown(progress, group[0][0])
         done: set[int] = set()
         try:
             models = [model for _, model in group]
-            for row, record in simulate_each(models, threads, sparse, callback, is_last, stage_rest_path):
+            for row, record in simulate_each(models, threads, sparse, callback, reached, stage_rest_path):
                 done.add(row)
                 yield group[row][0], record
         except InputError as error:
@@ -318,13 +318,38 @@ def _same_ending(before: Outcome, after: Outcome) -> bool:
     return same_ending(after.ending, check_of("", 0.0, before))
 
 
-def _last_holds(outcome: Outcome, structure: Structure) -> bool:
-    """Return whether the last transition reached its state."""
-    return bool(structure.transitions and outcome.holds[structure.transitions[-1].state])
+class _Needless:
+    """Designs that the results of others make needless."""
+
+    def __init__(self, designs: Sequence[Design]) -> None:
+        self._designs = designs
+        self._trials: list[Trial | None] = []
+        self._chains: dict[int, list[int]] = {}
+
+    def after(self, number: int, record: Record) -> list[int]:
+        """Return the numbers of the designs that the record of one of them makes needless."""
+        if not self._trials:
+            self._trials = [design_trial(design, record.structure) for design in self._designs]
+            self._chains = {row: chain for chain in trial_chains(self._trials) for row in chain}
+        if number not in self._chains:
+            return []
+        return needless_trials(self._trials, self._chains[number], number, reached=reached_goal(record))
 
 
-def _did_last(record: Record) -> bool:
-    return _last_holds(measure(record), record.structure)
+def reached_goal(record: Record) -> bool | None:
+    """Return whether a run reached the state of its `tried_transition`; False if it stayed short of its goal.
+
+    None if the verdict is inconclusive, or if the run met the goal at some moment and lost it. A larger or a smaller
+    drive may then do either.
+    """
+    outcome, transition = measure(record), tried_transition(record.design, record.structure)
+    if transition is None or transition.stage is None or not outcome.verdict.conclusive:
+        return None
+    if outcome.holds[transition.state]:
+        return True
+    last = transition.stage if transition.goal_stage is None else transition.goal_stage
+    ends = record.stages[transition.stage : last + 1]
+    return False if ends and ends[-1].goal_time is None and ends[-1].met is False else None
 
 
 def _engine_key(design: Design) -> str:

@@ -56,6 +56,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         A study of named changes or of boundaries that searches nothing also has the margin of every transition and of
         the whole run. The attribute `boundaries` has the plan of a study of boundaries, and `point_runs` the number
         of runs that its points need.
+        A search that takes smaller torques to fail where a larger one does (`Search.scan`) also has `monotony`, and
+        which torques of the first transition were tried, see `search_result`.
         If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run. If the
         pattern varies, `folding_ratio` and `folded_height` have the size of the flat-folded sheet.
     """
@@ -123,6 +125,7 @@ class _ReadColumns:
         automatic: whether a run has an automatic timestep and nothing is searched.
         times_tried: for a search, time of the first transition for every value that was tried, s, (point, value).
         outcomes_tried: the outcomes for these values, (point, value).
+        tried: whether each of these values was tried, (point, value).
     """
 
     numbers: Mapping[str, Array]
@@ -133,6 +136,7 @@ class _ReadColumns:
     automatic: bool
     times_tried: Array
     outcomes_tried: NDArray[np.object_]
+    tried: Flags
 
 
 def _read_columns(
@@ -146,13 +150,15 @@ def _read_columns(
     names: tuple[str, ...] = ("status", "verdict", "outcome")
     if search is not None:
         names += (f"{search.first.transition}_outcome", "reference_outcome")
-    tried = () if search is None else search.first.values
+        names += ("monotony",) * (search.scan == "bracket")
+    values_tried = () if search is None else search.first.values
     values = {name: np.full(count, math.nan) for name in numbers}
     words = {name: np.empty(count, dtype=object) for name in names}
     transitions = structure_of(study.base).transitions if search is None else ()
     holds = {transition.state: np.zeros(count, dtype=bool) for transition in transitions}
     timesteps, automatic = np.full(count, math.nan), False
-    times, outcomes = np.full((count, len(tried)), math.nan), np.empty((count, len(tried)), dtype=object)
+    size = (count, len(values_tried))
+    times, outcomes, tried = np.full(size, math.nan), np.empty(size, dtype=object), np.zeros(size, dtype=bool)
     known, texts = set[str](), dict[str, str]()
 
     def text(word: object) -> str:
@@ -165,13 +171,14 @@ def _read_columns(
                 column[number] = value
                 known.add(name)
         for name, entries in words.items():
-            entries[number] = text(result.get(name, result["outcome"]))
+            entries[number] = text(result.get(name, "" if name == "monotony" else result["outcome"]))
         for state, flags in holds.items():
             flags[number] = bool(result.get(state))
         if search is None:
             timesteps[number] = _nan(result.get("timestep_s"))
             automatic |= is_automatic
-        for place, value in enumerate(tried):
+        for place, value in enumerate(values_tried):
+            tried[number, place] = value in result.get("tried", ())
             times[number, place] = _nan(result.get("times_tried", {}).get(value))
             outcomes[number, place] = text(result.get("outcomes_tried", {}).get(value, result["outcome"]))
     return _ReadColumns(
@@ -183,6 +190,7 @@ def _read_columns(
         automatic=automatic,
         times_tried=times,
         outcomes_tried=outcomes,
+        tried=tried,
     )
 
 
@@ -253,7 +261,7 @@ def table_numbers(study: Study, structure: Structure) -> dict[str, tuple[str, st
         names = [transition.name for transition in structure.transitions]
         numbers |= {margin_column(name): ("", f"margin of {name}, from -1 to 1; negative: failed") for name in names}
         numbers[MARGIN] = ("", "margin of all transitions together")
-    numbers["residual"] = ("", "largest share of the energy that is missing in a run")
+    numbers["residual"] = ("", "largest share of the energy that is missing in a run that decides the result")
     return numbers
 
 
@@ -270,10 +278,12 @@ def _by_value(
     first, kind = search.first, "torque" if search.first.unit is TORQUE else "value"
     axes = (*dimensions, first.value_name)
     times = columns.times_tried.reshape(*shape, -1)
+    marks = {f"{first.transition}_tried_by_{kind}": (axes, columns.tried.reshape(*shape, -1))}
     return {
         f"{first.transition}_time_by_{kind}": (axes, times, {"units": "s"}),
         f"{first.state}_by_{kind}": (axes, np.isfinite(times)),
         f"{first.transition}_outcome_by_{kind}": (axes, columns.outcomes_tried.reshape(*shape, -1)),
+        **(marks if search.scan == "bracket" else {}),
     }
 
 
