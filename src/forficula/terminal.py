@@ -129,6 +129,44 @@ def result_first() -> Iterator[Callable[[], None]]:
         release()
 
 
+class _UntilClosed(io.FileIO):
+    """An output that discards what is written after its reader, such as head, has closed it."""
+
+    def write(self, data: Any, /) -> int | None:
+        """Write bytes to the output, or to nothing if no process reads the output."""
+        try:
+            return super().write(data)
+        except BrokenPipeError:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), self.fileno())
+            return len(data)
+
+
+@contextmanager
+def output_until_closed() -> Iterator[None]:
+    """Let a command finish and write its files, even if the reader of its output has closed the output."""
+    before = sys.stdout
+    # the buffer is the file itself where Python writes without buffers (PYTHONUNBUFFERED)
+    if not isinstance(before, io.TextIOWrapper) or not isinstance(before.buffer, io.BufferedWriter | io.FileIO):
+        yield
+        return
+    before.flush()
+    file = _UntilClosed(before.fileno(), "w", closefd=False)
+    sys.stdout = io.TextIOWrapper(
+        io.BufferedWriter(file) if isinstance(before.buffer, io.BufferedWriter) else file,
+        encoding=before.encoding,
+        errors=before.errors,
+        line_buffering=before.line_buffering,
+        write_through=before.write_through,
+    )
+    try:
+        yield
+    finally:
+        # a failed write has been reported as an error
+        with suppress(OSError):
+            sys.stdout.flush()
+        sys.stdout = before
+
+
 @contextmanager
 def plain_terminal() -> Iterator[None]:
     """Spell letters that the encoding of an output lacks, and write each warning of a library as one line."""
