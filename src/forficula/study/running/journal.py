@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
+import re
+import socket
 import sys
+import threading
 import zlib
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
+from itertools import count as count_from
 from pathlib import Path
 from typing import IO, Any
 
@@ -15,22 +21,33 @@ from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.files import open_to_append
 from forficula.lock import hold_lock
+from forficula.study.running.attempts import KEY, STALE, attempts_in, file_clock
 
 Row = dict[str, Any]
 
 # Increase this if the meaning of a row changes: old rows are then rejected instead of mixed with new ones.
 SCHEMA = 5
 _CHECKSUM = "crc32"
+_NAMES = "journal*.jsonl"
+_NAME = re.compile(r"journal(-(?P<number>\d+)-of-(?P<count>\d+))?(\.\d+)?\.jsonl")
+# [chosen] bytes at the end of a journal that contain the last entry, if the entry has no long reason
+_LONGEST_ENTRY = 1000
+# errors of file systems that cannot be told to write to the disk
+_CANNOT_SYNC = (errno.EINVAL, errno.ENOSYS, errno.ENOTSUP, errno.EROFS)
 
 
-def read_rows(folder: Path, base: Design) -> dict[str, Row]:
-    """Return all rows of a study's folder by key, from all shards and machines.
+def read_rows(folder: Path, base: Design, shard: tuple[int, int] = (1, 1)) -> dict[str, Row]:
+    """Return the rows of a study's folder by key, from all machines.
+
+    A shard does not need the rows of the other shards of the same division. It leaves out their journals, because
+    otherwise each of 1000 jobs would read the files of all of them.
 
     A damaged row, cut short by a crash or changed on disk, is skipped with a warning on stderr. Its run is repeated.
 
     Args:
         folder: folder of the study; it need not exist.
         base: the study's design.
+        shard: number, from 1, and count of the shard that needs the rows; (1, 1) for all rows.
 
     Raises:
         InputError: a journal cannot be read, or was written for another design or by other versions; the message says
@@ -38,10 +55,13 @@ def read_rows(folder: Path, base: Design) -> dict[str, Row]:
     """
     rows: dict[str, Row] = {}
     try:
-        paths = sorted(folder.glob("journal*.jsonl"))
+        paths = sorted(folder.glob(_NAMES))
     except OSError as error:
         raise InputError(f"{folder}: cannot be read: {error.strerror}") from None
     for path in paths:
+        division = shard_of(path)
+        if division is not None and division[1] == shard[1] and division != shard:
+            continue
         signed, damaged = False, 0
         for entry in _entries(path):
             if isinstance(entry.get("written_by"), dict):
@@ -53,7 +73,7 @@ def read_rows(folder: Path, base: Design) -> dict[str, Row]:
                 )
             elif _is_whole(entry):
                 rows[entry["key"]] = entry
-            else:
+            elif KEY not in entry:
                 damaged += 1
         if damaged:
             damage = "1 damaged row is" if damaged == 1 else f"{damaged} damaged rows are"
@@ -113,11 +133,13 @@ def _check_signature(path: Path, in_file: Mapping[str, Any], current: Mapping[st
 
 
 class Journal:
-    """An open file of rows."""
+    """An open file of rows. Several threads may write to it."""
 
     def __init__(self, file: IO[bytes], path: Path) -> None:
         self._file = file
         self._path = path
+        self._lock = threading.Lock()
+        self._failure = ""
 
     def append(self, row: Mapping[str, Any]) -> None:
         """Write a row so that killing this process does not lose it.
@@ -135,12 +157,107 @@ class Journal:
         """
         self._write({"written_by": _signature(base)})
 
-    def _write(self, entry: Mapping[str, Any]) -> None:
+    def write_entry(self, entry: Mapping[str, Any]) -> None:
+        """Write a line that is neither a row nor a signature.
+
+        Raises:
+            InputError: see `append`.
+        """
+        self._write(entry)
+
+    def sync(self) -> None:
+        """Let the operating system write all lines to the disk or the file server.
+
+        Network file systems report only now that a disk is full or a quota is exceeded. They report this once, so
+        nothing can be written to the journal afterwards.
+
+        Raises:
+            InputError: see `append`.
+        """
         try:
-            self._file.write(json.dumps(entry).encode() + b"\n")
-            self._file.flush()
+            os.fsync(self._file.fileno())
         except OSError as error:
-            raise InputError(f"{self._path}: cannot be written: {error.strerror}") from None
+            if error.errno not in _CANNOT_SYNC:
+                self._failure = str(error.strerror)
+                raise self._error(self._failure) from None
+
+    def count_rows(self) -> int:
+        """Return the number of runs that have an intact row in the journals of this shard."""
+        shard = shard_of(self._path)
+        paths = [path for path in self._path.parent.glob(_NAMES) if shard_of(path) == shard]
+        return len({entry["key"] for path in paths for entry in _entries(path) if _is_whole(entry)})
+
+    def _write(self, entry: Mapping[str, Any]) -> None:
+        with self._lock:
+            if self._failure:
+                raise self._error(self._failure)
+            try:
+                self._file.write(json.dumps(entry).encode() + b"\n")
+                self._file.flush()
+            except OSError as error:
+                raise self._error(str(error.strerror)) from None
+
+    def _error(self, reason: str) -> InputError:
+        return InputError(f"{self._path}: cannot be written: {reason}")
+
+
+def shard_of(path: Path) -> tuple[int, int] | None:
+    """Return the number and count of the shard to which a journal belongs, from its name; None for other names."""
+    match = _NAME.fullmatch(path.name)
+    return None if match is None else (int(match["number"] or 1), int(match["count"] or 1))
+
+
+def are_others_complete(folder: Path, shard: tuple[int, int]) -> bool:
+    """Return whether the last entries of their journals say that all other shards are complete.
+
+    This reads a few bytes of each journal. Each of many shards can therefore call it.
+    """
+    complete = {shard[0]}
+    for path in folder.glob(_NAMES):
+        number, count = shard_of(path) or shard
+        if count == shard[1] and number not in complete and _ends_complete(path):
+            complete.add(number)
+    return len(complete) == shard[1]
+
+
+def _ends_complete(path: Path) -> bool:
+    try:
+        with path.open("rb") as file:
+            file.seek(max(0, path.stat().st_size - _LONGEST_ENTRY))
+            lines = file.read().splitlines()
+        last = json.loads(lines[-1])[KEY]
+        return bool(last["ended"] and not last["why"])
+    except (OSError, ValueError, LookupError, TypeError):
+        return False
+
+
+def _open(folder: Path, stem: str, *, alone: bool) -> tuple[Path, IO[bytes]]:
+    """Open the first journal of a shard to which no other process can be writing.
+
+    Args:
+        folder: folder of the study.
+        stem: beginning of the names of the shard's journals.
+        alone: whether a lock excludes other processes, at least on this machine.
+    """
+    for number in count_from(1):
+        path = folder / (f"{stem}.jsonl" if number == 1 else f"{stem}.{number}.jsonl")
+        if alone and not _is_written_elsewhere(path):
+            return path, open_to_append(path)
+        with suppress(FileExistsError):
+            return path, open_to_append(path, new=True)
+    raise AssertionError
+
+
+def _is_written_elsewhere(path: Path) -> bool:
+    """Return whether a process of another machine has written to a journal lately and has not ended."""
+    try:
+        age = file_clock(path.parent) - path.stat().st_mtime
+    except OSError:
+        return False
+    if age > STALE:
+        return False
+    here = socket.gethostname()
+    return any(not attempt.ended and attempt.host != here for attempt in attempts_in(_entries(path)))
 
 
 @contextmanager
@@ -148,6 +265,8 @@ def open_journal(folder: Path, base: Design, shard: tuple[int, int]) -> Iterator
     """Open the journal of a shard of a study for appending; its first line identifies the writer.
 
     Only one process at a time may open it. A second one would only repeat the same runs, so it is rejected at once.
+    Some network file systems support no locks, or only locks between processes of one machine. There, a process writes
+    to a file of its own if another process may be writing. If both run the same shard, their rows are equal.
 
     Args:
         folder: folder of the study; created if missing.
@@ -158,7 +277,8 @@ def open_journal(folder: Path, base: Design, shard: tuple[int, int]) -> Iterator
         InputError: the file cannot be written, is a link, or is used by another process.
     """
     number, count = shard
-    path = folder / ("journal.jsonl" if count == 1 else f"journal-{number}-of-{count}.jsonl")
+    stem = "journal" if count == 1 else f"journal-{number}-of-{count}"
+    path = folder / f"{stem}.jsonl"
     with ExitStack() as stack:
         try:
             folder.mkdir(parents=True, exist_ok=True)
@@ -170,7 +290,7 @@ def open_journal(folder: Path, base: Design, shard: tuple[int, int]) -> Iterator
             raise InputError(
                 f"{path}: another process is running {what} in this folder; wait for it, or choose another folder"
             )
-        file = open_to_append(path)
+        path, file = _open(folder, stem, alone=locked is True)
         try:
             journal = Journal(file, path)
             if file.tell():
@@ -179,7 +299,8 @@ def open_journal(folder: Path, base: Design, shard: tuple[int, int]) -> Iterator
             if not any("written_by" in entry for entry in _entries(path)):
                 journal.sign(base)
             yield journal
+            journal.sync()
         finally:
-            # every row was flushed when it was appended: an error of a full disk has been reported already
+            # an error of a full disk has been reported by now
             with suppress(OSError):
                 file.close()

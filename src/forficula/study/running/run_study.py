@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.names import check_whole
+from forficula.study.running.attempt_writer import attempt
 from forficula.study.running.evaluate import evaluate, row_key
-from forficula.study.running.journal import Row, open_journal, read_rows
+from forficula.study.running.journal import Row, are_others_complete, open_journal, read_rows
 from forficula.study.running.law_timestep import with_timestep_for_law
 from forficula.study.search import most_runs, point_design, search_designs
 from forficula.study.study import Study
@@ -69,12 +70,12 @@ def run_study(
     for name, value, least in (("threads", threads, 0), ("batch", batch, 1)):
         check_whole(name, value, least)
     folder = Path(out)
-    rows = read_rows(folder, study.base)
+    rows = read_rows(folder, study.base, shard)
     points_of_shard = range(shard[0] - 1, len(study.points), shard[1])
     designs: dict[int, Design | str] = {}
     second = study.search.second if study.search is not None else None
     count = RunCount(0, len(points_of_shard), "" if second is None else second.state)
-    with open_journal(folder, study.base, shard) as journal:
+    with open_journal(folder, study.base, shard) as journal, attempt(journal, study) as writer:
         # the first points run before the last ones are built
         for first in range(0, len(points_of_shard), _WINDOW):
             window = {number: _design(study, number) for number in points_of_shard[first : first + _WINDOW]}
@@ -82,14 +83,20 @@ def run_study(
             count.reach(len(window), len(_known(study, window, rows)))
             while missing := _missing_by_point(study, window, rows):
                 count.plan([list(point) for point in missing])
+                writer.report(first + len(window) - len(missing), count.needed - count.done)
                 todo = list(_joined(missing).values())
                 searches = study.search is not None
                 for row in _in_batches(todo, threads, batch, searches) if cluster is None else cluster(todo, searches):
-                    journal.append(row)
+                    writer.append(row)
                     rows[row["key"]] = row
                     count.count(row)
                     if progress is not None:
                         progress(count.done, count.needed, row)
+            writer.report(first + len(window), count.needed - count.done)
+    if shard[1] > 1:
+        if not are_others_complete(folder, shard):
+            return None
+        rows = read_rows(folder, study.base)
     designs = _designs(study, building, designs)
     if _missing_by_point(study, designs, rows):
         return None
