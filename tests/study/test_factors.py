@@ -9,7 +9,8 @@ from scipy import stats
 from forficula.design import FanDesign, key_quantity
 from forficula.errors import InputError
 from forficula.quantities import Unit, parse_quantity
-from forficula.study.factors import Distribution, drawn_values, range_values, read_factor
+from forficula.study.factors import Distribution, range_values, read_factor
+from forficula.study.points import SampledPoints
 
 LENGTH = Unit(display="cm", si="m", example="12 cm")
 
@@ -186,7 +187,7 @@ DISTRIBUTIONS = {
 
 def drawn(name, method, count, seed=0):
     factor = read_factor("tendon.rest_length", {"distribution": name, **DISTRIBUTIONS[name][0]}, FanDesign)
-    points = drawn_values((factor,), method, count, seed)
+    points = SampledPoints((factor,), method, count, seed)
     return np.array([parse_quantity(point["tendon.rest_length"], LENGTH) for point in points])
 
 
@@ -225,7 +226,7 @@ def test_every_column_of_sobol_points_has_one_in_each_of_as_many_equal_parts():
     keys = ("tendon.rest_length", "pattern.hub_radius", "vein.diameter")
     drawn = {"distribution": "uniform", "low": "0 m", "high": "1 m"}
     factors = tuple(read_factor(key, drawn, FanDesign) for key in keys)
-    points = drawn_values(factors, "sobol", 64, 3)
+    points = SampledPoints(factors, "sobol", 64, 3)
     for key in keys:
         parts = sorted(int(64 * parse_quantity(point[key], LENGTH)) for point in points)
         assert parts == list(range(64))

@@ -17,7 +17,7 @@ from forficula.errors import InputError
 from forficula.show.study.maps import draw_torque_maps
 from forficula.study import collect, estimate, load_study, run_study, table_csv
 from forficula.study.running.evaluate import evaluate
-from forficula.study.running.run_study import _designs
+from forficula.study.running.plan import Plan
 from forficula.study.search import point_design
 from tests.forks import forks
 from tests.show.study.test_maps import legend
@@ -76,7 +76,7 @@ def test_rows_have_the_same_bits_whatever_the_threads_and_the_size_of_a_batch(
 
 
 def test_rows_have_the_same_bits_in_any_order(study_file):
-    designs = list(_designs(load_study(study_file(TENDONS))).values())
+    designs = list(Plan(load_study(study_file(TENDONS))).values())
     first = by_key(evaluate(designs))
     shuffled = random.Random(5).sample(designs, len(designs))
     assert by_key(evaluate(designs[::-1])) == first
@@ -127,19 +127,21 @@ def test_number_of_needed_runs_never_shrinks_and_is_reached(tmp_path, study_file
 
 
 def test_the_first_points_run_before_the_last_designs_are_built(tmp_path, study_file, monkeypatch):
-    module = sys.modules["forficula.study.running.run_study"]
     built, seen = [], []
-    monkeypatch.setattr(module, "_WINDOW", 2)
-    monkeypatch.setattr(module, "point_design", lambda *report: built.append(report) or point_design(*report))
+    monkeypatch.setattr(sys.modules["forficula.study.running.run_study"], "_WINDOW", 2)
+    plan = sys.modules["forficula.study.running.plan"]
+    monkeypatch.setattr(plan, "point_design", lambda *report: built.append(report) or point_design(*report))
     study = load_study(study_file(TENDONS))
     table = run_study(study, tmp_path, progress=lambda *report: seen.append((len(built), *report[:2])))
     assert seen == [(2, 1, 6), (2, 2, 6), (4, 3, 6), (4, 4, 6), (6, 5, 6), (6, 6, 6)]
     assert table.identical(run_study(study, tmp_path))
 
 
-def test_building_of_other_designs_is_reported(tmp_path, study_file):
+def test_checking_of_the_points_of_other_shards_is_reported(tmp_path, study_file, monkeypatch):
+    monkeypatch.setattr(sys.modules["forficula.study.running.run_study"], "_WINDOW", 2)
     study, seen = load_study(study_file(TENDONS)), []
-    run_study(study, tmp_path, shard=(1, 2), building=lambda *report: seen.append(report))
+    for number in (1, 2):
+        run_study(study, tmp_path, shard=(number, 2), building=lambda *report: seen.append(report))
     assert seen == [(2, 6), (4, 6), (6, 6)]
 
 

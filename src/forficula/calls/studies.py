@@ -188,8 +188,8 @@ def run_study(
         batch: number of runs side by side.
         cluster: function that runs designs elsewhere, from `dask_cluster`; the cores of this machine if not given.
         progress: as in `run`; `Progress.latest` is the row of the last run.
-        building: function that is called with the number of designs that are built, and the number of all, while
-            designs are built that do not run here.
+        building: function that is called with the number of points that are checked, and the number of all, while
+            points are checked that do not run here.
 
     Returns:
         Table with one entry per point; None if points of other shards are missing.

@@ -164,8 +164,8 @@ def film_progress() -> Iterator[Callable[[int, int], None]]:
 
 
 def building_progress() -> Callable[[int, int], None]:
-    """Print how many designs are built: a line every 5 s, also on a terminal, where a bar may be below."""
-    return _lines("designs built", 5)
+    """Print how many points are checked: a line every 5 s, also on a terminal, where a bar may be below."""
+    return _lines("points checked", 5)
 
 
 def map_progress(whole: str = "structure") -> Callable[[int, int], None]:

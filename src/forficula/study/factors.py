@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 import re
 from collections.abc import Mapping, Sequence
@@ -227,48 +226,6 @@ def undivided(low: float, high: float, step: float) -> str:
     return f"{hint} or a step of {' or '.join(widths)}" if widths else hint
 
 
-def grid_points(factors: tuple[Factor, ...], times: int = 1) -> list[dict[str, object]]:
-    """Return every combination of the factors' values; the last factor varies fastest.
-
-    Args:
-        factors: factors with values.
-        times: number of times that the study repeats this grid.
-
-    Raises:
-        InputError: more than a million points in total.
-    """
-    keys = [factor.key for factor in factors]
-    count = times * math.prod(len(factor.values) for factor in factors)
-    if count > MOST_VALUES:
-        raise InputError(f"factors: need at most {MOST_VALUES} points, got {count}")
-    return [
-        dict(zip(keys, values, strict=True)) for values in itertools.product(*(factor.values for factor in factors))
-    ]
-
-
-def drawn_values(factors: tuple[Factor, ...], method: str, count: int, seed: int) -> list[dict[str, object]]:
-    """Sample points from the distributions of all factors, with values as in a design file.
-
-    Args:
-        factors: factors with distributions.
-        method: "random", or "sobol" for scrambled Sobol points (Owen 1998), which fill the space more evenly.
-        count: number of points.
-        seed: seed of the generator; the same seed gives the same points.
-    """
-    if method == "sobol":
-        # a power of two keeps the points balanced; the first `count` of them are returned
-        power = math.ceil(math.log2(max(count, 1)))
-        probabilities = scipy.stats.qmc.Sobol(len(factors), rng=np.random.default_rng(seed)).random_base2(power)[:count]
-    else:
-        probabilities = np.random.default_rng(seed).random((count, len(factors)))
-    columns = [
-        [_written(factor.key, float(value), factor.model) for value in factor.distribution.quantiles(column)]
-        for factor, column in zip(factors, probabilities.T, strict=True)
-        if factor.distribution is not None
-    ]
-    return [dict(zip((factor.key for factor in factors), row, strict=True)) for row in zip(*columns, strict=True)]
-
-
 def _check_values(key: str, values: Sequence[object], model: type[Design]) -> None:
     """Reject values that cannot be coordinates of a table, and equal values. Bounds are not checked here."""
     quantity = key_quantity(key, model)
@@ -312,11 +269,6 @@ def _finite(value: object) -> float:
     if not math.isfinite(number):
         raise InputError(f"need a finite number, got {as_written(value)}")
     return number
-
-
-def _written(key: str, value: float, model: type[Design]) -> object:
-    quantity = key_quantity(key, model)
-    return value if quantity is None else format_quantity(value, quantity.unit)
 
 
 def _distribution(key: str, table: DistributionEntry, quantity: Quantity | None) -> Distribution:

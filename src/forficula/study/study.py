@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -28,7 +28,8 @@ class Study(Displayed):
         source: source of the values.
         base: the design that is varied.
         factors: what is varied.
-        points: values of every point by dotted key, as in a design file. Other keys have the value of the base.
+        points: values of every point by dotted key, as in a design file; of many points they are computed from the
+            index of the point. Other keys have the value of the base.
         sampled: whether the points were sampled. Otherwise they are the grid of all factors; the last varies fastest.
         search: values to try in searches for least values; None to run the protocol unchanged.
         choices: if factors are varied one at a time, the changed value of each choice, by key; the first choice is
@@ -42,7 +43,7 @@ class Study(Displayed):
     source: str
     base: Design
     factors: tuple[Factor, ...]
-    points: tuple[Mapping[str, object], ...]
+    points: Sequence[Mapping[str, object]]
     sampled: bool
     search: Search | None
     choices: tuple[Mapping[str, object], ...] = ()

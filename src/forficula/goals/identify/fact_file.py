@@ -19,8 +19,9 @@ from forficula.goals.identify.row_quantity import Combination, is_state, read_co
 from forficula.names import check_known, one_of, shown_name
 from forficula.quantities import Unit, as_written, parse_quantity
 from forficula.structure import structure_of
-from forficula.study.factors import Factor, Grid, Values, grid_points, range_values, read_factor
+from forficula.study.factors import Factor, Grid, Values, range_values, read_factor
 from forficula.study.files.named_file import settings_of
+from forficula.study.points import grid_points
 
 LEAST_VALUE = "least value"
 _Keys = Annotated[list[str], "list of keys of over"]

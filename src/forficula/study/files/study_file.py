@@ -26,10 +26,11 @@ from forficula.errors import InputError, error_prefix
 from forficula.structure import structure_of
 from forficula.study.assumptions.choices import one_at_a_time, with_own_word
 from forficula.study.changes import ChangePlan
-from forficula.study.factors import MOST_VALUES, Factor, Factors, Grid, drawn_values, grid_points, read_factor
+from forficula.study.factors import MOST_VALUES, Factor, Factors, Grid, read_factor
 from forficula.study.files.change_file import ChangeTable, read_changes
 from forficula.study.files.named_file import FileKind, base_design, load_named, named_files
 from forficula.study.files.search_file import SearchTable, read_search
+from forficula.study.points import SampledPoints, grid_points
 from forficula.study.search_steps import Search
 from forficula.study.study import Study
 
@@ -141,12 +142,13 @@ def _study(file: StudyFile, folder: Path) -> Study:
     if file.vary == "one-at-a-time":
         factors = tuple(with_own_word(base, factor) for factor in factors)
         choices = one_at_a_time(base, factors)
+    points: Sequence[Mapping[str, object]]
     if drawn:
         with error_prefix("sampling."):
             sampling = file.sampling or read_section(PointSampling, {})
-        points = drawn_values(factors, sampling.method, sampling.count, sampling.seed)
+        points = SampledPoints(factors, sampling.method, sampling.count, sampling.seed)
     elif choices:
-        points = [{**choice, **point} for choice in choices for point in grid_points(grid, len(choices))]
+        points = tuple({**choice, **point} for choice in choices for point in grid_points(grid, len(choices)))
     else:
         points = grid_points(factors)
     return Study(
@@ -154,7 +156,7 @@ def _study(file: StudyFile, folder: Path) -> Study:
         source=file.source,
         base=base,
         factors=factors,
-        points=tuple(points),
+        points=points,
         sampled=bool(drawn),
         search=search,
         choices=choices,

@@ -41,14 +41,11 @@ class AttemptWriter:
         job, task = next((os.environ[name] for name in _JOBS if name in os.environ), ""), _task()
         self._write({"study": study_mark(study), "host": socket.gethostname(), "job": f"{job}{task}"})
 
-    def append(self, row: Row) -> None:
-        """Write a row to the journal.
-
-        Raises:
-            InputError: the disk is full, or the file cannot be written.
-        """
-        self._journal.append(row)
+    def append(self, row: Row) -> int:
+        """Write a row to the journal, and return the byte at which its line begins; see `Journal.append` for errors."""
+        offset = self._journal.append(row)
         self._rows += 1
+        return offset
 
     def report(self, points: int, runs_left: int) -> None:
         """Set the progress that the next entry contains.

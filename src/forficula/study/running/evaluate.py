@@ -35,7 +35,12 @@ _SMALL = 0.05
 
 def row_key(design: Design, *, whole: bool = False) -> str:
     """Return the key of a row: it identifies all values of the design, and whether the whole record was evaluated."""
-    return f"{SCHEMA}-{design.hash}{'-whole' if whole else ''}"
+    return f"{key_of_hash(design.hash)}{'-whole' if whole else ''}"
+
+
+def key_of_hash(design_hash: str) -> str:
+    """Return the key of the row of a design with this hash."""
+    return f"{SCHEMA}-{design_hash}"
 
 
 def evaluate(

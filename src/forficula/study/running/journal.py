@@ -22,27 +22,37 @@ from forficula.errors import InputError
 from forficula.files import open_to_append
 from forficula.lock import hold_lock
 from forficula.study.running.attempts import KEY, STALE, attempts_in, file_clock
+from forficula.study.running.stored_rows import CHECKSUM, StoredRows
 
 Row = dict[str, Any]
 
 # Increase this if the meaning of a row changes: old rows are then rejected instead of mixed with new ones.
 SCHEMA = 5
-_CHECKSUM = "crc32"
 _NAMES = "journal*.jsonl"
 _NAME = re.compile(r"journal(-(?P<number>\d+)-of-(?P<count>\d+))?(\.\d+)?\.jsonl")
 # [chosen] bytes at the end of a journal that contain the last entry, if the entry has no long reason
 _LONGEST_ENTRY = 1000
 # errors of file systems that cannot be told to write to the disk
 _CANNOT_SYNC = (errno.EINVAL, errno.ENOSYS, errno.ENOTSUP, errno.EROFS)
+# beginning of the line of a row, and of its end
+_BEGINNING, _END = b'{"key": "', f', "{CHECKSUM}": '.encode()
 
 
-def read_rows(folder: Path, base: Design, shard: tuple[int, int] = (1, 1)) -> dict[str, Row]:
-    """Return the rows of a study's folder by key, from all machines.
+def read_rows(folder: Path, base: Design) -> dict[str, Row]:
+    """Return all rows of a study's folder by key, from all shards and machines.
 
-    A shard does not need the rows of the other shards of the same division. It leaves out their journals, because
-    otherwise each of 1000 jobs would read the files of all of them.
+    Args and errors are those of `stored_rows`.
+    """
+    return dict(stored_rows(folder, base))
+
+
+def stored_rows(folder: Path, base: Design, shard: tuple[int, int] = (1, 1)) -> StoredRows:
+    """Return the rows of a study's folder by key, from all machines; they stay on disk until they are used.
 
     A damaged row, cut short by a crash or changed on disk, is skipped with a warning on stderr. Its run is repeated.
+
+    A shard does not need the rows of the other shards of the same division. Their journals are left out, because
+    otherwise each of 1000 jobs would read the journals of all of them.
 
     Args:
         folder: folder of the study; it need not exist.
@@ -53,50 +63,104 @@ def read_rows(folder: Path, base: Design, shard: tuple[int, int] = (1, 1)) -> di
         InputError: a journal cannot be read, or was written for another design or by other versions; the message says
             what differs.
     """
-    rows: dict[str, Row] = {}
-    try:
-        paths = sorted(folder.glob(_NAMES))
-    except OSError as error:
-        raise InputError(f"{folder}: cannot be read: {error.strerror}") from None
-    for path in paths:
+    rows = StoredRows()
+    for path in journals(folder):
         division = shard_of(path)
         if division is not None and division[1] == shard[1] and division != shard:
             continue
-        signed, damaged = False, 0
-        for entry in _entries(path):
-            if isinstance(entry.get("written_by"), dict):
-                _check_signature(path, entry["written_by"], _signature(base))
-                signed = True
-            elif not signed and isinstance(entry.get("key"), str):
-                raise InputError(
-                    f"{path}: has rows without the versions that wrote them; choose another folder with --out"
-                )
-            elif _is_whole(entry):
-                rows[entry["key"]] = entry
-            elif KEY not in entry:
-                damaged += 1
+        damaged = 0
+        for offset, key, entry in read_journal(path, base):
+            if key is not None:
+                rows.index(key, path, offset)
+            damaged += key is None and entry is None
         if damaged:
             damage = "1 damaged row is" if damaged == 1 else f"{damaged} damaged rows are"
             print(f"warning: {path}: {damage} skipped; missing runs are repeated", file=sys.stderr)
     return rows
 
 
-def _entries(path: Path) -> Iterator[dict[str, Any]]:
-    """Yield the lines of a journal: rows and signatures of those who wrote them; an invalid line is empty."""
+def journals(folder: Path) -> list[Path]:
+    """Return the paths of all journals in a folder, sorted.
+
+    Raises:
+        InputError: the folder cannot be read.
+    """
+    try:
+        return sorted(folder.glob(_NAMES))
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be read: {error.strerror}") from None
+
+
+def shard_of(path: Path) -> tuple[int, int] | None:
+    """Return the number and count of the shard to which a journal belongs, from its name; None for other names."""
+    match = _NAME.fullmatch(path.name)
+    return None if match is None else (int(match["number"] or 1), int(match["count"] or 1))
+
+
+def read_journal(path: Path, base: Design) -> Iterator[tuple[int, str | None, dict[str, Any] | None]]:
+    """Yield the lines of a journal.
+
+    Args:
+        path: path of the journal.
+        base: design of the study.
+
+    Yields:
+        The byte at which the line begins, and the key of an intact row, or the entry of a process, see `attempts`, or
+        neither for a damaged line.
+
+    Raises:
+        InputError: see `stored_rows`.
+    """
+    signed = False
+    for offset, line in _lines(path):
+        key = _intact_key(line) if signed else None
+        entry = _entry(line) if key is None else {}
+        if key is not None:
+            yield offset, key, None
+        elif isinstance(entry.get("written_by"), dict):
+            _check_signature(path, entry["written_by"], _signature(base))
+            signed = True
+        elif not signed and isinstance(entry.get("key"), str):
+            raise InputError(f"{path}: has rows without the versions that wrote them; choose another folder with --out")
+        elif KEY in entry:
+            yield offset, None, entry
+        else:
+            yield offset, entry["key"] if _is_whole(entry) else None, None
+
+
+def _lines(path: Path) -> Iterator[tuple[int, bytes]]:
+    """Yield the lines of a journal that are not empty, and the bytes at which they begin."""
     if path.is_symlink() or not path.is_file():
         raise InputError(f"{path}: cannot be read: need a file")
+    offset = 0
     try:
-        lines = path.read_bytes().split(b"\n")
+        with path.open("rb") as file:
+            for line in file:
+                if text := line.rstrip(b"\n"):
+                    yield offset, text
+                offset += len(line)
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    for line in lines:
-        if not line:
-            continue
-        try:
-            entry = json.loads(line)
-        except (ValueError, RecursionError):
-            entry = None
-        yield entry if isinstance(entry, dict) else {}
+
+
+def _entry(line: bytes) -> dict[str, Any]:
+    """Return a row, or the signature of those who wrote rows; an invalid line is empty."""
+    try:
+        entry = json.loads(line)
+    except (ValueError, RecursionError):
+        entry = None
+    return entry if isinstance(entry, dict) else {}
+
+
+def _intact_key(line: bytes) -> str | None:
+    """Return the key of a row whose line is as it was written; None for any other line."""
+    end = line.rfind(_END)
+    if not line.startswith(_BEGINNING) or not line[end + len(_END) : -1].isdigit() or not line.endswith(b"}"):
+        return None
+    if zlib.crc32(line[:end] + b"}") != int(line[end + len(_END) : -1]):
+        return None
+    key = line[len(_BEGINNING) : line.index(b'"', len(_BEGINNING))]
+    return None if b"\\" in key else key.decode()
 
 
 def _checksum(row: Mapping[str, Any]) -> int:
@@ -106,7 +170,7 @@ def _checksum(row: Mapping[str, Any]) -> int:
 
 def _is_whole(entry: dict[str, Any]) -> bool:
     """Return whether a row is intact. Its checksum is removed."""
-    checksum = entry.pop(_CHECKSUM, None)
+    checksum = entry.pop(CHECKSUM, None)
     try:
         return isinstance(entry.get("key"), str) and checksum == _checksum(entry)
     except (ValueError, RecursionError):
@@ -141,13 +205,18 @@ class Journal:
         self._lock = threading.Lock()
         self._failure = ""
 
-    def append(self, row: Mapping[str, Any]) -> None:
-        """Write a row so that killing this process does not lose it.
+    @property
+    def path(self) -> Path:
+        """Path of the file."""
+        return self._path
+
+    def append(self, row: Mapping[str, Any]) -> int:
+        """Write a row so that killing this process does not lose it, and return the byte at which its line begins.
 
         Raises:
             InputError: the disk is full, or the file cannot be written.
         """
-        self._write({**row, _CHECKSUM: _checksum(row)})
+        return self._write({**row, CHECKSUM: _checksum(row)})
 
     def sign(self, base: Design) -> None:
         """Write the identity of the writer of the following rows.
@@ -184,27 +253,25 @@ class Journal:
     def count_rows(self) -> int:
         """Return the number of runs that have an intact row in the journals of this shard."""
         shard = shard_of(self._path)
-        paths = [path for path in self._path.parent.glob(_NAMES) if shard_of(path) == shard]
-        return len({entry["key"] for path in paths for entry in _entries(path) if _is_whole(entry)})
+        paths = [path for path in journals(self._path.parent) if shard_of(path) == shard]
+        keys = {key for path in paths for _, line in _lines(path) if (key := _intact_key(line)) is not None}
+        return len(keys)
 
-    def _write(self, entry: Mapping[str, Any]) -> None:
+    def _write(self, entry: Mapping[str, Any]) -> int:
+        line = json.dumps(entry).encode() + b"\n"
         with self._lock:
             if self._failure:
                 raise self._error(self._failure)
             try:
-                self._file.write(json.dumps(entry).encode() + b"\n")
+                self._file.write(line)
                 self._file.flush()
+                # another process may have appended lines before this one
+                return self._file.tell() - len(line)
             except OSError as error:
                 raise self._error(str(error.strerror)) from None
 
     def _error(self, reason: str) -> InputError:
         return InputError(f"{self._path}: cannot be written: {reason}")
-
-
-def shard_of(path: Path) -> tuple[int, int] | None:
-    """Return the number and count of the shard to which a journal belongs, from its name; None for other names."""
-    match = _NAME.fullmatch(path.name)
-    return None if match is None else (int(match["number"] or 1), int(match["count"] or 1))
 
 
 def are_others_complete(folder: Path, shard: tuple[int, int]) -> bool:
@@ -213,7 +280,7 @@ def are_others_complete(folder: Path, shard: tuple[int, int]) -> bool:
     This reads a few bytes of each journal. Each of many shards can therefore call it.
     """
     complete = {shard[0]}
-    for path in folder.glob(_NAMES):
+    for path in journals(folder):
         number, count = shard_of(path) or shard
         if count == shard[1] and number not in complete and _ends_complete(path):
             complete.add(number)
@@ -257,7 +324,7 @@ def _is_written_elsewhere(path: Path) -> bool:
     if age > STALE:
         return False
     here = socket.gethostname()
-    return any(not attempt.ended and attempt.host != here for attempt in attempts_in(_entries(path)))
+    return any(not attempt.ended and attempt.host != here for attempt in attempts_in(_entry(line) for _, line in _lines(path)))
 
 
 @contextmanager
@@ -296,7 +363,7 @@ def open_journal(folder: Path, base: Design, shard: tuple[int, int]) -> Iterator
             if file.tell():
                 # a line that a crash cut short must not merge with the next one
                 file.write(b"\n")
-            if not any("written_by" in entry for entry in _entries(path)):
+            if not any("written_by" in _entry(line) for _, line in _lines(path)):
                 journal.sign(base)
             yield journal
             journal.sync()

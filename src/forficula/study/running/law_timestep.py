@@ -30,7 +30,7 @@ def law_timestep(design: Design) -> tuple[Design, str]:
     timestep = design.protocol.timestep
     if timestep == "auto" or design.reference is None or is_timestep_set(design):
         return design, ""
-    if not _has_law(design.si_tables().get("tendon")) or timestep != load_design(design.reference).protocol.timestep:
+    if not has_law(design) or timestep != load_design(design.reference).protocol.timestep:
         return design, ""
     # the limit of the timestep takes longer to compute than the structure
     viscous = any(any(tendon.law.damping or ()) or tendon.law.branches for tendon in structure_of(design).tendons)
@@ -41,6 +41,11 @@ def law_timestep(design: Design) -> tuple[Design, str]:
         f" {1e3 * timestep:.3g} ms, the timestep of {design.reference}; a value for protocol.timestep among the"
         " settings is kept"
     )
+
+
+def has_law(design: Design) -> bool:
+    """Return whether a tendon of a design has a law."""
+    return _has_law(design.si_tables().get("tendon"))
 
 
 def _has_law(tables: object) -> bool:

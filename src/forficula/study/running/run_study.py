@@ -12,9 +12,10 @@ from forficula.errors import InputError
 from forficula.names import check_whole
 from forficula.study.running.attempt_writer import attempt
 from forficula.study.running.evaluate import evaluate, row_key
-from forficula.study.running.journal import Row, are_others_complete, open_journal, read_rows
-from forficula.study.running.law_timestep import with_timestep_for_law
-from forficula.study.search import most_runs, point_design, search_designs
+from forficula.study.running.journal import Row, are_others_complete, open_journal, stored_rows
+from forficula.study.running.plan import Plan
+from forficula.study.running.stored_rows import StoredRows
+from forficula.study.search import most_runs, search_designs
 from forficula.study.study import Study
 from forficula.study.tables.table import build_table
 
@@ -29,6 +30,8 @@ Building = Callable[[int, int], None]
 
 # Number of points whose designs are built before the first of them runs, which takes a few seconds.
 _WINDOW = 1024
+# Number of missing runs that are counted; there may be more.
+_MOST_COUNTED = 10_000
 # Runs side by side in one batch: large enough that a few slow runs do not leave a core idle for long.
 _BATCH = 1024
 
@@ -56,8 +59,8 @@ def run_study(
         progress: called after every run with the number of completed runs, the number of runs known to be needed, and
             the row. A run that a search no longer needs counts as completed, so the number of needed runs never
             shrinks.
-        building: called now and then, while designs are built that do not run in this call, with the number of built
-            designs and the number of all of them.
+        building: called now and then, while points are checked that do not run in this call, with the number of
+            checked points and the number of all of them.
 
     Returns:
         The table, or None if points of other shards are missing.
@@ -70,25 +73,23 @@ def run_study(
     for name, value, least in (("threads", threads, 0), ("batch", batch, 1)):
         check_whole(name, value, least)
     folder = Path(out)
-    rows = read_rows(folder, study.base, shard)
-    points_of_shard = range(shard[0] - 1, len(study.points), shard[1])
-    designs: dict[int, Design | str] = {}
+    rows, plan = stored_rows(folder, study.base, shard), Plan(study)
+    points_of_shard = range(shard[0] - 1, len(plan), shard[1])
     second = study.search.second if study.search is not None else None
     count = RunCount(0, len(points_of_shard), "" if second is None else second.state)
     with open_journal(folder, study.base, shard) as journal, attempt(journal, study) as writer:
-        # the first points run before the last ones are built
+        # the first points run before the designs of the last ones are built
         for first in range(0, len(points_of_shard), _WINDOW):
-            window = {number: _design(study, number) for number in points_of_shard[first : first + _WINDOW]}
-            designs |= window
-            count.reach(len(window), len(_known(study, window, rows)))
-            while missing := _missing_by_point(study, window, rows):
+            window = points_of_shard[first : first + _WINDOW]
+            done, designs = _split(plan, window, rows)
+            count.reach(len(window), len(done | _known(study, designs, rows)))
+            while missing := _missing_by_point(study, designs, rows):
                 count.plan([list(point) for point in missing])
                 writer.report(first + len(window) - len(missing), count.needed - count.done)
                 todo = list(_joined(missing).values())
                 searches = study.search is not None
                 for row in _in_batches(todo, threads, batch, searches) if cluster is None else cluster(todo, searches):
-                    writer.append(row)
-                    rows[row["key"]] = row
+                    rows.add(row, journal.path, writer.append(row))
                     count.count(row)
                     if progress is not None:
                         progress(count.done, count.needed, row)
@@ -96,11 +97,10 @@ def run_study(
     if shard[1] > 1:
         if not are_others_complete(folder, shard):
             return None
-        rows = read_rows(folder, study.base)
-    designs = _designs(study, building, designs)
-    if _missing_by_point(study, designs, rows):
+        rows = stored_rows(folder, study.base)
+    if shard[1] > 1 and next(_missing(plan, rows, building), None) is not None:
         return None
-    return build_table(study, designs, rows)
+    return build_table(study, plan, rows)
 
 
 def _in_batches(designs: Sequence[Design], threads: int, batch: int, until_last: bool) -> Iterator[Row]:
@@ -120,10 +120,16 @@ def collect(study: Study, out: str | Path, building: Building | None = None) -> 
         InputError: rows are missing (the message has their number), or the folder has another study's rows.
     """
     folder = Path(out)
-    rows, designs = read_rows(folder, study.base), _designs(study, building)
-    if points := _missing_by_point(study, designs, rows):
-        raise InputError(f"{folder}: {len(_joined(points))} runs are missing; run the remaining shards, then collect")
-    return build_table(study, designs, rows)
+    rows, plan = stored_rows(folder, study.base), Plan(study)
+    keys: set[str] = set()
+    for point in _missing(plan, rows, building):
+        keys |= point.keys()
+        if len(keys) > _MOST_COUNTED:
+            break
+    if keys:
+        number = f"more than {_MOST_COUNTED}" if len(keys) > _MOST_COUNTED else len(keys)
+        raise InputError(f"{folder}: {number} runs are missing; run the remaining shards, then collect")
+    return build_table(study, plan, rows)
 
 
 def estimate(study: Study, out: str | Path, building: Building | None = None) -> tuple[int, int, float]:
@@ -137,12 +143,12 @@ def estimate(study: Study, out: str | Path, building: Building | None = None) ->
         out: folder with rows, if there are any.
         building: see `run_study`.
     """
-    rows, designs = read_rows(Path(out), study.base), _designs(study, building)
+    rows, plan = stored_rows(Path(out), study.base), Plan(study)
     most = len(study.points) * (1 if study.search is None else most_runs(study.search))
-    left = len(_missing_by_point(study, designs, rows))
+    left = _number_left(plan, rows, building)
     if not left:
         return most, 0, 0.0
-    middle = {0: list(designs.values())[len(designs) // 2]}
+    middle = {0: plan[len(plan) // 2]}
     measured: dict[str, Row] = {}
     start = time.perf_counter()
     while points := _missing_by_point(study, middle, measured):
@@ -150,24 +156,42 @@ def estimate(study: Study, out: str | Path, building: Building | None = None) ->
     return most, left, (time.perf_counter() - start) * left
 
 
-def _designs(
-    study: Study, building: Building | None = None, built: Mapping[int, Design | str] | None = None
-) -> dict[int, Design | str]:
-    """Return the design at every point in order, or why there is none. Designs in `built` are reused."""
-    designs: dict[int, Design | str] = {}
-    for number in range(len(study.points)):
-        designs[number] = (built or {}).get(number) or _design(study, number)
-        if building is not None and number not in (built or {}):
-            building(number + 1, len(study.points))
-    return designs
+def _split(plan: Plan, numbers: range, rows: Mapping[str, Row]) -> tuple[set[str], dict[int, Design | str]]:
+    """Return the keys of rows that some points need and have, and the designs of all other points."""
+    keys = dict(zip(numbers, plan.keys_without_designs(numbers), strict=True))
+    done = {number: key for number, key in keys.items() if key is not None and key in rows}
+    return set(done.values()), {number: plan[number] for number in numbers if number not in done}
 
 
-def _design(study: Study, number: int) -> Design | str:
-    """Return the design at a point, or why there is none."""
-    try:
-        return with_timestep_for_law(point_design(study.base, study.points[number], study.search))
-    except InputError as error:
-        return str(error)
+def _missing(plan: Plan, rows: Mapping[str, Row], building: Building | None) -> Iterator[dict[str, Design]]:
+    """Yield the missing runs of every incomplete point; see `_missing_by_point`."""
+    for first in range(0, len(plan), _WINDOW):
+        window = range(first, min(first + _WINDOW, len(plan)))
+        _, designs = _split(plan, window, rows)
+        yield from _missing_by_point(plan.study, designs, rows)
+        if building is not None:
+            building(window.stop, len(plan))
+
+
+def _number_left(plan: Plan, rows: StoredRows, building: Building | None) -> int:
+    """Return the number of incomplete points.
+
+    Of more than 10 000 points, those without a valid design count too, because their designs are not built.
+    """
+    if len(plan) <= _MOST_COUNTED:
+        return sum(1 for _ in _missing(plan, rows, building))
+    if not rows:
+        return len(plan)
+    left = 0
+    for first in range(0, len(plan), _WINDOW):
+        window = range(first, min(first + _WINDOW, len(plan)))
+        keys = dict(zip(window, plan.keys_without_designs(window), strict=True))
+        left += sum(key not in rows for key in keys.values() if key is not None)
+        unknown = {number: plan[number] for number, key in keys.items() if key is None}
+        left += len(_missing_by_point(plan.study, unknown, rows))
+        if building is not None:
+            building(window.stop, len(plan))
+    return left
 
 
 def _needed_runs(study: Study, design: Design, rows: Mapping[str, Row]) -> dict[str, Design]:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
-from functools import cached_property
 from itertools import groupby
 from pathlib import Path
 from statistics import median
@@ -200,7 +199,7 @@ def _facts(study: Study, path: Path, mark: str) -> _JournalFacts:
     entries = []
     damaged = later = 0
     try:
-        for key, entry in read_journal(path, study.base):
+        for _, key, entry in read_journal(path, study.base):
             if key is not None:
                 keys.add(key)
                 later += 1
@@ -277,8 +276,6 @@ def _state(attempts: Sequence[Attempt], rows: int, points: int, age: float) -> t
 
 def _with_slow(shards: Sequence[ShardStatus]) -> Iterator[ShardStatus]:
     """Mark the shards whose runs take much longer than those of the median shard."""
-    from dataclasses import replace
-
     times = [1 / shard.rate for shard in shards if shard.rate]
     limit = _SLOW * median(times) if len(times) > _FEWEST_RUNS else math.inf
     for shard in shards:

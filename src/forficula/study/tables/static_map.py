@@ -18,8 +18,9 @@ from forficula.statics.tree.lines import line_energy
 from forficula.statics.tree.potential import Ensemble, ensemble_of
 from forficula.statics.tree.quasi_static import at_goal, slow_transition, start_state, state_after
 from forficula.structure import Structure, Transition, goal_of, static_keys, structure_of
-from forficula.study.factors import grid_points, read_factor
+from forficula.study.factors import read_factor
 from forficula.study.files.search_file import read_search
+from forficula.study.points import grid_points
 from forficula.study.search import point_design
 from forficula.study.search_steps import Search
 from forficula.study.study import Study
@@ -71,7 +72,7 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
         source="",
         base=design,
         factors=factors,
-        points=tuple(grid_points(factors)),
+        points=grid_points(factors),
         sampled=False,
         search=search or read_search("least-torques", {}, design),
     )

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from forficula.analysis import SPRUNG, Ending, Verdict
 from forficula.analysis.margin import combined_row_margin, margin_column
 from forficula.analysis.package import flat_package
-from forficula.arrays import Array
+from forficula.arrays import Array, Flags
 from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
@@ -21,8 +22,10 @@ from forficula.structure import Structure, drive_keys, first_state, springs_name
 from forficula.study.assumptions.choices import CHOICE, choice_label, own_value
 from forficula.study.changes import CHANGE
 from forficula.study.factors import Factor
+from forficula.study.points import SampledPoints
 from forficula.study.running.evaluate import ending_row, row_key
 from forficula.study.running.journal import Row
+from forficula.study.running.plan import Plan
 from forficula.study.search import search_result
 from forficula.study.search_steps import Search, SearchStep
 from forficula.study.study import Study
@@ -31,6 +34,9 @@ from forficula.study.tables.redundancy import CHANGED_VALUES, FIRST, MARGIN, SEC
 
 if TYPE_CHECKING:
     import xarray
+
+# Number of points whose results are in memory as Python objects at a time. [chosen]
+_ROWS = 4096
 
 
 def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> xarray.Dataset:
@@ -57,38 +63,32 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
 
     structure, search = structure_of(study.base), study.search
     numbers = _numbers(study, structure)
-    results = [_result(study, designs[number], rows, numbers) for number in range(len(study.points))]
+    columns = _read_columns(study, designs, rows, numbers)
     coordinates, dimensions, shape = table_axes(study)
-    words: tuple[str, ...] = ("status", "verdict", "outcome")
-    if search is not None:
-        words += (f"{search.first.transition}_outcome", "reference_outcome")
     variables: dict[str, Any] = {}
     for name, (unit, meaning) in numbers.items():
         sprung = name.endswith(tuple(f"_{kind}_energy" for kind in SPRUNG))
         # not every structure has springs
-        if sprung and all(result.get(name) is None for result in results):
+        if sprung and name not in columns.known:
             continue
-        values = np.array([_nan(result.get(name)) for result in results]).reshape(shape)
+        values = columns.numbers[name].reshape(shape)
         variables[name] = (dimensions, values, {"units": unit, "long_name": meaning})
-    for name in words:
-        texts = np.array([str(result.get(name, result["outcome"])) for result in results], dtype=object).reshape(shape)
-        variables[name] = (dimensions, texts)
+    for name, texts in columns.words.items():
+        variables[name] = (dimensions, texts.reshape(shape))
     if search is None:
-        for transition in structure.transitions:
-            holds = np.array([bool(result.get(transition.state)) for result in results]).reshape(shape)
-            variables[transition.state] = (dimensions, holds)
+        for state, holds in columns.holds.items():
+            variables[state] = (dimensions, holds.reshape(shape))
     else:
-        variables |= _by_value(search, results, dimensions, shape)
+        variables |= _by_value(search, columns, dimensions, shape)
         coordinates[search.first.value_name] = _tried(search.first)
         if search.second is None:
             del variables["reference_outcome"]
         else:
             variables["reference_outcome"] += ({"torque": search.reference, "units": search.first.unit.si},)
-    if any(key.startswith("pattern.") for point in study.points for key in point):
-        variables |= _folded_sizes([designs[number] for number in range(len(results))], dimensions, shape)
-    automatic = (isinstance(design, Design) and design.protocol.timestep == "auto" for design in designs.values())
-    if search is None and any(automatic):
-        steps = np.array([_nan(result.get("timestep_s")) for result in results]).reshape(shape)
+    if any(key.startswith("pattern.") for key in _varied_keys(study)):
+        variables |= _folded_sizes(designs, dimensions, shape)
+    if columns.automatic:
+        steps = columns.timesteps.reshape(shape)
         variables["timestep"] = (dimensions, steps, {"units": "s", "long_name": "timestep of the run"})
     attributes = {
         "name": study.name,
@@ -109,11 +109,96 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     return table
 
 
+@dataclass(frozen=True, kw_only=True)
+class _ReadColumns:
+    """Results of all points, one array for each column.
+
+    Attributes:
+        numbers: numbers in SI by name, nan if missing, (point,).
+        known: names of numbers that some point has.
+        words: outcomes and texts by name, (point,).
+        holds: whether each state holds, by name, (point,); empty for a search.
+        timesteps: timestep of each run, s; nan if missing or for a search, (point,).
+        automatic: whether a run has an automatic timestep and nothing is searched.
+        times_tried: for a search, time of the first transition for every value that was tried, s, (point, value).
+        outcomes_tried: the outcomes for these values, (point, value).
+    """
+
+    numbers: Mapping[str, Array]
+    known: set[str]
+    words: Mapping[str, NDArray[np.object_]]
+    holds: Mapping[str, Flags]
+    timesteps: Array
+    automatic: bool
+    times_tried: Array
+    outcomes_tried: NDArray[np.object_]
+
+
+def _read_columns(
+    study: Study,
+    designs: Mapping[int, Design | str],
+    rows: Mapping[str, Row],
+    numbers: Mapping[str, tuple[str, str]],
+) -> _ReadColumns:
+    """Read the results of all points, one after another."""
+    count, search = len(study.points), study.search
+    names: tuple[str, ...] = ("status", "verdict", "outcome")
+    if search is not None:
+        names += (f"{search.first.transition}_outcome", "reference_outcome")
+    tried = () if search is None else search.first.values
+    values = {name: np.full(count, math.nan) for name in numbers}
+    words = {name: np.empty(count, dtype=object) for name in names}
+    transitions = structure_of(study.base).transitions if search is None else ()
+    holds = {transition.state: np.zeros(count, dtype=bool) for transition in transitions}
+    timesteps, automatic = np.full(count, math.nan), False
+    times, outcomes = np.full((count, len(tried)), math.nan), np.empty((count, len(tried)), dtype=object)
+    known, texts = set[str](), dict[str, str]()
+
+    def text(word: object) -> str:
+        """Return a word; equal words are one object."""
+        return texts.setdefault(str(word), str(word))
+
+    for number, (result, is_automatic) in enumerate(_results(study, designs, rows, numbers)):
+        for name, column in values.items():
+            if (value := result.get(name)) is not None:
+                column[number] = value
+                known.add(name)
+        for name, entries in words.items():
+            entries[number] = text(result.get(name, result["outcome"]))
+        for state, flags in holds.items():
+            flags[number] = bool(result.get(state))
+        if search is None:
+            timesteps[number] = _nan(result.get("timestep_s"))
+            automatic |= is_automatic
+        for place, value in enumerate(tried):
+            times[number, place] = _nan(result.get("times_tried", {}).get(value))
+            outcomes[number, place] = text(result.get("outcomes_tried", {}).get(value, result["outcome"]))
+    return _ReadColumns(
+        numbers=values,
+        known=known,
+        words=words,
+        holds=holds,
+        timesteps=timesteps,
+        automatic=automatic,
+        times_tried=times,
+        outcomes_tried=outcomes,
+    )
+
+
+def _varied_keys(study: Study) -> set[str]:
+    """Return the keys that any point of a study changes."""
+    keys = {factor.key for factor in (*study.factors, *study.grid)}
+    return keys | {key for change in study.plan.changes for key in change.values}
+
+
 def _folded_sizes(
-    designs: Sequence[Design | str], dimensions: tuple[str, ...], shape: tuple[int, ...]
+    designs: Mapping[int, Design | str], dimensions: tuple[str, ...], shape: tuple[int, ...]
 ) -> dict[str, Any]:
     """Return the sizes of the flat-folded sheets of designs; none if no sheet folds flat."""
-    sizes = [flat_package(structure_of(design)) if isinstance(design, Design) else None for design in designs]
+    sizes = [
+        flat_package(structure_of(design)) if isinstance(design := designs[number], Design) else None
+        for number in range(len(designs))
+    ]
     if not any(sizes):
         return {}
     ratios = np.array([math.nan if size is None else size.folding_ratio for size in sizes]).reshape(shape)
@@ -190,20 +275,16 @@ def _columns(study: Study, table: xarray.Dataset) -> list[str]:
 
 
 def _by_value(
-    search: Search, results: Sequence[Mapping[str, Any]], dimensions: tuple[str, ...], shape: tuple[int, ...]
+    search: Search, columns: _ReadColumns, dimensions: tuple[str, ...], shape: tuple[int, ...]
 ) -> dict[str, Any]:
     """Return the result of the first transition for every value that was tried."""
     first, kind = search.first, "torque" if search.first.unit is TORQUE else "value"
     axes = (*dimensions, first.value_name)
-    times = np.array([[_nan(result.get("times_tried", {}).get(value)) for value in first.values] for result in results])
-    outcomes = [
-        [result.get("outcomes_tried", {}).get(value, result["outcome"]) for value in first.values] for result in results
-    ]
-    times = times.reshape(*shape, -1)
+    times = columns.times_tried.reshape(*shape, -1)
     return {
         f"{first.transition}_time_by_{kind}": (axes, times, {"units": "s"}),
         f"{first.state}_by_{kind}": (axes, np.isfinite(times)),
-        f"{first.transition}_outcome_by_{kind}": (axes, np.array(outcomes, dtype=object).reshape(*shape, -1)),
+        f"{first.transition}_outcome_by_{kind}": (axes, columns.outcomes_tried.reshape(*shape, -1)),
     }
 
 
@@ -217,11 +298,18 @@ def _tried(step: SearchStep) -> tuple[str, Array, dict[str, str]]:
     )
 
 
-def table_csv(study: Study, table: xarray.Dataset) -> str:
-    """Return the table as text: one line per point, units in column names, empty cells for missing numbers."""
+def csv_lines(study: Study, table: xarray.Dataset) -> Iterator[str]:
+    """Yield the lines of `table_csv`."""
     names, rows = _rows(study, table)
     varied = len(study.factors) + len(study.grid) + len(_texts_of_changes(study))
-    return csv_text([names, *([*row[:varied], *map(_cell, row[varied:])] for row in rows)])
+    yield csv_text([names])
+    for row in rows:
+        yield csv_text([[*row[:varied], *map(_cell, row[varied:])]])
+
+
+def table_csv(study: Study, table: xarray.Dataset) -> str:
+    """Return the table as text: one line per point, units in column names, empty cells for missing numbers."""
+    return "".join(csv_lines(study, table))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -239,34 +327,53 @@ class TableRow:
     others: Annotated[Mapping[str, float | str | bool | None], Written.BESIDE]
 
 
-def table_json(study: Study, table: xarray.Dataset) -> list[dict[str, Any]]:
-    """Return the rows of `table_csv` as plain data, with the keys of `TableRow`; None for missing values."""
+def json_rows(study: Study, table: xarray.Dataset) -> Iterator[dict[str, Any]]:
+    """Yield the rows of `table_csv` as plain data, with the keys of `TableRow`; None for missing values."""
     names, rows = _rows(study, table)
-    return [dict(zip(names, row, strict=True)) for row in rows]
+    return (dict(zip(names, row, strict=True)) for row in rows)
 
 
-def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], list[list[Any]]]:
+def table_json(study: Study, table: xarray.Dataset) -> list[dict[str, Any]]:
+    """Return all rows of `json_rows`."""
+    return list(json_rows(study, table))
+
+
+def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], Iterator[list[Any]]]:
     """Return column names and rows of a table, one per point; None for missing or inconclusive values."""
     varied = (*study.factors, *study.grid)
     factors, texts = [_column(factor) for factor in varied], _texts_of_changes(study)
     names = _columns(study, table)
     units = {name: unit_suffix(table[name].attrs.get("units", "")) for name in names}
-    columns = [table[name].values.ravel().tolist() for name in names]
-    inconclusive = [verdict for verdict in Verdict if not verdict.conclusive]
-    words = table["verdict" if "verdict" in table else "outcome"].values
-    conclusive = (~np.isin(words.astype(str).ravel(), inconclusive)).tolist()
-    rows: list[list[Any]] = []
-    for number, point in enumerate(study.points):
-        values = [_point_value(study, factor, point) for factor in varied]
-        cells = [
-            *(str(table[name].values[number]) for name in texts),
-            *(
-                factor * value if isinstance(value, float) else value
-                for value, (_, factor) in zip(values, factors, strict=True)
-            ),
-        ]
-        rows.append([*cells, *(_known(column[number], conclusive=conclusive[number]) for column in columns)])
-    return [*texts, *(name for name, _ in factors), *(name + units[name] for name in names)], rows
+
+    def rows() -> Iterator[list[Any]]:
+        inconclusive = {str(verdict) for verdict in Verdict if not verdict.conclusive}
+        words = table["verdict" if "verdict" in table else "outcome"].values.ravel()
+        flat = [table[name].values.ravel() for name in names]
+        coordinates = [_values_at_points(study, factor, table) for factor in varied]
+        for first in range(0, len(study.points), _ROWS):
+            block = slice(first, first + _ROWS)
+            columns = [column[block].tolist() for column in flat]
+            factor_values = [values(block) for values in coordinates]
+            for place, word in enumerate(words[block].tolist()):
+                cells = [
+                    *(str(table[name].values[first + place]) for name in texts),
+                    *(
+                        factor * value if isinstance(value, float) else value
+                        for value, (_, factor) in zip((column[place] for column in factor_values), factors, strict=True)
+                    ),
+                ]
+                conclusive = str(word) not in inconclusive
+                yield [*cells, *(_known(column[place], conclusive=conclusive) for column in columns)]
+
+    return [*texts, *(name for name, _ in factors), *(name + units[name] for name in names)], rows()
+
+
+def _values_at_points(study: Study, factor: Factor, table: xarray.Dataset) -> Callable[[slice], list[Any]]:
+    """Return a function that returns the values of a factor at a slice of the points, in the form of the table."""
+    if study.sampled and table[factor.dimension].dtype.kind == "f":
+        column = table[factor.dimension].values
+        return lambda block: list(column[block].tolist())
+    return lambda block: [_point_value(study, factor, point) for point in study.points[block]]
 
 
 def _texts_of_changes(study: Study) -> tuple[str, ...]:
@@ -274,15 +381,34 @@ def _texts_of_changes(study: Study) -> tuple[str, ...]:
     return (CHANGE, CHANGED_VALUES) if study.plan else ()
 
 
-def _result(
-    study: Study, design: Design | str, rows: Mapping[str, Row], numbers: Mapping[str, tuple[str, str]]
-) -> dict[str, Any]:
-    """Return the result of a point: numbers in SI by their names in the table, and words."""
-    if isinstance(design, str):
-        return ending_row(Ending(verdict=Verdict.NOT_BUILT, why=design))
-    if study.search is not None:
-        return search_result(design, study.search, rows)
-    row = rows[row_key(design)]
+def _results(
+    study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row], numbers: Mapping[str, tuple[str, str]]
+) -> Iterator[tuple[dict[str, Any], bool]]:
+    """Yield the result of every point, and whether its design has an automatic timestep.
+
+    A result has numbers in SI by their names in the table, and words.
+    """
+    keys: Sequence[str | None] = ()
+    for number in range(len(study.points)):
+        if number % _ROWS == 0:
+            block = range(number, min(number + _ROWS, len(study.points)))
+            keys = designs.keys_without_designs(block) if isinstance(designs, Plan) else [None] * len(block)
+        key = keys[number % _ROWS]
+        if key is not None and (row := rows.get(key)) is not None:
+            # such a design has the timestep of the base, or a number
+            automatic = study.base.protocol.timestep == "auto" and "protocol.timestep" not in _varied_keys(study)
+            yield _of_run(study, row, numbers), automatic
+            continue
+        design = designs[number]
+        if isinstance(design, str):
+            yield ending_row(Ending(verdict=Verdict.NOT_BUILT, why=design)), False
+        elif study.search is not None:
+            yield search_result(design, study.search, rows), False
+        else:
+            yield _of_run(study, rows[row_key(design)], numbers), design.protocol.timestep == "auto"
+
+
+def _of_run(study: Study, row: Row, numbers: Mapping[str, tuple[str, str]]) -> dict[str, Any]:
     if study.plan:
         row = _with_margins(row, study)
     return row | {name: row.get(f"{name}_{unit}") for name, (unit, _) in numbers.items() if unit}
@@ -299,6 +425,7 @@ def _with_margins(row: Row, study: Study) -> Row:
 def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:
     """Return coordinates, dimensions and shape of the table."""
     coordinates: dict[str, Any] = {}
+    values: Sequence[Any]
     if study.plan:
         return _changes(study), (CHANGE,), (len(study.points),)
     crossed = study.grid if study.choices else () if study.sampled else study.factors
@@ -313,13 +440,22 @@ def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int
             dimension, values = factor.dimension, [_factor_value(factor, value) for value in factor.values]
         else:
             dimension, points = names[0], study.choices or study.points
-            values = [_point_value(study, factor, point) for point in points]
+            values = _sampled_values(study, factor) or [_point_value(study, factor, point) for point in points]
         unit = factor.unit
         attributes = {"key": factor.key, "long_name": factor.key.replace(".", " ").replace("_", " ")}
         if unit is not None:
             attributes |= {"units": unit.si, "display": unit.display}
         coordinates[factor.dimension] = (dimension, values, attributes)
     return coordinates, tuple(names), tuple(shape)
+
+
+def _sampled_values(study: Study, factor: Factor) -> list[float] | None:
+    """Return the values of a factor at all sampled points, SI; None if its values are not sampled numbers."""
+    if not isinstance(study.points, SampledPoints):
+        return None
+    place = study.factors.index(factor)
+    blocks = (range(first, min(first + _ROWS, len(study.points))) for first in range(0, len(study.points), _ROWS))
+    return [value for block in blocks for value in study.points.si_values(block)[:, place].tolist()]
 
 
 def _changes(study: Study) -> dict[str, Any]:
