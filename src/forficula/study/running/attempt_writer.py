@@ -27,8 +27,6 @@ _JOBS = (
 )
 
 
-
-
 class AttemptWriter:
     """Writes the entries of one process to its journal."""
 

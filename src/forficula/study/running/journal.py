@@ -30,6 +30,8 @@ Row = dict[str, Any]
 SCHEMA = 5
 _NAMES = "journal*.jsonl"
 _NAME = re.compile(r"journal(-(?P<number>\d+)-of-(?P<count>\d+))?(\.\d+)?\.jsonl")
+# beginning of the line of an entry of a process
+_ENTRY = f'{{"{KEY}": '.encode()
 # [chosen] bytes at the end of a journal that contain the last entry, if the entry has no long reason
 _LONGEST_ENTRY = 1000
 # errors of file systems that cannot be told to write to the disk
@@ -324,7 +326,9 @@ def _is_written_elsewhere(path: Path) -> bool:
     if age > STALE:
         return False
     here = socket.gethostname()
-    return any(not attempt.ended and attempt.host != here for attempt in attempts_in(_entry(line) for _, line in _lines(path)))
+    return any(
+        not attempt.ended and attempt.host != here for attempt in attempts_in(_entry(line) for _, line in _lines(path))
+    )
 
 
 @contextmanager

@@ -85,12 +85,12 @@ def run_study(
             count.reach(len(window), len(done | _known(study, designs, rows)))
             while missing := _missing_by_point(study, designs, rows):
                 count.plan([list(point) for point in missing])
-                writer.report(first + len(window) - len(missing), count.needed - count.done)
                 todo = list(_joined(missing).values())
-                searches = study.search is not None
+                searches, complete = study.search is not None, first + len(window) - len(missing)
                 for row in _in_batches(todo, threads, batch, searches) if cluster is None else cluster(todo, searches):
                     rows.add(row, journal.path, writer.append(row))
                     count.count(row)
+                    writer.report(complete if searches else count.done, count.needed - count.done)
                     if progress is not None:
                         progress(count.done, count.needed, row)
             writer.report(first + len(window), count.needed - count.done)
