@@ -330,8 +330,8 @@ def test_ctrl_c_stops_a_study_with_one_line_and_the_same_command_continues(tmp_p
     journal = tmp_path / "out" / "journal.jsonl"
     command = [sys.executable, "-m", "forficula", "study", path, "--out", journal.parent, "--keep", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-        # the signature, and at least one row
-        while not (journal.exists() and journal.stat().st_size >= 600):
+        # the signature, the start of the process, and at least one row
+        while not (journal.exists() and journal.stat().st_size >= 900):
             assert process.poll() is None
             time.sleep(1e-3)
         process.send_signal(signal.SIGINT)

@@ -53,6 +53,9 @@ def study(
         str, Parameter(help="Run one part of the points, such as 2/8 for part 2 of 8; then use --collect.")
     ] = _ALL,
     collect: Annotated[bool, Parameter(help="Build the table from the rows of all shards.")] = False,
+    status: Annotated[
+        bool, Parameter(help="Report which shards are complete, run, or must run again; exit status 0 if complete.")
+    ] = False,
     slurm: Annotated[
         int | None, WHOLE_NUMBER, Parameter(help="Write a SLURM job array of this number of shards, and run nothing.")
     ] = None,
@@ -64,7 +67,7 @@ def study(
     ] = None,
     no_engine: NoEngine = False,
     open_report: OpenReport = False,
-) -> None:
+) -> int | None:
     """Run a study, or resume one: a table of all runs, maps, and a page in which each point opens its run."""
     from forficula.reproduction import check_reproduction
     from forficula.show.progress import building_progress
@@ -73,9 +76,11 @@ def study(
 
     split = {"--shard": shard != _ALL, "--dask": dask is not None}
     drawn = {"--keep": keep is not None, "--no-engine": no_engine, "--open": open_report}
+    others = {"--slurm": slurm is not None, "--collect": collect, "--dry-run": dry_run}
+    check_apart("--status", status, others | split | drawn)
     check_apart("--slurm", slurm is not None, {"--collect": collect, "--dry-run": dry_run} | split | drawn)
     check_apart("--collect", collect, {"--dry-run": dry_run} | split)
-    check_apart("--dry-run", dry_run, split | drawn)
+    check_apart("--dry-run", dry_run, {"--dask": dask is not None} | drawn)
     chosen = load_study(study)
     folder = out or Path("out") / chosen.name
     check_folder(folder, "study")
@@ -85,16 +90,18 @@ def study(
 
         most = keep
         read_option("--keep", lambda: check_most(most))
+    if status:
+        return _print_status(chosen, study, folder)
     if slurm is not None:
         _write_job(study, folder, slurm)
-        return
+        return None
     if dry_run:
-        _print_estimate(chosen, folder)
-        return
+        _print_estimate(chosen, folder, shard)
+        return None
     table = collect_study(chosen, folder, building_progress()) if collect else _run(chosen, folder, shard, dask)
     if table is None:
         print(f"shard {shard} is done; when all are: forficula study {study} --out {folder} --collect")
-        return
+        return None
 
     from forficula.show import print_study, write_study
 
@@ -105,6 +112,19 @@ def study(
     set_result(table_json(chosen, table))
     _report(chosen, table, keep, folder, engine=not no_engine)
     end_with_page(folder, show=open_report)
+    return None
+
+
+def _print_status(study: Study, name: str, folder: Path) -> int:
+    """Print the status of a study, and return the exit status: 2 unless the study is complete."""
+    from forficula.serial import plain
+    from forficula.show.study.status_table import print_status
+    from forficula.study.running.study_status import study_status
+
+    status = study_status(study, folder)
+    print_status(status, name, folder)
+    set_result(plain(status))
+    return 0 if status.complete else 2
 
 
 def _write_job(study: str, folder: Path, shards: int) -> None:
@@ -117,16 +137,17 @@ def _write_job(study: str, folder: Path, shards: int) -> None:
     print(f"written to {job}; submit it with: sbatch {job}")
 
 
-def _print_estimate(study: Study, folder: Path) -> None:
-    """Print the number of runs of a study, and the time of those that remain."""
+def _print_estimate(study: Study, folder: Path, shard: str) -> None:
+    """Print the number of runs of a study or a shard of it, and the time of those that remain."""
     from forficula.show.progress import building_progress
     from forficula.study import estimate
 
-    most, left, seconds = estimate(study, folder, building_progress())
-    set_result(
-        {"name": study.name, "points": len(study.points), "most_runs": most, "runs_left": left, "time_s": seconds}
-    )
-    print(f"{study.name}: {len(study.points)} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
+    number, count = read_shard(shard)
+    most, left, seconds = estimate(study, folder, building_progress(), shard=(number, count))
+    points = len(range(number - 1, len(study.points), count))
+    set_result({"name": study.name, "points": points, "most_runs": most, "runs_left": left, "time_s": seconds})
+    name = study.name if count == 1 else f"shard {shard} of {study.name}"
+    print(f"{name}: {points} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
 
 
 def _run(study: Study, folder: Path, shard: str, dask: str | None) -> Dataset | None:
