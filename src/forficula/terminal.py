@@ -6,7 +6,9 @@ import codecs
 import io
 import json
 import os
+import signal
 import sys
+import threading
 import unicodedata
 import warnings
 from collections.abc import Callable, Iterator
@@ -14,6 +16,7 @@ from contextlib import contextmanager, redirect_stdout, suppress
 from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import indent
 from typing import Any, TextIO
 
 # spellings of letters that the package writes; units above all must not turn into other units
@@ -65,11 +68,33 @@ def command_output(*, quiet: bool, as_json: bool) -> Iterator[None]:
     finally:
         _output.reset(before)
     if as_json:
-        print(json.dumps(output.data, indent=2, ensure_ascii=False, allow_nan=False))
+        for text in _json_texts(output.data):
+            print(text, end="")
+        print()
+
+
+def _json_texts(data: Any) -> Iterator[str]:
+    """Yield parts of a result as JSON text; an iterator becomes a list."""
+    if not isinstance(data, Iterator):
+        yield _json_text(data)
+        return
+    first = True
+    for item in data:
+        yield "[\n" if first else ",\n"
+        yield indent(_json_text(item), "  ")
+        first = False
+    yield "[]" if first else "\n]"
+
+
+def _json_text(data: Any) -> str:
+    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
 
 
 def set_result(data: Any) -> None:
-    """Set the result that --json writes: plain data, or the path of a JSON file."""
+    """Set the result that --json writes: plain data, an iterator over the items of a list, or the path of a JSON file.
+
+    An iterator is only used if the result is written, and its items are written one after another.
+    """
     _output.get().data = json.loads(data.read_text("utf-8")) if isinstance(data, Path) else data
 
 
@@ -165,6 +190,23 @@ def output_until_closed() -> Iterator[None]:
         with suppress(OSError):
             sys.stdout.flush()
         sys.stdout = before
+
+
+@contextmanager
+def ended_by_signal() -> Iterator[None]:
+    """Let SIGTERM, which engines of clusters send before they kill a job, end the block as an exception does."""
+
+    def end(number: int, frame: object) -> None:  # noqa: ARG001
+        sys.exit(128 + number)
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGTERM, end)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 @contextmanager

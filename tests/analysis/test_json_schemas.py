@@ -12,7 +12,7 @@ from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.results import KINDS, json_schema
 from forficula.statics import landscape_summary
-from forficula.study.tables.table import table_json
+from forficula.study.tables.table import json_rows
 from tests.golden.cases import kept
 
 SHORT = {
@@ -90,7 +90,7 @@ def test_a_landscape_is_valid(name, landscape_of):
 
 def test_a_row_of_a_study_is_valid(tmp_path):
     study = ff.new_study("letter-fold", {"tendon.left.stiffness": ["0.4 N/cm", "0.5 N/cm"]})
-    for row in table_json(study, ff.run_study(study, out=tmp_path)):
+    for row in json_rows(study, ff.run_study(study, out=tmp_path)):
         valid("row", json.loads(json.dumps(row, allow_nan=False)))
 
 

@@ -5,7 +5,7 @@ import pytest
 import forficula as ff
 from forficula.design import load_design, named_designs
 from forficula.study.running.law_timestep import law_timestep, with_timestep_for_law
-from forficula.study.tables.table import table_json
+from forficula.study.tables.table import json_rows
 from forficula.workbench.requests import DesignRequest, Opened
 from forficula.workbench.responses import model_response
 
@@ -68,6 +68,6 @@ def test_rows_of_a_study_say_which_timestep_was_used_where_it_is_automatic():
         table = ff.sweep(base, factors)
     viscous_step, mild_step = table["timestep"].values
     assert viscous_step < mild_step == 1e-4
-    assert [row["timestep_s"] for row in table_json(table.study, table)] == [viscous_step, mild_step]
+    assert [row["timestep_s"] for row in json_rows(table.study, table)] == [viscous_step, mild_step]
     # named timesteps need no column
     assert "timestep" not in ff.sweep(base, {"tendon.rest_length": ["5 cm"]})

@@ -215,17 +215,18 @@ function mapText(model, quantity, points) {
   const known = points.filter((point) => (quantity.values?.[point] ?? null) !== null);
   const reasons = [...countReasons(quantity, points)].map(([number, count]) => `${count} ${model.word(number).word}`);
   const title = `${quantity.title[0].toUpperCase()}${quantity.title.slice(1)}`;
-  if (!known.length) return `${title} of ${points.length} points: ${reasons.join(", ") || "none"}.`;
-  const rest = reasons.length ? ` Other points: ${reasons.join(", ")}.` : "";
+  const noun = `${model.study.noun}s`;
+  if (!known.length) return `${title} of ${points.length} ${noun}: ${reasons.join(", ") || "none"}.`;
+  const rest = reasons.length ? ` Other ${noun}: ${reasons.join(", ")}.` : "";
   const [least, most] = [Math.min, Math.max].map((pick) => endText(model, quantity, known, pick));
-  return `${title}, known for ${known.length} of ${points.length} points: from ${least} to ${most}.${rest}`;
+  return `${title}, known for ${known.length} of ${points.length} ${noun}: from ${least} to ${most}.${rest}`;
 }
 
 /** The least or the largest value, and its point, or the number of such points. */
 function endText(model, quantity, points, pick) {
   const value = points.map((point) => quantity.values[point]).reduce((first, second) => pick(first, second));
   const there = points.filter((point) => quantity.values[point] === value);
-  const where = there.length > 1 ? `${there.length} points` : model.pointText(there[0]);
+  const where = there.length > 1 ? `${there.length} ${model.study.noun}s` : model.pointText(there[0]);
   return `${model.valueText(quantity, there[0])} (${where})`;
 }
 

@@ -33,7 +33,7 @@ from forficula.options import (
     read_option,
     read_shard,
 )
-from forficula.terminal import note, set_result
+from forficula.terminal import ended_by_signal, note, set_result
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -66,16 +66,17 @@ def study(
         Parameter(help="Maximum number of runs stored for playback in report.html; default: 100, 0 for none."),
     ] = None,
     no_engine: NoEngine = False,
+    parquet: Annotated[bool, Parameter(help="Write the table as table.parquet, too; needs pyarrow.")] = False,
     open_report: OpenReport = False,
 ) -> int | None:
     """Run a study, or resume one: a table of all runs, maps, and a page in which each point opens its run."""
     from forficula.reproduction import check_reproduction
     from forficula.show.progress import building_progress
     from forficula.study import collect as collect_study
-    from forficula.study import load_study, table_json
+    from forficula.study import json_rows, load_study
 
     split = {"--shard": shard != _ALL, "--dask": dask is not None}
-    drawn = {"--keep": keep is not None, "--no-engine": no_engine, "--open": open_report}
+    drawn = {"--keep": keep is not None, "--no-engine": no_engine, "--parquet": parquet, "--open": open_report}
     others = {"--slurm": slurm is not None, "--collect": collect, "--dry-run": dry_run}
     check_apart("--status", status, others | split | drawn)
     check_apart("--slurm", slurm is not None, {"--collect": collect, "--dry-run": dry_run} | split | drawn)
@@ -92,6 +93,10 @@ def study(
         read_option("--keep", lambda: check_most(most))
     if status:
         return _print_status(chosen, study, folder)
+    if parquet:
+        from forficula.study.tables.table_files import check_parquet
+
+        read_option("--parquet", check_parquet)
     if slurm is not None:
         _write_job(study, folder, slurm)
         return None
@@ -108,8 +113,8 @@ def study(
     print_study(chosen, table)
     if (folder / "table.nc").is_file():
         note(f"{folder}: replaces the table, the maps and the page; the rows are kept")
-    write_study(chosen, table, folder)
-    set_result(table_json(chosen, table))
+    write_study(chosen, table, folder, parquet=parquet)
+    set_result(json_rows(chosen, table))
     _report(chosen, table, keep, folder, engine=not no_engine)
     end_with_page(folder, show=open_report)
     return None
@@ -156,7 +161,11 @@ def _run(study: Study, folder: Path, shard: str, dask: str | None) -> Dataset | 
     from forficula.show.progress import building_progress
     from forficula.study import dask_cluster, run_study
 
-    with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
+    with (
+        ended_by_signal(),
+        nullcontext() if dask is None else dask_cluster(dask) as cluster,
+        study_progress() as progress,
+    ):
         return run_study(
             study,
             folder,

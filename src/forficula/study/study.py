@@ -76,15 +76,18 @@ class Study(Displayed):
         table: StudyTable = call("collect")(self, out)
         return table
 
-    def estimate(self, out: str | os.PathLike[str] | None = None) -> tuple[int, int, float]:
+    def estimate(
+        self, out: str | os.PathLike[str] | None = None, *, shard: tuple[int, int] = (1, 1)
+    ) -> tuple[int, int, float]:
         """Return the largest number of runs, the number of points to run, and the estimated duration, s.
 
-        The estimate is the duration of the middle point, which is run now, times the number of points.
+        The estimate follows from one point for each core of this machine, which are run now.
 
         Args:
             out: folder of the journal, whose points are not run again.
+            shard: number, from 1, and count, if only a shard of the study is estimated.
         """
-        most, left, seconds = call("estimate")(self, out)
+        most, left, seconds = call("estimate")(self, out, shard=shard)
         return most, left, seconds
 
     def __repr__(self) -> str:

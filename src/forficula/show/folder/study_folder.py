@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from forficula.files import replacing_all, write_bytes, write_text
+from forficula.files import replacing_all, write_text
 from forficula.reproduction import compare
 from forficula.reproduction.comparison import comparison_markdown
 from forficula.serial import json_text
@@ -17,14 +17,18 @@ from forficula.show.study.changes_figure import change_drawings
 from forficula.show.study.choices_figure import draw_choices
 from forficula.show.study.maps import map_drawings
 from forficula.show.style import Drawing, save_figures
-from forficula.study import Study, table_csv
+from forficula.study import Study
 from forficula.study.assumptions.choices import CHOICE
 from forficula.study.changes import CHANGE
 from forficula.study.running.kept_runs import KeptRun
 from forficula.study.tables.outcome_kinds import check_table
+from forficula.study.tables.table_files import write_csv, write_netcdf, write_parquet
 
 if TYPE_CHECKING:
     from xarray import Dataset
+
+
+_PARQUET = "table.parquet"
 
 
 def study_drawings(table: Dataset) -> dict[str, Drawing]:
@@ -42,24 +46,27 @@ def study_drawings(table: Dataset) -> dict[str, Drawing]:
     return side_by_side | (map_drawings(table) if table["status"].ndim > 1 else {})
 
 
-def write_study(study: Study, table: Dataset, folder: Path) -> None:
+def write_study(study: Study, table: Dataset, folder: Path, *, parquet: bool = False) -> None:
     """Write the table, the maps and, if the study names a paper, a comparison with its claims; all of them, or none.
 
     Args:
         study: the study.
         table: its results.
         folder: folder of the study; files of an earlier table are replaced.
+        parquet: whether to write the table as Parquet, too.
 
     Raises:
         InputError: a file cannot be written.
     """
-    with replacing_all(folder) as unfinished:
-        _write_files(study, table, unfinished)
+    with replacing_all(folder, () if parquet else (_PARQUET,)) as unfinished:
+        _write_files(study, table, unfinished, parquet=parquet)
 
 
-def _write_files(study: Study, table: Dataset, folder: Path) -> None:
-    write_text(folder / "table.csv", table_csv(study, table))
-    write_bytes(folder / "table.nc", table.to_netcdf(engine="h5netcdf"))
+def _write_files(study: Study, table: Dataset, folder: Path, *, parquet: bool) -> None:
+    write_csv(study, table, folder / "table.csv")
+    write_netcdf(table, folder / "table.nc")
+    if parquet:
+        write_parquet(study, table, folder / _PARQUET)
     save_figures(study_drawings(table), folder)
     compared = compare(study, table)
     if compared is not None:

@@ -16,8 +16,12 @@ from forficula.study.search import SEARCH_TEXTS
 from forficula.study.search_steps import Search, SearchStep
 
 
-def study_live(study: Study) -> dict[str, Any]:
+def study_live(study: Study, *, binned: bool = False) -> dict[str, Any]:
     """Return the data with which the engine in a study's page computes what the study would compute.
+
+    Args:
+        study: the study.
+        binned: whether the page shows bins of several points.
 
     Returns:
         Data for JSON, as `live_data` has it, and
@@ -29,6 +33,8 @@ def study_live(study: Study) -> dict[str, Any]:
         Only "refused", with the reason, if the engine would simulate the structures differently from the study.
     """
     design = study.base
+    if binned:
+        return {"refused": "a bin contains several points"}
     if any(value == "none" for point in study.points for value in point.values()):
         return {"refused": "some changes remove parts of the structure"}
     if design.protocol.timestep == "auto":

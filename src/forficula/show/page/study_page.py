@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from forficula.design import TORQUE
 from forficula.dynamics import versions
@@ -13,14 +13,16 @@ from forficula.files import write_text
 from forficula.quantities import show_quantity
 from forficula.reproduction import Comparison
 from forficula.show.page.data.kept_run_data import runs_data
-from forficula.show.page.data.study_data import study_data
+from forficula.show.page.data.study_data import page_bins, study_data
 from forficula.show.page.page import page_html
 from forficula.show.page.parts.html import Cell, escaped, paragraph, remarks, section, table
 from forficula.show.page.parts.points_table import has_rows, points_table
 from forficula.show.page.results_page import figure_html
 from forficula.show.page.study_live import study_live
+from forficula.show.study.bins import Bins
 from forficula.show.study.changes_figure import change_drawings
 from forficula.show.study.choices_figure import choice_rows
+from forficula.show.study.maps import table_view
 from forficula.show.style import save_figures
 from forficula.structure import structure_of
 from forficula.study import Study, named_studies, table_csv
@@ -86,29 +88,60 @@ def study_page(
         compared: claims of a paper beside the study's results.
         engine: whether the page contains the simulator, which simulates points whose runs were not kept.
     """
-    data = study_data(study, results)
+    data, bins = study_data(study, results), page_bins(results)
     changes = _changes(results) if study.plan else []
     body = "".join(
         (
             f"<header><h1>{escaped(study.name)}</h1>{paragraph(study_sentence(study, results), 'outcome')}</header>\n",
-            '<main class="study"><div id="explorer"></div>\n',
+            '<main class="study">',
+            paragraph("" if bins is None else _binned_text(bins, table_view(results).note), "note"),
+            '<div id="explorer"></div>\n',
             section("Redundancy and margins", *changes, name="changes"),
             section("Choices side by side", _choices(results), name="choices"),
-            section("All points", points_table(data), name="points"),
+            section("All points", _points(study, data, binned=bins is not None), name="points"),
             section("Comparison with the paper", _comparison(compared), name="comparison"),
             section("The study", *_about(study), name="about"),
             "</main>",
         )
     )
-    live = study_live(study) if engine else None
+    live = study_live(study, binned=bins is not None) if engine else None
     beside = 0 if live is None or "refused" in live else _ENGINE
+    runs = runs_data(kept, count, beside)
     shown = {
         "kind": "study",
         "study": data,
-        "runs": runs_data(kept, count, beside),
-        "csv": table_csv(study, results) if has_rows(data) else None,
+        "runs": runs if bins is None else _runs_in_bins(runs, bins, results),
+        "csv": table_csv(study, results) if bins is None and has_rows(data) else None,
     }
     return page_html(f"{study.name}: {len(study.points)} points", body, shown, live)
+
+
+def _binned_text(bins: Bins, note: str) -> str:
+    """Return what the page of a study of many points shows."""
+    part = f" The page shows the part of the study {note}." if note else ""
+    return (
+        f"This page shows {bins.size_text}, because so many points are not legible.{part} A number is the mean of a"
+        " bin, and an outcome is the most frequent one of a bin. If most points of a bin have no value, the bin has"
+        " their most frequent outcome."
+    )
+
+
+def _points(study: Study, data: dict[str, Any], *, binned: bool) -> str:
+    """Return the table of all points, or where it is."""
+    if not binned:
+        return points_table(data)
+    return paragraph(f"A table of {len(study.points)} points is too long for this page; {data['file']} lists all.")
+
+
+def _runs_in_bins(runs: list[dict[str, Any]], bins: Bins, results: Dataset) -> list[dict[str, Any]]:
+    """Return the kept runs with the bins of their points; of several runs of one part in a bin, the first."""
+    first: dict[tuple[int, str], dict[str, Any]] = {}
+    for run in runs:
+        number = bins.bin_of(run["point"], results)
+        if number is not None:
+            title = f"point {run['point'] + 1}: {run['title']}"
+            first.setdefault((number, run["part"]), run | {"point": number, "title": title})
+    return [first[key] for key in sorted(first)]
 
 
 def study_sentence(study: Study, results: Dataset) -> str:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Colormap, ListedColormap, Normalize
@@ -19,9 +20,10 @@ from matplotlib.patches import Patch
 from matplotlib.textpath import TextPath
 
 from forficula.arrays import Array, Flags
+from forficula.show.study.bins import binned_page
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.study.map_panel import MapPanel, MapView
-from forficula.show.study.outcome_looks import INK, ink_of, known_words, look_of
+from forficula.show.study.outcome_looks import INK, OutcomeLook, ink_of, known_words, look_of
 from forficula.show.style import (
     BLUE,
     PAGE_WIDTH,
@@ -35,6 +37,8 @@ from forficula.study.tables.outcome_kinds import whole_of
 
 # largest number of values for which cells contain numbers and every value has a tick
 _MOST_NUMBERS = 12
+# largest number of cells along a factor that have frames and hatches of their own
+_MOST_FRAMED = 60
 _NUMBER, _CELL_FILLED = 6.0, 0.86  # pt, size of a number in a cell; its largest width, as a share of the cell
 _POINTS_HEIGHT, _STRIP = 1.7, 0.15  # inch, height of axes with points; strip of failures, as a share of the values
 _ONE_UNIT = 1e-2  # ratio of sizes down to which panels have one unit
@@ -86,6 +90,7 @@ def draw_page(
         note: text above the panels, after that of the view.
         width: largest width of the figure, inch.
     """
+    view, panels, shown = binned_page(view, panels)
     cells = not view.sampled and (view.y is not None or not panels[0].unit)
     columns = _columns(len(panels), width)
     width = width if columns > 1 else min(width, 0.6 * PAGE_WIDTH)
@@ -112,8 +117,8 @@ def draw_page(
     if (cells or view.y) and one_scale and not scales[0].empty:
         _colour_bar(figure, grid, f"{quantity} ({scales[0].unit})", scales[0])
     letter_panels(grid)
-    if text := ", ".join(part for part in (view.note, note) if part):
-        figure.suptitle(text, fontsize=8)
+    if text := "\n".join(part for part in (", ".join(part for part in (view.note, note) if part), shown) if part):
+        figure.suptitle(_wrapped_lines(text, width), fontsize=8)
     _legend(figure, view, panels, cells=cells)
     if cells and max(_across_and_upwards(view)) <= _MOST_NUMBERS:
         _write_numbers(figure, view, list(zip(grid, panels, scales, strict=True)))
@@ -125,7 +130,8 @@ def draw_page(
             factors,
             panels,
             [(scale.unit, scale.factor) for scale in scales],
-            whole=whole_of(view.table),
+            whole="bin" if shown else whole_of(view.table),
+            shown=shown,
         ),
     )
 
@@ -154,6 +160,11 @@ def _across_and_upwards(view: MapView) -> tuple[int, int]:
 def _wrapped(title: str, width: float) -> str:
     """Wrap a title to a width, inch."""
     return textwrap.fill(title, max(12, int(13 * width)))
+
+
+def _wrapped_lines(text: str, width: float) -> str:
+    """Wrap every line of a text to the width of a page, inch."""
+    return "\n".join(textwrap.fill(line, int(17 * width)) for line in text.split("\n"))
 
 
 def _columns(panels: int, width: float) -> int:
@@ -237,16 +248,21 @@ def _legend(figure: Figure, view: MapView, panels: Sequence[MapPanel], *, cells:
 
 
 def _draw_cells(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale) -> None:
-    """Draw a cell for each pair of values, evenly spaced."""
+    """Draw a cell for each pair of values, evenly spaced unless the factor is a continuous axis."""
     order = [name for name in (view.y, view.x) if name]
     panel = replace(panel, values=panel.values.transpose(*order), reasons=panel.reasons.transpose(*order))
     values = _cells(view, panel, scale)
-    edges = [np.arange(count + 1) - 0.5 for count in reversed(values.shape)]
+    edges = [_edges(view, name, count) for name, count in ((view.x, values.shape[1]), (view.y, values.shape[0]))]
+    fine = view.bins or max(values.shape) > _MOST_FRAMED
+    frame = {"rasterized": True} if fine else {"edgecolors": "white", "linewidth": 0.4}
     if np.isfinite(values).any():
         shown = np.ma.masked_invalid(values)
-        axes.pcolormesh(*edges, shown, cmap=scale.colours, norm=scale.norm, edgecolors="white", linewidth=0.4)
+        axes.pcolormesh(*edges, shown, cmap=scale.colours, norm=scale.norm, **frame)
     for word, where in _missing(view, panel).items():
         look = look_of(view.table, word)
+        if fine:
+            _draw_area(axes, edges, np.atleast_2d(where), look)
+            continue
         axes.pcolor(
             *edges,
             np.ma.masked_array(np.zeros(values.shape), ~np.atleast_2d(where)),
@@ -258,10 +274,38 @@ def _draw_cells(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale) -> No
     axes.set(xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
     axes.tick_params(length=0)
     for name, axis in ((view.x, axes.xaxis), (view.y, axes.yaxis)):
+        if name in view.edges:
+            if _is_log(view.edges[str(name)]):
+                (axes.set_xscale if axis is axes.xaxis else axes.set_yscale)("log")
+            axis.set_tick_params(which="both", length=2)
+            continue
         shown_values = display_values(view.table[name])[0] if name else np.array([])
         step = math.ceil(len(shown_values) / _MOST_NUMBERS) or 1
         places = range(0, len(shown_values), step)
         axis.set_ticks(list(places), [number_text(shown_values[place].item()) for place in places])
+
+
+def _edges(view: MapView, name: str | None, count: int) -> Array:
+    """Return the boundaries of the cells along a factor: in its display unit if it is a continuous axis."""
+    if name is None or name not in view.edges:
+        return np.arange(count + 1, dtype=np.float64) - 0.5
+    factor = view.table[name]
+    edges, _ = display_values(factor.__class__(view.edges[name], attrs=factor.attrs))
+    return np.asarray(edges)
+
+
+def _is_log(edges: Array) -> bool:
+    return bool(edges[0] > 0 and not np.allclose(np.diff(edges), edges[1] - edges[0], rtol=1e-6))
+
+
+def _draw_area(axes: Axes, edges: Sequence[Array], where: Flags, look: OutcomeLook) -> None:
+    """Draw small cells of one outcome as areas with a common hatch."""
+    cells = np.ma.masked_array(np.zeros(where.shape), ~where)
+    axes.pcolormesh(*edges, cells, cmap=ListedColormap([look.face]), rasterized=True)
+    if look.hatch and min(where.shape) > 1:
+        middles = [(sides[1:] + sides[:-1]) / 2 for sides in edges]
+        with rc_context({"hatch.color": INK}):
+            axes.contourf(*middles, where.astype(float), levels=[0.5, 1.5], colors="none", hatches=[look.hatch])
 
 
 def _cells(view: MapView, panel: MapPanel, scale: _Scale) -> Array:
@@ -367,6 +411,7 @@ def maps_text(
     units: Sequence[tuple[str, float]],
     *,
     whole: str,
+    shown: str = "",
 ) -> str:
     """Describe maps.
 
@@ -376,10 +421,12 @@ def maps_text(
         panels: panels that are drawn.
         units: unit of each panel, with its factor from SI.
         whole: noun for the structure.
+        shown: text on what a map of bins shows, or empty.
     """
     what = f"Maps of the {quantity}" if quantity else f"Map of the outcome of every {whole}"
     panel_texts = "; ".join(_panel_text(panel, *unit) for panel, unit in zip(panels, units, strict=True))
-    return f"{what} over {' and '.join(factors)}. {panel_texts[:1].upper()}{panel_texts[1:]}."
+    bins = f"{shown}. " if shown else ""
+    return f"{what} over {' and '.join(factors)}. {bins}{panel_texts[:1].upper()}{panel_texts[1:]}."
 
 
 def _panel_text(panel: MapPanel, unit: str, factor: float) -> str:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
+
+from forficula.arrays import Array
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -36,6 +39,8 @@ class MapView:
         y: factor on the vertical axis; None if it shows the quantity.
         note: text that names the slice, or empty.
         sampled: whether the rows are samples and not a grid.
+        bins: whether the cells are bins of several points.
+        edges: boundaries of the cells along a factor, SI, if the factor is a continuous axis.
     """
 
     table: Dataset
@@ -43,3 +48,5 @@ class MapView:
     y: str | None
     note: str
     sampled: bool
+    bins: bool = False
+    edges: Mapping[str, Array] = field(default_factory=dict)

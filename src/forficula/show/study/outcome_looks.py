@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 INK = "0.35"
 OTHER = "no value"
+NO_POINTS = "no points"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,6 +62,7 @@ _OTHER_LOOKS = {
     ONLY_STATIC: OutcomeLook(face=PURPLE, hatch="", marker="v"),
     NEITHER: OutcomeLook(face="0.93", hatch="", marker="x"),
     NOT_SIMULATED: OutcomeLook(face="1.0", hatch="", marker="."),
+    NO_POINTS: OutcomeLook(face="1.0", hatch="", marker="."),
     OTHER: OutcomeLook(face="0.97", hatch="---", marker="+"),
 }
 

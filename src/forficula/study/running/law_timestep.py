@@ -27,15 +27,10 @@ def law_timestep(design: Design) -> tuple[Design, str]:
     Returns:
         The design and a warning; the same design and an empty text where its timestep is kept.
     """
-    timestep = design.protocol.timestep
-    if timestep == "auto" or design.reference is None or is_timestep_set(design):
-        return design, ""
-    if not has_law(design) or timestep != load_design(design.reference).protocol.timestep:
-        return design, ""
     # the limit of the timestep takes longer to compute than the structure
-    viscous = any(any(tendon.law.damping or ()) or tendon.law.branches for tendon in structure_of(design).tendons)
-    if not (viscous and timestep_warnings(design)):
+    if not (may_change_timestep(design) and timestep_warnings(design)):
         return design, ""
+    timestep = float(design.protocol.timestep)
     return with_values(design, {"protocol.timestep": "auto"}), (
         'protocol.timestep: "auto" is used, because the viscous law of the tendons does not allow'
         f" {1e3 * timestep:.3g} ms, the timestep of {design.reference}; a value for protocol.timestep among the"
@@ -43,9 +38,14 @@ def law_timestep(design: Design) -> tuple[Design, str]:
     )
 
 
-def has_law(design: Design) -> bool:
-    """Return whether a tendon of a design has a law."""
-    return _has_law(design.si_tables().get("tendon"))
+def may_change_timestep(design: Design) -> bool:
+    """Return whether the law of a tendon may not allow the timestep of the reference of a design."""
+    timestep = design.protocol.timestep
+    if timestep == "auto" or design.reference is None or is_timestep_set(design):
+        return False
+    if not _has_law(design.si_tables().get("tendon")) or timestep != load_design(design.reference).protocol.timestep:
+        return False
+    return any(any(tendon.law.damping or ()) or tendon.law.branches for tendon in structure_of(design).tendons)
 
 
 def _has_law(tables: object) -> bool:

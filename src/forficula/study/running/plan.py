@@ -15,7 +15,7 @@ from forficula.design import Design
 from forficula.errors import InputError
 from forficula.study.points import GridPoints, SampledPoints
 from forficula.study.running.evaluate import key_of_hash, row_key
-from forficula.study.running.law_timestep import has_law, with_timestep_for_law
+from forficula.study.running.law_timestep import may_change_timestep, with_timestep_for_law
 from forficula.study.search import point_design
 from forficula.study.study import Study
 
@@ -87,8 +87,7 @@ def _has_keys_without_designs(study: Study) -> bool:
         len(study.points) > _MOST_DESIGNS  # fewer designs are built once and kept
         and study.search is None
         and isinstance(study.points, GridPoints | SampledPoints)
-        # the timestep may depend on the law
-        and not has_law(study.base)
+        and not may_change_timestep(study.base)
     )
 
 

@@ -333,9 +333,13 @@ def json_rows(study: Study, table: xarray.Dataset) -> Iterator[dict[str, Any]]:
     return (dict(zip(names, row, strict=True)) for row in rows)
 
 
-def table_json(study: Study, table: xarray.Dataset) -> list[dict[str, Any]]:
-    """Return all rows of `json_rows`."""
-    return list(json_rows(study, table))
+def column_types(study: Study, table: xarray.Dataset) -> dict[str, type]:
+    """Return the type of each column of `json_rows`: float, int, bool or str; each value may also be None."""
+    names, _ = _rows(study, table)
+    varied = [factor.dimension for factor in (*study.factors, *study.grid)]
+    variables = [*_texts_of_changes(study), *varied, *_columns(study, table)]
+    kinds = {"f": float, "i": int, "b": bool}
+    return {name: kinds.get(table[variable].dtype.kind, str) for name, variable in zip(names, variables, strict=True)}
 
 
 def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], Iterator[list[Any]]]:

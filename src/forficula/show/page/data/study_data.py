@@ -14,16 +14,21 @@ from forficula.analysis import Verdict
 from forficula.quantities import reading_unit
 from forficula.show.page.parts.outcome_words import OTHER_LOOK, OutcomeWords, signs_of
 from forficula.show.page.parts.run_sentences import unbuilt_text
+from forficula.show.study.bins import Bins, bins_of
 from forficula.show.study.factor_text import display_values, number_text, plain_name, value_with_unit
-from forficula.show.study.maps import energy_noun, missing_reasons, times_by_value
+from forficula.show.study.map_panel import MapPanel
+from forficula.show.study.maps import energy_noun, missing_reasons, table_view, times_by_value
 from forficula.study import Study
 from forficula.study.assumptions.choices import CHOICE
+from forficula.study.changes import CHANGE
 from forficula.study.tables.outcome_kinds import table_transitions
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
 _DIGITS = 7
+# Largest number of bins along a factor on a page; its map has at most 10 000 cells. [chosen]
+_MOST_BINS = 100
 # group of quantities with one value for every torque that was tried
 
 
@@ -59,19 +64,14 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
             into `words` for each point, None if there is a value) and `transition` (index of the transition that the
             quantity belongs to, or None). The first quantity is the verdict and has no values.
     """
+    bins = page_bins(table)
+    if bins is not None:
+        return _binned_data(study, table, bins)
     signs = signs_of(table)
     words = OutcomeWords(sorted({str(word) for word in table["outcome"].values.ravel()}, key=signs.rank), signs)
     verdicts = words.numbers(table["outcome"])
     quantities = [
-        {
-            "name": "status",
-            "title": "outcome",
-            "group": "outcome",
-            "unit": "",
-            "values": None,
-            "reasons": verdicts,
-            "transition": None,
-        },
+        _outcome_quantity(verdicts),
         *(_quantity(table, drawn, words) for drawn in _drawn(table)),
         *_times_by_value(table, words),
     ]
@@ -96,6 +96,72 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         "quantities": quantities,
         "words": words.data(verdicts),
         "other": OTHER_LOOK,
+    }
+
+
+def page_bins(table: Dataset) -> Bins | None:
+    """Return the bins in which the page of a study of many points shows its table; None if it shows every point."""
+    view = table_view(table)
+    return bins_of(view, _MOST_BINS) if CHOICE not in table.dims and CHANGE not in table.dims else None
+
+
+def _binned_data(study: Study, table: Dataset, bins: Bins) -> dict[str, Any]:
+    """Return the bins of a study as data for JSON, in the form of `study_data` with a bin in the place of a point.
+
+    Quantities have the mean of each bin, outcomes the most frequent one; `status` has the shares of all outcomes.
+    """
+    view, signs = table_view(table), signs_of(table)
+    part = view.table
+    outcomes = part["outcome"].transpose(*bins.dimensions).values.ravel()
+    frequent = bins.most_frequent(outcomes, np.ones(len(outcomes), dtype=bool))
+    words = OutcomeWords(sorted({str(word) for word in outcomes.tolist()}, key=signs.rank), signs)
+    verdicts = [words.number(str(word)) for word in frequent.tolist()]
+    quantities = [_outcome_quantity(verdicts)]
+    for drawn in _drawn(part):
+        panel = MapPanel(
+            title=drawn.title,
+            values=part[drawn.name],
+            reasons=missing_reasons(part, drawn.name),
+            unit=str(part[drawn.name].attrs["units"]),
+        )
+        means = bins.panel(panel)
+        numbers = means.values.values.ravel()
+        unit, scale = _unit(part[drawn.name], numbers)
+        values = [rounded(scale * value) for value in numbers.tolist()]
+        reasons = _reasons(values, means.reasons.values.ravel(), words)
+        quantities.append(_quantity_data(part, drawn, unit, values, reasons))
+    names = [name for name in (bins.view.y, bins.view.x) if name]
+    return {
+        "name": study.name,
+        "noun": "bin",
+        "file": "table.csv",
+        "keeps": "The option --keep sets the number of points whose runs are kept.",
+        "unbuilt": unbuilt_text("bin"),
+        "design": study.base.name,
+        "points": len(bins.counts),
+        "sampled": False,
+        "search": study.search is not None,
+        "factors": [factor_data(bins.view.table[name]) for name in names],
+        "axes": list(range(len(names))),
+        "cuts": [0] * len(names),
+        "built": [True] * len(bins.counts),
+        "statuses": bins.shares(outcomes),
+        "verdicts": verdicts,
+        "quantities": quantities,
+        "words": words.data(verdicts),
+        "other": OTHER_LOOK,
+    }
+
+
+def _outcome_quantity(verdicts: list[int]) -> dict[str, Any]:
+    return {
+        "name": "status",
+        "title": "outcome",
+        "group": "outcome",
+        "unit": "",
+        "values": None,
+        "reasons": verdicts,
+        "transition": None,
     }
 
 
@@ -160,6 +226,13 @@ def _quantity(table: Dataset, drawn: _Drawn, words: OutcomeWords) -> dict[str, A
     numbers = table[drawn.name].values.ravel()
     unit, scale = _unit(table[drawn.name], numbers)
     values = [rounded(scale * value) for value in numbers.tolist()]
+    reasons = _reasons(values, missing_reasons(table, drawn.name).values.ravel(), words)
+    return _quantity_data(table, drawn, unit, values, reasons)
+
+
+def _quantity_data(
+    table: Dataset, drawn: _Drawn, unit: str, values: list[float | None], reasons: list[int | None]
+) -> dict[str, Any]:
     return {
         "name": drawn.name,
         "title": drawn.title,
@@ -168,7 +241,7 @@ def _quantity(table: Dataset, drawn: _Drawn, words: OutcomeWords) -> dict[str, A
         "energy": table[drawn.name].attrs["units"] == "J",
         "shares": drawn.group == "energy",
         "values": values,
-        "reasons": _reasons(values, missing_reasons(table, drawn.name).values.ravel(), words),
+        "reasons": reasons,
         "transition": drawn.transition,
     }
 
