@@ -34,7 +34,7 @@ _NAME = re.compile(r"journal(-(?P<number>\d+)-of-(?P<count>\d+))?(\.\d+)?\.jsonl
 _ENTRY = f'{{"{KEY}": '.encode()
 # [chosen] bytes at the end of a journal that contain the last entry, if the entry has no long reason
 _LONGEST_ENTRY = 1000
-# errors of file systems that cannot be told to write to the disk
+# errors of file systems that cannot force data to the disk
 _CANNOT_SYNC = (errno.EINVAL, errno.ENOSYS, errno.ENOTSUP, errno.EROFS)
 # beginning of the line of a row, and of its end
 _BEGINNING, _END = b'{"key": "', f', "{CHECKSUM}": '.encode()
@@ -325,9 +325,9 @@ def _is_written_elsewhere(path: Path) -> bool:
         return False
     if age > STALE:
         return False
-    here = socket.gethostname()
+    host = socket.gethostname()
     return any(
-        not attempt.ended and attempt.host != here for attempt in attempts_in(_entry(line) for _, line in _lines(path))
+        not attempt.ended and attempt.host != host for attempt in attempts_in(_entry(line) for _, line in _lines(path))
     )
 
 
