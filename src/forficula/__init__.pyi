@@ -29,7 +29,6 @@ from .calls import run as run
 from .calls import run_cycles as run_cycles
 from .calls import run_study as run_study
 from .calls import save as save
-from .calls import study_status as study_status
 from .calls import sweep as sweep
 from .calls import tolerance as tolerance
 from .design import Design as Design

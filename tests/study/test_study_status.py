@@ -9,7 +9,6 @@ import time
 
 import pytest
 
-import forficula as ff
 from forficula.cli import main
 from forficula.errors import InputError
 from forficula.study import collect, load_study, run_study
@@ -293,7 +292,7 @@ def test_the_command_prints_a_table_and_what_to_run_again(out, study_file, capsy
 
 
 def test_a_folder_in_which_nothing_ran_has_no_shards(tmp_path, study):
-    status = ff.study_status(study, tmp_path / "none")
+    status = study.status(tmp_path / "none")
     assert (status.shards, status.complete, status.run_again) == ((), False, "")
     assert not (tmp_path / "none").exists()
 

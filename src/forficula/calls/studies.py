@@ -240,15 +240,11 @@ def estimate(
 
 
 def study_status(study: Study, out: AnyPath) -> StudyStatus:
-    """Return which shards of a study are complete, run, or must run again, as `forficula study --status` does.
-
-    Args:
-        study: the study.
-        out: its folder, which is not changed.
+    """Return which shards of a study are complete, run, or must run again; see `Study.status`.
 
     >>> study = ff.new_study(design, {"tendon.left.stiffness": ["0.4 N/cm", "0.5 N/cm"]})
     >>> ff.run_study(study, "parts", shard=(1, 2))
-    >>> status = ff.study_status(study, "parts")
+    >>> status = study.status("parts")
     >>> status.complete, status.points_done, status.run_again
     (False, 1, '2')
     """

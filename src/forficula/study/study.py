@@ -16,6 +16,7 @@ from forficula.study.factors import Factor
 from forficula.study.search_steps import Search
 
 if TYPE_CHECKING:
+    from forficula.study.running.study_status import StudyStatus
     from forficula.study.tables.study_table import StudyTable
 
 
@@ -89,6 +90,15 @@ class Study(Displayed):
         """
         most, left, seconds = call("estimate")(self, out, shard=shard)
         return most, left, seconds
+
+    def status(self, out: str | os.PathLike[str]) -> StudyStatus:
+        """Return which shards are complete, run, or must run again, as `forficula study --status` does.
+
+        Args:
+            out: folder of the journals, which is not changed.
+        """
+        status: StudyStatus = call("study_status")(self, out)
+        return status
 
     def __repr__(self) -> str:
         """Return the number of points and the varied keys, or the number of changes."""
