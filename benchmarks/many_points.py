@@ -1,7 +1,7 @@
 """A study of many points: planned, run in shards, killed, resumed, collected, tabled and drawn; time and peak memory.
 
-The runs are not simulated. A stand-in evaluator returns rows of three real runs of the design, which opens, does not open
-or does not fold, in three regions of the space of the factors, with scaled numbers. Everything else is what
+The runs are not simulated. A stand-in evaluator returns rows of three real runs of the design, which opens, does not
+open or does not fold, in three regions of the space of the factors, with scaled numbers. Everything else is what
 `forficula study` does: the shards by `run_study`, the rest by the command itself.
 """
 

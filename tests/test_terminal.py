@@ -1,6 +1,7 @@
 """What the command line writes, whatever it writes to."""
 
 import io
+import json
 import os
 import subprocess
 import sys
@@ -9,6 +10,7 @@ import warnings
 import pytest
 
 from forficula.cli import main
+from forficula.terminal import command_output, set_result
 
 LAW = "name = 'Ĝummi µ'\nsource = ''\n[modulus]\nlinear = '4.8 MPa'\n"
 
@@ -115,3 +117,12 @@ def test_a_limit_on_memory_that_leaves_no_room_for_linear_algebra_ends_with_one_
     assert ended.returncode == 1
     assert ended.stderr.startswith("forficula: no memory left")
     assert ended.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("items", [[], [{"a": 1, "b": ["µ", None]}], [{"a": {"b": 1}}, 2.5, "two\nlines"]])
+def test_items_that_are_written_one_after_another_are_the_json_of_their_list(items, capsys):
+    for result in (items, iter(items)):
+        with command_output(quiet=False, as_json=True):
+            set_result(result)
+    text = capsys.readouterr().out
+    assert text == 2 * f"{json.dumps(items, indent=2, ensure_ascii=False)}\n"

@@ -277,7 +277,7 @@ KINDS: tuple[ResultKind, ...] = (
         classes=("StudyTable",),
         data="table.nc",
         json="row",
-        shape="forficula.study.tables.table:TableRow",
+        shape="forficula.study.tables.table_rows:TableRow",
         marker="table.nc",
         has_rows=True,
     ),

@@ -12,7 +12,7 @@ from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.results import KINDS, json_schema
 from forficula.statics import landscape_summary
-from forficula.study.tables.table import json_rows
+from forficula.study.tables.table_rows import json_rows
 from tests.golden.cases import kept
 
 SHORT = {

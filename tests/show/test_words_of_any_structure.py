@@ -14,7 +14,7 @@ from forficula.show.landscape.landscape_figure import draw_fold_path
 from forficula.show.page.parts.design_rows import design_rows
 from forficula.show.page.parts.design_tables import design_tables
 from forficula.show.progress import run_progress
-from forficula.show.study.map_page import maps_text
+from forficula.show.study.maps_text import maps_text
 from forficula.statics.tree.potential import ensemble_of
 from forficula.structure import structure_of
 from forficula.study.convergence.convergence import converge

@@ -5,7 +5,7 @@ import pytest
 import forficula as ff
 from forficula.design import load_design, named_designs
 from forficula.study.running.law_timestep import law_timestep, with_timestep_for_law
-from forficula.study.tables.table import json_rows
+from forficula.study.tables.table_rows import json_rows
 from forficula.workbench.requests import DesignRequest, Opened
 from forficula.workbench.responses import model_response
 

@@ -137,6 +137,37 @@ def test_the_first_points_run_before_the_last_designs_are_built(tmp_path, study_
     assert table.identical(run_study(study, tmp_path))
 
 
+def test_a_study_of_many_points_has_the_table_of_one_whose_points_are_all_in_memory(
+    tmp_path, study_file, whole, monkeypatch
+):
+    path = study_file(TENDONS)
+    for module, name, number in (
+        ("running.run_study", "_WINDOW", 2),
+        ("running.plan", "_MOST_DESIGNS", 1),
+        ("running.stored_rows", "_MOST_IN_MEMORY", 1),
+        ("tables.table", "_ROWS", 4),
+        ("tables.table_rows", "_ROWS", 4),
+    ):
+        monkeypatch.setattr(sys.modules[f"forficula.study.{module}"], name, number)
+    study, seen = load_study(path), []
+    for number in (1, 2):
+        run_study(study, tmp_path, shard=(number, 2), progress=lambda *report: seen.append(report))
+    assert collect(study, tmp_path).identical(whole(path))
+    assert len(seen) == 6
+    assert run_study(study, tmp_path, progress=lambda *report: seen.append(report)).identical(whole(path))
+    assert len(seen) == 6
+    assert table_csv(study, collect(study, tmp_path)) == table_csv(load_study(path), whole(path))
+
+
+def test_many_missing_runs_are_not_counted_to_the_end(tmp_path, study_file, monkeypatch):
+    study = load_study(study_file(TENDONS))
+    monkeypatch.setattr(sys.modules["forficula.study.running.run_study"], "_MOST_COUNTED", 3)
+    with pytest.raises(InputError, match="more than 3 runs are missing"):
+        collect(study, tmp_path)
+    most, left, _ = estimate(study, tmp_path)
+    assert (most, left) == (6, 6)
+
+
 def test_checking_of_the_points_of_other_shards_is_reported(tmp_path, study_file, monkeypatch):
     monkeypatch.setattr(sys.modules["forficula.study.running.run_study"], "_WINDOW", 2)
     study, seen = load_study(study_file(TENDONS)), []

@@ -35,7 +35,7 @@ export function makeRunPanel(model) {
     const runs = model.runsOf(point);
     heading.textContent = capital(`${model.study.noun} ${point + 1}`);
     status.textContent = `${capital(model.pointText(point))}: ${model.study.statuses[point]}.`;
-    numbers.replaceChildren(make("caption", {}, "Values in the table"), make("tbody", {}, ...numberRows(model, point)));
+    numbers.replaceChildren(make("caption", {}, model.study.numbers ?? "Values in the table"), make("tbody", {}, ...numberRows(model, point)));
     parts.replaceChildren(...(runs.length > 1 ? runs.map(partButton) : runs.map((run) => make("b", {}, capital(run.title)))));
     const wanted = transition === null ? null : runs.find((run) => run.transition === transition);
     // pressing a cell asks why it failed; the initial view shows the best run
@@ -157,7 +157,7 @@ function numberRows(model, point) {
 
 function whyNotKept(model, point) {
   if (!model.study.built[point]) return model.study.unbuilt;
-  return `This run was not kept, so it cannot be played here. ${model.study.keeps}`;
+  return `${model.study.unkept ?? "This run was not kept, so it cannot be played here."} ${model.study.keeps}`;
 }
 
 function statesOf(run, called) {

@@ -120,7 +120,7 @@ def _binned_text(bins: Bins, note: str) -> str:
     """Return what the page of a study of many points shows."""
     part = f" The page shows the part of the study {note}." if note else ""
     return (
-        f"This page shows {bins.size_text}, because so many points are not legible.{part} A number is the mean of a"
+        f"This page shows {bins.size_text}, because a map of all points is not legible.{part} A number is the mean of a"
         " bin, and an outcome is the most frequent one of a bin. If most points of a bin have no value, the bin has"
         " their most frequent outcome."
     )

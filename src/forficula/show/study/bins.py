@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.arrays import Array
-from forficula.names import counted
+from forficula.names import counted, listed
+from forficula.show.study.factor_text import plain_name
 from forficula.show.study.map_panel import MapPanel, MapView
 from forficula.show.study.outcome_looks import NO_POINTS
 
@@ -55,14 +56,14 @@ class Bins:
         dimensions: dimensions of the points, in the order of `index`.
         index: number of the bin of each point, (point,).
         counts: number of points in each bin, (bin,).
-        factors: number of factors that vary.
+        others: names of the factors that vary within a bin.
     """
 
     view: MapView
     dimensions: tuple[str, ...]
     index: Indices
     counts: Indices
-    factors: int
+    others: tuple[str, ...]
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -73,7 +74,7 @@ class Bins:
     def size_text(self) -> str:
         """Number of points and bins, such as "1 000 000 points in 200 x 200 bins"."""
         points, bins = f"{len(self.index):,}".replace(",", " "), " x ".join(map(str, reversed(self.shape)))
-        others = ", over all values of the other factors" if self.factors > len(self.shape) else ""
+        others = f", over all values of {listed(self.others)}" if self.others else ""
         return f"{points} points in {bins} bins{others}"
 
     def text(self, *, numbers: bool) -> str:
@@ -186,13 +187,13 @@ def bins_of(view: MapView, most: int = MOST_BINS) -> Bins | None:
         bins=True,
         edges={name: axis.edges for name, axis in axes.items() if axis.edges is not None},
     )
-    varied = sum(values.dims == ("sample",) for values in view.table.coords.values())
+    varied = [values for name, values in view.table.coords.items() if values.dims == ("sample",) and name not in names]
     return Bins(
         view=binned,
         dimensions=dimensions,
         index=index,
         counts=np.bincount(index, minlength=math.prod(axis.values.size for axis in axes.values())),
-        factors=varied if view.sampled else len(names),
+        others=tuple(plain_name(values) for values in varied if values.name != "sample"),
     )
 
 

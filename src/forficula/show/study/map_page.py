@@ -23,6 +23,7 @@ from forficula.arrays import Array, Flags
 from forficula.show.study.bins import binned_page
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.study.map_panel import MapPanel, MapView
+from forficula.show.study.maps_text import maps_text
 from forficula.show.study.outcome_looks import INK, OutcomeLook, ink_of, known_words, look_of
 from forficula.show.style import (
     BLUE,
@@ -303,9 +304,11 @@ def _draw_area(axes: Axes, edges: Sequence[Array], where: Flags, look: OutcomeLo
     cells = np.ma.masked_array(np.zeros(where.shape), ~where)
     axes.pcolormesh(*edges, cells, cmap=ListedColormap([look.face]), rasterized=True)
     if look.hatch and min(where.shape) > 1:
-        middles = [(sides[1:] + sides[:-1]) / 2 for sides in edges]
+        # areas extend from the middles of the cells to the outer edges of the map
+        places = [np.concatenate([sides[:1], (sides[1:] + sides[:-1]) / 2, sides[-1:]]) for sides in edges]
+        covered = np.pad(where.astype(float), 1, mode="edge")
         with rc_context({"hatch.color": INK}):
-            axes.contourf(*middles, where.astype(float), levels=[0.5, 1.5], colors="none", hatches=[look.hatch])
+            axes.contourf(*places, covered, levels=[0.5, 1.5], colors="none", hatches=[look.hatch])
 
 
 def _cells(view: MapView, panel: MapPanel, scale: _Scale) -> Array:
@@ -402,43 +405,3 @@ def _positions(axes: Axes, view: MapView, which: str) -> Array:
     axis = axes.xaxis if which == "x" else axes.yaxis
     axis.set_ticks(list(range(len(words))), list(words))
     return places.astype(float)
-
-
-def maps_text(
-    quantity: str,
-    factors: Sequence[str],
-    panels: Sequence[MapPanel],
-    units: Sequence[tuple[str, float]],
-    *,
-    whole: str,
-    shown: str = "",
-) -> str:
-    """Describe maps.
-
-    Args:
-        quantity: quantity that they show; empty for verdicts.
-        factors: names of the factors on the axes.
-        panels: panels that are drawn.
-        units: unit of each panel, with its factor from SI.
-        whole: noun for the structure.
-        shown: text on what a map of bins shows, or empty.
-    """
-    what = f"Maps of the {quantity}" if quantity else f"Map of the outcome of every {whole}"
-    panel_texts = "; ".join(_panel_text(panel, *unit) for panel, unit in zip(panels, units, strict=True))
-    bins = f"{shown}. " if shown else ""
-    return f"{what} over {' and '.join(factors)}. {bins}{panel_texts[:1].upper()}{panel_texts[1:]}."
-
-
-def _panel_text(panel: MapPanel, unit: str, factor: float) -> str:
-    """Return the number and range of values, and the number of missing values by reason."""
-    values = panel.values.values.astype(float)
-    absent = ~np.isfinite(values)
-    words, counts = np.unique(
-        panel.reasons.transpose(*panel.values.dims).values[absent].astype(str), return_counts=True
-    )
-    parts = [f"{count} {word}" for word, count in zip(words.tolist(), counts.tolist(), strict=True)]
-    if not absent.all():
-        present = factor * values[~absent]
-        ends = dict.fromkeys(f"{end:.3g}" for end in (present.min(), present.max()))
-        parts.insert(0, f"{present.size} of {values.size} have a value, {' to '.join(ends)} {unit}".rstrip())
-    return f"{panel.title}: {', '.join(parts)}"

@@ -121,10 +121,13 @@ def _pattern(plan: Plan) -> _Pattern | None:
     points, count = plan.study.points, len(plan)
     assert isinstance(points, GridPoints | SampledPoints)
     numbers = sorted({count * part // (_TRIED - 1) - (part > 0) for part in range(_TRIED)} - {-1})
-    rows: dict[int, list[float]] = {
-        number: points.si_values(range(number, number + 1))[0].tolist()
-        for number in numbers
-        if isinstance(plan[number], Design)
+    values: dict[int, list[float]] = {
+        number: points.si_values(range(number, number + 1))[0].tolist() for number in numbers
+    }
+    rows = {
+        number: row
+        for number, row in values.items()
+        if not any(map(math.isnan, row)) and isinstance(plan[number], Design)
     }
     if not rows or any(
         len({row[index] for row in rows.values()}) == 1 and len(set(factor.values)) != 1

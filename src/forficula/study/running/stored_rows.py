@@ -21,8 +21,8 @@ _Row = dict[str, Any]
 # key of a row's checksum in its line
 CHECKSUM = "crc32"
 
-# Number of rows in memory, about 2 kB each. [chosen]
-_MOST_IN_MEMORY = 20_000
+# Number of rows in memory, about 4 kB each. [chosen]
+_MOST_IN_MEMORY = 10_000
 # Bytes that are read together; most rows are shorter.
 _PIECE = 4096
 # A position is the number of the file and the byte at which the row begins.

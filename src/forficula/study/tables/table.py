@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +14,8 @@ from forficula.analysis import SPRUNG, Ending, Verdict
 from forficula.analysis.margin import combined_row_margin, margin_column
 from forficula.analysis.package import flat_package
 from forficula.arrays import Array, Flags
-from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
-from forficula.serial import Written, key_with_unit, unit_suffix
 from forficula.structure import Structure, drive_keys, first_state, springs_name, structure_of
 from forficula.study.assumptions.choices import CHOICE, choice_label, own_value
 from forficula.study.changes import CHANGE
@@ -62,7 +60,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     from forficula.study.tables.study_table import StudyTable
 
     structure, search = structure_of(study.base), study.search
-    numbers = _numbers(study, structure)
+    numbers = table_numbers(study, structure)
     columns = _read_columns(study, designs, rows, numbers)
     coordinates, dimensions, shape = table_axes(study)
     variables: dict[str, Any] = {}
@@ -224,7 +222,7 @@ def _confirmations(rows: Mapping[str, Row]) -> dict[str, int]:
     return {"runs": len(rows), "runs_repeated": len(confirmed), "runs_undecided": confirmed.count(False)}
 
 
-def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
+def table_numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
     """Return unit and meaning of the numbers of a table, by name."""
     search = study.search
     drives = [step.drive for step in search.steps] if search is not None else []
@@ -262,18 +260,6 @@ def _ask(study: Study) -> str:
     return "least-torques" if study.search.first.key in drive_keys(study.base) else "least-value"
 
 
-def _columns(study: Study, table: xarray.Dataset) -> list[str]:
-    """Return the columns of a table as text, in order: numbers, words, and whether each state holds."""
-    structure = structure_of(study.base)
-    numbers = list(_numbers(study, structure))
-    late = [f"{transition.name}_time" for transition in structure.transitions[1:]]
-    early = [name for name in numbers if name not in (*late, "residual")]
-    holds = [transition.state for transition in structure.transitions]
-    folded = ("folding_ratio", "folded_height")
-    columns = (*early, *folded, "status", *late, "verdict", "residual", "timestep", *holds)
-    return [name for name in columns if name in table]
-
-
 def _by_value(
     search: Search, columns: _ReadColumns, dimensions: tuple[str, ...], shape: tuple[int, ...]
 ) -> dict[str, Any]:
@@ -296,93 +282,6 @@ def _tried(step: SearchStep) -> tuple[str, Array, dict[str, str]]:
         np.array(step.values),
         {"units": unit.si, "display": unit.display, "key": step.key, "long_name": meaning},
     )
-
-
-def csv_lines(study: Study, table: xarray.Dataset) -> Iterator[str]:
-    """Yield the lines of `table_csv`."""
-    names, rows = _rows(study, table)
-    varied = len(study.factors) + len(study.grid) + len(_texts_of_changes(study))
-    yield csv_text([names])
-    for row in rows:
-        yield csv_text([[*row[:varied], *map(_cell, row[varied:])]])
-
-
-def table_csv(study: Study, table: xarray.Dataset) -> str:
-    """Return the table as text: one line per point, units in column names, empty cells for missing numbers."""
-    return "".join(csv_lines(study, table))
-
-
-@dataclass(frozen=True, kw_only=True)
-class TableRow:
-    """A point of a study.
-
-    Attributes:
-        status: outcome in a few words.
-        verdict: verdict of the run.
-        others: values of the factors, and numbers and states of the run, by name with unit.
-    """
-
-    status: str
-    verdict: Verdict
-    others: Annotated[Mapping[str, float | str | bool | None], Written.BESIDE]
-
-
-def json_rows(study: Study, table: xarray.Dataset) -> Iterator[dict[str, Any]]:
-    """Yield the rows of `table_csv` as plain data, with the keys of `TableRow`; None for missing values."""
-    names, rows = _rows(study, table)
-    return (dict(zip(names, row, strict=True)) for row in rows)
-
-
-def column_types(study: Study, table: xarray.Dataset) -> dict[str, type]:
-    """Return the type of each column of `json_rows`: float, int, bool or str; each value may also be None."""
-    names, _ = _rows(study, table)
-    varied = [factor.dimension for factor in (*study.factors, *study.grid)]
-    variables = [*_texts_of_changes(study), *varied, *_columns(study, table)]
-    kinds = {"f": float, "i": int, "b": bool}
-    return {name: kinds.get(table[variable].dtype.kind, str) for name, variable in zip(names, variables, strict=True)}
-
-
-def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], Iterator[list[Any]]]:
-    """Return column names and rows of a table, one per point; None for missing or inconclusive values."""
-    varied = (*study.factors, *study.grid)
-    factors, texts = [_column(factor) for factor in varied], _texts_of_changes(study)
-    names = _columns(study, table)
-    units = {name: unit_suffix(table[name].attrs.get("units", "")) for name in names}
-
-    def rows() -> Iterator[list[Any]]:
-        inconclusive = {str(verdict) for verdict in Verdict if not verdict.conclusive}
-        words = table["verdict" if "verdict" in table else "outcome"].values.ravel()
-        flat = [table[name].values.ravel() for name in names]
-        coordinates = [_values_at_points(study, factor, table) for factor in varied]
-        for first in range(0, len(study.points), _ROWS):
-            block = slice(first, first + _ROWS)
-            columns = [column[block].tolist() for column in flat]
-            factor_values = [values(block) for values in coordinates]
-            for place, word in enumerate(words[block].tolist()):
-                cells = [
-                    *(str(table[name].values[first + place]) for name in texts),
-                    *(
-                        factor * value if isinstance(value, float) else value
-                        for value, (_, factor) in zip((column[place] for column in factor_values), factors, strict=True)
-                    ),
-                ]
-                conclusive = str(word) not in inconclusive
-                yield [*cells, *(_known(column[place], conclusive=conclusive) for column in columns)]
-
-    return [*texts, *(name for name, _ in factors), *(name + units[name] for name in names)], rows()
-
-
-def _values_at_points(study: Study, factor: Factor, table: xarray.Dataset) -> Callable[[slice], list[Any]]:
-    """Return a function that returns the values of a factor at a slice of the points, in the form of the table."""
-    if study.sampled and table[factor.dimension].dtype.kind == "f":
-        column = table[factor.dimension].values
-        return lambda block: list(column[block].tolist())
-    return lambda block: [_point_value(study, factor, point) for point in study.points[block]]
-
-
-def _texts_of_changes(study: Study) -> tuple[str, ...]:
-    """Return the names of the columns with the changes; none for a study that varies factors."""
-    return (CHANGE, CHANGED_VALUES) if study.plan else ()
 
 
 def _results(
@@ -444,7 +343,7 @@ def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int
             dimension, values = factor.dimension, [_factor_value(factor, value) for value in factor.values]
         else:
             dimension, points = names[0], study.choices or study.points
-            values = _sampled_values(study, factor) or [_point_value(study, factor, point) for point in points]
+            values = _sampled_values(study, factor) or [point_value(study, factor, point) for point in points]
         unit = factor.unit
         attributes = {"key": factor.key, "long_name": factor.key.replace(".", " ").replace("_", " ")}
         if unit is not None:
@@ -475,7 +374,7 @@ def _changes(study: Study) -> dict[str, Any]:
     return {name: (CHANGE, texts) for name, texts in columns.items()}
 
 
-def _point_value(study: Study, factor: Factor, point: Mapping[str, object]) -> Any:
+def point_value(study: Study, factor: Factor, point: Mapping[str, object]) -> Any:
     """Return the value of a factor at a point or a choice; the base's value if the point has none."""
     return _factor_value(factor, point[factor.key] if factor.key in point else own_value(study.base, factor))
 
@@ -487,29 +386,5 @@ def _factor_value(factor: Factor, value: object) -> Any:
     return value if isinstance(value, float) else parse_quantity(value, unit)
 
 
-def _column(factor: Factor) -> tuple[str, float]:
-    """Return the name of a factor's column and the conversion factor from SI; angles are in degrees."""
-    unit = factor.unit
-    if unit is None:
-        return factor.dimension, 1.0
-    if unit.si == "rad":
-        return key_with_unit(factor.dimension, unit.si), 180 / math.pi
-    return key_with_unit(factor.dimension, unit.si), 1.0
-
-
 def _nan(value: object) -> float:
     return math.nan if value is None else float(str(value))
-
-
-def _known(value: object, *, conclusive: bool) -> object:
-    """Return a value; None if it is missing, or if it is true or false from an inconclusive run."""
-    if isinstance(value, bool) and not conclusive:
-        return None
-    return None if isinstance(value, float) and math.isnan(value) else value
-
-
-def _cell(value: object) -> object:
-    """Return a value as in CSV text."""
-    if isinstance(value, bool):
-        return str(value).lower()
-    return "" if value is None else value

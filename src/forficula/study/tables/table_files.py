@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from forficula.files import replacing
 from forficula.optional_module import optional_module
 from forficula.study.study import Study
-from forficula.study.tables.table import column_types, csv_lines, json_rows
+from forficula.study.tables.table_rows import column_types, csv_lines, json_rows
 
 if TYPE_CHECKING:
     import xarray

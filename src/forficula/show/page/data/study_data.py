@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
 _DIGITS = 7
-# Largest number of bins along a factor on a page; its map has at most 10 000 cells. [chosen]
-_MOST_BINS = 100
+# Largest number of bins along a factor on a page; more rows are higher than a screen. [chosen]
+_MOST_BINS = 60
 # group of quantities with one value for every torque that was tried
 
 
@@ -137,11 +137,13 @@ def _binned_data(study: Study, table: Dataset, bins: Bins) -> dict[str, Any]:
         "file": "table.csv",
         "keeps": "The option --keep sets the number of points whose runs are kept.",
         "unbuilt": unbuilt_text("bin"),
+        "unkept": "No run of this bin was kept, so none can be played here.",
+        "numbers": "Mean values of the bin",
         "design": study.base.name,
         "points": len(bins.counts),
         "sampled": False,
         "search": study.search is not None,
-        "factors": [factor_data(bins.view.table[name]) for name in names],
+        "factors": [_bin_data(bins.view.table[name]) for name in names],
         "axes": list(range(len(names))),
         "cuts": [0] * len(names),
         "built": [True] * len(bins.counts),
@@ -151,6 +153,16 @@ def _binned_data(study: Study, table: Dataset, bins: Bins) -> dict[str, Any]:
         "words": words.data(verdicts),
         "other": OTHER_LOOK,
     }
+
+
+def _bin_data(factor: DataArray) -> dict[str, Any]:
+    """Return the middles of bins as data for JSON, with as few digits as distinguish them, but at least three."""
+    data = factor_data(factor)
+    values = data["values"]
+    if not all(isinstance(value, float) for value in values):
+        return data
+    texts = ([f"{value:.{digits}g}" for value in values] for digits in range(3, _DIGITS + 1))
+    return data | {"texts": next((item for item in texts if len({*item}) == len(item)), data["texts"])}
 
 
 def _outcome_quantity(verdicts: list[int]) -> dict[str, Any]:
