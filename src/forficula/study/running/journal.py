@@ -281,12 +281,12 @@ def are_others_complete(folder: Path, shard: tuple[int, int]) -> bool:
 
     This reads a few bytes of each journal. Each of many shards can therefore call it.
     """
-    complete = {shard[0]}
+    paths: dict[int, list[Path]] = {}
     for path in journals(folder):
         number, count = shard_of(path) or shard
-        if count == shard[1] and number not in complete and _ends_complete(path):
-            complete.add(number)
-    return len(complete) == shard[1]
+        if count == shard[1] and number != shard[0]:
+            paths.setdefault(number, []).append(path)
+    return len(paths) == shard[1] - 1 and all(any(map(_ends_complete, of_shard)) for of_shard in paths.values())
 
 
 def _ends_complete(path: Path) -> bool:
