@@ -1,4 +1,4 @@
-"""A study in many shards, some of which fail, vanish, are cut, changed or written twice: status, repair and collection.
+"""A study in many shards that fail, vanish, are cut, changed or written twice: status, repair and collection.
 
 The runs are not simulated: the stand-in evaluator of `many_points.py` returns their rows. The shards run one after
 another in one process. Everything else is what `forficula study` does with `--shard`, `--status` and `--collect`.

@@ -13,6 +13,7 @@ import pytest
 import xarray as xr
 
 from forficula.cli import main
+from forficula.cores import usable_cores
 from forficula.errors import InputError
 from forficula.show.study.maps import draw_torque_maps
 from forficula.study import collect, estimate, load_study, run_study, table_csv
@@ -190,6 +191,21 @@ def test_an_estimate_counts_runs_and_points_that_are_left_and_writes_nothing(tmp
     assert (most, left) == (6 * 17, 6)
     assert 0 < seconds < 60
     assert not (tmp_path / "out").exists()
+
+
+def test_an_estimate_of_a_shard_counts_its_points_only(tmp_path, study_file):
+    study = load_study(study_file(TENDONS))
+    assert estimate(study, tmp_path, shard=(2, 4))[:2] == (2, 2)
+    run_study(study, tmp_path, shard=(2, 4))
+    assert estimate(study, tmp_path, shard=(2, 4)) == (2, 0, 0.0)
+    assert estimate(study, tmp_path)[:2] == (6, 4)
+
+
+def test_a_job_uses_the_cores_that_it_may_use(monkeypatch):
+    if not hasattr(os, "sched_getaffinity"):
+        pytest.skip("this system does not limit processes to cores")
+    monkeypatch.setattr(os, "sched_getaffinity", lambda _: {3})
+    assert usable_cores() == 1
 
 
 def test_a_refined_grid_reuses_the_rows_that_it_shares(tmp_path, study_file, whole):
