@@ -19,7 +19,7 @@ def test_the_estimate_of_several_runs_side_by_side_is_for_the_first_of_them(caps
 
 
 def test_the_estimate_of_a_continued_study_counts_only_the_runs_of_now(capsys, monkeypatch):
-    clock = iter([0.0, 0.0, 1.0, 2.0])
+    clock = iter([0.0, 0.0, 0.5, 2.0])
     monkeypatch.setattr("forficula.commands.cost.monotonic", lambda: next(clock))
     estimate = CountEstimate()
     # 900 runs were done before, and two take two seconds
