@@ -25,7 +25,7 @@ def test_the_estimate_of_a_continued_study_counts_only_the_runs_of_now(capsys, m
     # 900 runs were done before, and two take two seconds
     estimate.update(901, 1000)
     estimate.update(902, 1000)
-    assert capsys.readouterr().err == "estimate: 98 s for 1000 runs\n"
+    assert capsys.readouterr().err == "estimate: 1.6 min for 1000 runs\n"
 
 
 def test_the_landscape_of_a_net_is_estimated_from_the_time_of_its_steps_on_this_machine(capsys, monkeypatch):

@@ -62,7 +62,7 @@ def test_a_run_whose_output_is_closed_writes_its_folder_and_ends_quietly(tmp_pat
     reading, writing = os.pipe()
     os.close(reading)
     # a large buffer is written when the folder is complete, none at the first line
-    with io.TextIOWrapper(open(writing, "wb", buffering=-1 if buffered else 0), write_through=not buffered) as output:  # noqa: PTH123, SIM115
+    with io.TextIOWrapper(open(writing, "wb", buffering=-1 if buffered else 0), write_through=not buffered) as output:  # noqa: PTH123
         monkeypatch.setattr(sys, "stdout", output)
         main(["run", "binder2025-joint", "--no-engine", "--no-confirm", "--out", str(tmp_path)])
         monkeypatch.undo()
