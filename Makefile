@@ -52,6 +52,7 @@ benchmarks: $(INSTALLED)  ## run every benchmark in its smallest size, as a chec
 	$(BIN)/python benchmarks/optimise.py --runs 4 --batch 4 --seeds 1 --only methods --goals wing joint
 	$(BIN)/python benchmarks/screening.py --repetitions 1
 	$(BIN)/python benchmarks/search.py --points 1 --full --plain 1 --wings 2 --rounds 1
+	$(BIN)/python benchmarks/shards.py --points 120 --shards 24
 	$(BIN)/python benchmarks/sheets.py --most 2
 	$(BIN)/python benchmarks/size.py --short
 	$(BIN)/python benchmarks/slow_ramps.py --fans 1

@@ -721,6 +721,11 @@ def test_a_run_that_was_killed_while_it_was_replaced_is_restored(in_an_empty_fol
 TENDONS = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]'
 
 
+def rows_in(journal):
+    """The lines of a journal that are rows."""
+    return [line for line in journal.read_bytes().splitlines() if line.startswith(b'{"key"')]
+
+
 def test_a_study_leaves_its_table_and_names_their_folder_last(in_an_empty_folder, call, study_file):
     study_file(TENDONS)
     output = call("study", "small.toml")
@@ -728,9 +733,9 @@ def test_a_study_leaves_its_table_and_names_their_folder_last(in_an_empty_folder
     folder = in_an_empty_folder / "out" / "small"
     assert {"journal.jsonl", "table.csv", "table.nc"} < set(everything_in(folder))
     assert len((folder / "table.csv").read_text().splitlines()) == 4
-    before = (folder / "journal.jsonl").read_bytes()
+    before = rows_in(folder / "journal.jsonl")
     call("study", "small.toml")
-    assert (folder / "journal.jsonl").read_bytes().split() == before.split()
+    assert rows_in(folder / "journal.jsonl") == before
 
 
 def test_a_study_stores_the_requested_number_of_runs_for_playback(in_an_empty_folder, call, study_file):

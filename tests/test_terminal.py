@@ -56,6 +56,21 @@ def test_a_full_device_is_reported_in_one_line(arguments):
     assert done.stderr.splitlines()[-1] == "forficula: the output cannot be written: No space left on device"
 
 
+@pytest.mark.parametrize("buffered", [True, False])
+def test_a_run_whose_output_is_closed_writes_its_folder_and_ends_quietly(tmp_path, monkeypatch, capsys, buffered):
+    """As with `forficula run NAME | head -1`: the reader of the output is gone when the first line is written."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    # a large buffer is written when the folder is complete, none at the first line
+    with io.TextIOWrapper(open(writing, "wb", buffering=-1 if buffered else 0), write_through=not buffered) as output:  # noqa: PTH123
+        monkeypatch.setattr(sys, "stdout", output)
+        main(["run", "binder2025-joint", "--no-engine", "--no-confirm", "--out", str(tmp_path)])
+        monkeypatch.undo()
+    assert {"summary.json", "report.html", "record.nc"} <= {path.name for path in tmp_path.iterdir()}
+    errors = capsys.readouterr().err.splitlines()
+    assert [line for line in errors if not line.startswith(("took ", "warning: "))] == []
+
+
 def test_a_warning_of_a_library_is_one_line_without_its_place(monkeypatch, capsys):
     def warn():
         warnings.warn("Glyph 25240 missing\nfrom font(s) X.", UserWarning, stacklevel=1)

@@ -23,7 +23,7 @@ from forficula.commands.new import new
 from forficula.errors import InputError
 from forficula.names import listed
 from forficula.quantities import as_written
-from forficula.terminal import command_output, drop_output, flush_output, note, plain_terminal
+from forficula.terminal import command_output, drop_output, flush_output, note, output_until_closed, plain_terminal
 
 # in the order of the help, most used first
 _GROUPS = (
@@ -309,17 +309,13 @@ def main(arguments: Sequence[str] | None = None) -> None:
     _keep_matplotlib_plain()
     gc.set_threshold(20_000)  # most objects live to the end of a command: collection took 7 % of a run
     try:
-        with plain_terminal():
+        with output_until_closed(), plain_terminal():
             try:
                 status = app.meta(arguments, exit_on_error=False, print_error=False, result_action="return_value")
             finally:
                 flush_output()
     except (InputError, CycloptsError) as error:
         print(f"forficula: {_without_long_words(_worded(error, arguments))}", file=sys.stderr)
-        sys.exit(1)
-    except BrokenPipeError:
-        # the reader of the output, such as head, has closed it
-        drop_output()
         sys.exit(1)
     except OSError as error:
         drop_output()

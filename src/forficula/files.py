@@ -297,18 +297,26 @@ def check_new(path: Path, ending: str) -> None:
         raise InputError(f"{path}: exists already; choose another name or remove it")
 
 
-def open_to_append(path: Path) -> IO[bytes]:
+def open_to_append(path: Path, *, new: bool = False) -> IO[bytes]:
     """Open a file to append lines; it is created if it is missing.
 
+    Args:
+        path: path of the file.
+        new: whether to refuse an existing file. Of several processes, on any machines, one creates the file.
+
     Raises:
+        FileExistsError: `new` is true, and the file exists.
         InputError: the file cannot be written, or is a link. Links are not followed, because an attacker may have
             created them.
     """
     if path.is_symlink():
         raise InputError(f"{path}: need a file or nothing there, got a link to {path.readlink()}; remove it")
     flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
+    flags |= os.O_EXCL if new else 0
     try:
         return os.fdopen(os.open(path, flags, 0o666), "ab")
+    except FileExistsError:
+        raise
     except OSError as error:
         raise InputError(f"{path}: cannot be written: {error.strerror}") from None
 

@@ -58,6 +58,7 @@ _CLASSES = {
     "Assumptions": "forficula.study.assumptions.assumptions",
     "AssumptionRun": "forficula.study.assumptions.assumptions",
     "Convergence": "forficula.study.convergence.convergence",
+    "StudyStatus": "forficula.study.running.study_status",
     "StudyTable": "forficula.study.tables.study_table",
     "ToleranceTable": "forficula.goals.tolerance.tolerance_table",
     "IdentificationTable": "forficula.goals.identify.result",

@@ -6,7 +6,9 @@ import codecs
 import io
 import json
 import os
+import signal
 import sys
+import threading
 import unicodedata
 import warnings
 from collections.abc import Callable, Iterator
@@ -150,6 +152,61 @@ def result_first() -> Iterator[Callable[[], None]]:
         raise
     finally:
         release()
+
+
+class _UntilClosed(io.FileIO):
+    """An output that discards what is written after its reader, such as head, has closed it."""
+
+    def write(self, data: Any, /) -> int:
+        """Write bytes to the output, or to nothing if no process reads the output."""
+        try:
+            return super().write(data)
+        except BrokenPipeError:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), self.fileno())
+            return len(data)
+
+
+@contextmanager
+def output_until_closed() -> Iterator[None]:
+    """Let a command finish and write its files, even if the reader of its output has closed the output."""
+    before = sys.stdout
+    # the buffer is the file itself where Python writes without buffers (PYTHONUNBUFFERED)
+    if not isinstance(before, io.TextIOWrapper) or not isinstance(before.buffer, io.BufferedWriter | io.FileIO):
+        yield
+        return
+    before.flush()
+    file = _UntilClosed(before.fileno(), "w", closefd=False)
+    sys.stdout = io.TextIOWrapper(
+        io.BufferedWriter(file) if isinstance(before.buffer, io.BufferedWriter) else file,
+        encoding=before.encoding,
+        errors=before.errors,
+        line_buffering=before.line_buffering,
+        write_through=before.write_through,
+    )
+    try:
+        yield
+    finally:
+        # a failed write has been reported as an error
+        with suppress(OSError):
+            sys.stdout.flush()
+        sys.stdout = before
+
+
+@contextmanager
+def ended_by_signal() -> Iterator[None]:
+    """Let SIGTERM, which engines of clusters send before they kill a job, end the block as an exception does."""
+
+    def end(number: int, frame: object) -> None:  # noqa: ARG001
+        sys.exit(128 + number)
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGTERM, end)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 @contextmanager

@@ -58,7 +58,9 @@ def local_table(study, tmp_path_factory):
 
 
 def lines(folder):
-    return sorted((folder / "journal.jsonl").read_text().split("\n"))
+    """The signature and the rows of a journal, without the start and end of its process."""
+    content = (folder / "journal.jsonl").read_text()
+    return sorted(line for line in content.split("\n") if not line.startswith('{"attempt"'))
 
 
 def kill_at_work(cluster):

@@ -13,6 +13,7 @@ import pytest
 import xarray as xr
 
 from forficula.cli import main
+from forficula.cores import usable_cores
 from forficula.errors import InputError
 from forficula.show.study.maps import draw_torque_maps
 from forficula.study import collect, estimate, load_study, run_study, table_csv
@@ -192,6 +193,21 @@ def test_an_estimate_counts_runs_and_points_that_are_left_and_writes_nothing(tmp
     assert not (tmp_path / "out").exists()
 
 
+def test_an_estimate_of_a_shard_counts_its_points_only(tmp_path, study_file):
+    study = load_study(study_file(TENDONS))
+    assert estimate(study, tmp_path, shard=(2, 4))[:2] == (2, 2)
+    run_study(study, tmp_path, shard=(2, 4))
+    assert estimate(study, tmp_path, shard=(2, 4)) == (2, 0, 0.0)
+    assert estimate(study, tmp_path)[:2] == (6, 4)
+
+
+def test_a_job_uses_the_cores_that_it_may_use(monkeypatch):
+    if not hasattr(os, "sched_getaffinity"):
+        pytest.skip("this system does not limit processes to cores")
+    monkeypatch.setattr(os, "sched_getaffinity", lambda _: {3})
+    assert usable_cores() == 1
+
+
 def test_a_refined_grid_reuses_the_rows_that_it_shares(tmp_path, study_file, whole):
     coarse = '"tendon.stiffness" = "10..30 N/cm step 20"\n"tendon.rest_length" = ["5 cm"]'
     run_study(load_study(study_file(coarse)), tmp_path / "out")
@@ -361,8 +377,8 @@ def test_ctrl_c_stops_a_study_with_one_line_and_the_same_command_continues(tmp_p
     journal = tmp_path / "out" / "journal.jsonl"
     command = [sys.executable, "-m", "forficula", "study", path, "--out", journal.parent, "--keep", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-        # the signature, and at least one row
-        while not (journal.exists() and journal.stat().st_size >= 600):
+        # the signature, the start of the process, and at least one row
+        while not (journal.exists() and journal.stat().st_size >= 900):
             assert process.poll() is None
             time.sleep(1e-3)
         process.send_signal(signal.SIGINT)

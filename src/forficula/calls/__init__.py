@@ -17,6 +17,7 @@ from forficula.calls.studies import (
     new_study,
     run_cycles,
     run_study,
+    study_status,
     sweep,
 )
 
@@ -45,6 +46,7 @@ __all__ = [
     "run_cycles",
     "run_study",
     "save",
+    "study_status",
     "sweep",
     "tolerance",
 ]

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from forficula.study.convergence.convergence import Convergence
     from forficula.study.cycling import Cycling
     from forficula.study.running.run_study import Building, Evaluate
+    from forficula.study.running.study_status import StudyStatus
     from forficula.study.tables.study_table import StudyTable
 
 _REFINEMENTS = ("timesteps", "moduli", "meshes")
@@ -223,7 +224,9 @@ def collect(study: Study, out: AnyPath, building: Building | None = None) -> Stu
     return table
 
 
-def estimate(study: Study, out: AnyPath | None = None, building: Building | None = None) -> tuple[int, int, float]:
+def estimate(
+    study: Study, out: AnyPath | None = None, building: Building | None = None, *, shard: tuple[int, int] = (1, 1)
+) -> tuple[int, int, float]:
     """Return the largest number of runs, the points to run and their estimated duration, s; see `Study.estimate`.
 
     >>> most, left, seconds = ff.load_study("binder2025-search").estimate()
@@ -233,7 +236,21 @@ def estimate(study: Study, out: AnyPath | None = None, building: Building | None
     from forficula.study import estimate as estimate_in
 
     with journal_folder(out) as folder:
-        return estimate_in(study, folder, building)
+        return estimate_in(study, folder, building, shard=shard)
+
+
+def study_status(study: Study, out: AnyPath) -> StudyStatus:
+    """Return which shards of a study are complete, run, or must run again; see `Study.status`.
+
+    >>> study = ff.new_study(design, {"tendon.left.stiffness": ["0.4 N/cm", "0.5 N/cm"]})
+    >>> ff.run_study(study, "parts", shard=(1, 2))
+    >>> status = study.status("parts")
+    >>> status.complete, status.points_done, status.run_again
+    (False, 1, '2')
+    """
+    from forficula.study.running.study_status import study_status as status_of
+
+    return status_of(study, as_path(out, "a folder"))
 
 
 def sweep(

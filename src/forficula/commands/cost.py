@@ -91,14 +91,20 @@ class CountEstimate(_Estimate):
     def __init__(self, what: str = "runs", *, most: bool = False) -> None:
         super().__init__()
         self._what, self._most = what, most
+        self._before: int | None = None
         self.elapsed()
 
     def update(self, done: int, needed: int) -> None:
-        """Report the number that is done, and the number that is needed."""
+        """Report the number that is done, and the number that is needed.
+
+        What was done before the first report, such as the runs of an interrupted study, took no time now.
+        """
         elapsed = self.elapsed()
-        if self._done or not done or elapsed < _MEASURED:
+        if self._before is None:
+            self._before = max(done - 1, 0)
+        if self._done or done <= self._before or elapsed < _MEASURED:
             return
-        left = elapsed * (needed - done) / done
+        left = elapsed * (needed - done) / (done - self._before)
         limit = "at most " * self._most
         self.write(left, f"estimate: {limit}{_rounded(left)} for {limit}{needed} {self._what}")
 

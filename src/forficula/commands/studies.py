@@ -33,7 +33,7 @@ from forficula.options import (
     read_option,
     read_shard,
 )
-from forficula.terminal import note, set_result
+from forficula.terminal import ended_by_signal, note, set_result
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -53,6 +53,9 @@ def study(
         str, Parameter(help="Run one part of the points, such as 2/8 for part 2 of 8; then use --collect.")
     ] = _ALL,
     collect: Annotated[bool, Parameter(help="Build the table from the rows of all shards.")] = False,
+    status: Annotated[
+        bool, Parameter(help="Report which shards are complete, run, or must run again; exit status 0 if complete.")
+    ] = False,
     slurm: Annotated[
         int | None, WHOLE_NUMBER, Parameter(help="Write a SLURM job array of this number of shards, and run nothing.")
     ] = None,
@@ -65,7 +68,7 @@ def study(
     no_engine: NoEngine = False,
     parquet: Annotated[bool, Parameter(help="Write the table as table.parquet, too; needs pyarrow.")] = False,
     open_report: OpenReport = False,
-) -> None:
+) -> int | None:
     """Run a study, or resume one: a table of all runs, maps, and a page in which each point opens its run."""
     from forficula.reproduction import check_reproduction
     from forficula.show.progress import building_progress
@@ -74,9 +77,11 @@ def study(
 
     split = {"--shard": shard != _ALL, "--dask": dask is not None}
     drawn = {"--keep": keep is not None, "--no-engine": no_engine, "--parquet": parquet, "--open": open_report}
+    others = {"--slurm": slurm is not None, "--collect": collect, "--dry-run": dry_run}
+    check_apart("--status", status, others | split | drawn)
     check_apart("--slurm", slurm is not None, {"--collect": collect, "--dry-run": dry_run} | split | drawn)
     check_apart("--collect", collect, {"--dry-run": dry_run} | split)
-    check_apart("--dry-run", dry_run, split | drawn)
+    check_apart("--dry-run", dry_run, {"--dask": dask is not None} | drawn)
     chosen = load_study(study)
     folder = out or Path("out") / chosen.name
     check_folder(folder, "study")
@@ -86,6 +91,8 @@ def study(
 
         most = keep
         read_option("--keep", lambda: check_most(most))
+    if status:
+        return _print_status(chosen, study, folder)
     if parquet:
         from forficula.study.tables.table_files import check_parquet
 
@@ -96,14 +103,14 @@ def study(
         raise InputError(f"{'--shard' if slurm is None else '--slurm'}: {REFINE_ALONE}")
     if slurm is not None:
         _write_job(study, folder, slurm)
-        return
+        return None
     if dry_run:
-        _print_estimate(chosen, folder)
-        return
+        _print_estimate(chosen, folder, shard)
+        return None
     table = collect_study(chosen, folder, building_progress()) if collect else _run(chosen, folder, shard, dask)
     if table is None:
         print(f"shard {shard} is done; when all are: forficula study {study} --out {folder} --collect")
-        return
+        return None
 
     from forficula.show import print_study, write_study
     from forficula.study.tables.study_table import study_of_table
@@ -116,6 +123,19 @@ def study(
     set_result(json_rows(chosen, table))
     _report(chosen, table, keep, folder, engine=not no_engine)
     end_with_page(folder, show=open_report)
+    return None
+
+
+def _print_status(study: Study, name: str, folder: Path) -> int:
+    """Print the status of a study, and return the exit status: 2 unless the study is complete."""
+    from forficula.serial import plain
+    from forficula.show.study.status_table import print_status
+    from forficula.study.running.study_status import study_status
+
+    status = study_status(study, folder)
+    print_status(status, name, folder)
+    set_result(plain(status))
+    return 0 if status.complete else 2
 
 
 def _write_job(study: str, folder: Path, shards: int) -> None:
@@ -128,16 +148,17 @@ def _write_job(study: str, folder: Path, shards: int) -> None:
     print(f"written to {job}; submit it with: sbatch {job}")
 
 
-def _print_estimate(study: Study, folder: Path) -> None:
-    """Print the number of runs of a study, and the time of those that remain."""
+def _print_estimate(study: Study, folder: Path, shard: str) -> None:
+    """Print the number of runs of a study or a shard of it, and the time of those that remain."""
     from forficula.show.progress import building_progress
     from forficula.study import estimate
 
-    most, left, seconds = estimate(study, folder, building_progress())
-    set_result(
-        {"name": study.name, "points": len(study.points), "most_runs": most, "runs_left": left, "time_s": seconds}
-    )
-    print(f"{study.name}: {len(study.points)} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
+    number, count = read_shard(shard)
+    most, left, seconds = estimate(study, folder, building_progress(), shard=(number, count))
+    points = len(range(number - 1, len(study.points), count))
+    set_result({"name": study.name, "points": points, "most_runs": most, "runs_left": left, "time_s": seconds})
+    name = study.name if count == 1 else f"shard {shard} of {study.name}"
+    print(f"{name}: {points} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
     if study.boundaries is not None:
         count = study.boundaries.full_grid
         print(f"These are the points of the initial grid. Refinement adds some of the {count} points of the full grid.")
@@ -149,7 +170,11 @@ def _run(study: Study, folder: Path, shard: str, dask: str | None) -> Dataset | 
     from forficula.show.progress import building_progress
     from forficula.study import dask_cluster, run_study
 
-    with nullcontext() if dask is None else dask_cluster(dask) as cluster, study_progress() as progress:
+    with (
+        ended_by_signal(),
+        nullcontext() if dask is None else dask_cluster(dask) as cluster,
+        study_progress() as progress,
+    ):
         return run_study(
             study,
             folder,

@@ -17,6 +17,7 @@ from forficula.study.refine.boundary_plan import BoundaryPlan
 from forficula.study.search_steps import Search
 
 if TYPE_CHECKING:
+    from forficula.study.running.study_status import StudyStatus
     from forficula.study.tables.study_table import StudyTable
 
 
@@ -80,16 +81,28 @@ class Study(Displayed):
         table: StudyTable = call("collect")(self, out)
         return table
 
-    def estimate(self, out: str | os.PathLike[str] | None = None) -> tuple[int, int, float]:
+    def estimate(
+        self, out: str | os.PathLike[str] | None = None, *, shard: tuple[int, int] = (1, 1)
+    ) -> tuple[int, int, float]:
         """Return the largest number of runs, the number of points to run, and the estimated duration, s.
 
-        The estimate is the duration of the middle point, which is run now, times the number of points.
+        The estimate follows from one point for each core of this machine, which are run now.
 
         Args:
             out: folder of the journal, whose points are not run again.
+            shard: number, from 1, and count, if only a shard of the study is estimated.
         """
-        most, left, seconds = call("estimate")(self, out)
+        most, left, seconds = call("estimate")(self, out, shard=shard)
         return most, left, seconds
+
+    def status(self, out: str | os.PathLike[str]) -> StudyStatus:
+        """Return which shards are complete, run, or must run again, as `forficula study --status` does.
+
+        Args:
+            out: folder of the journals, which is not changed.
+        """
+        status: StudyStatus = call("study_status")(self, out)
+        return status
 
     def __repr__(self) -> str:
         """Return the number of points and the varied keys, or the number of changes."""

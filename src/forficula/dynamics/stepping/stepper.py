@@ -16,6 +16,7 @@ import numpy as np
 from mujoco.batch import Batch
 
 from forficula.arrays import Array, Indices
+from forficula.cores import usable_cores
 from forficula.dynamics.energies.creases import engine_rows
 from forficula.dynamics.energies.energy import state_series
 from forficula.dynamics.engine.crease_rows import CreaseRows, crease_rows, without_jump
@@ -110,7 +111,7 @@ class Stepper:
         self._blocks = deque(
             [np.empty((2, len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
         )
-        self.threads = int(Batch(model, len(models), threads).nthread)
+        self.threads = int(Batch(model, len(models), threads or usable_cores()).nthread)
         # least number of structures per worker, if there are enough
         self.together = 1 if self._creases is None and self._drag is None else _TOGETHER
         self._engines: SimpleQueue[Batch] = SimpleQueue()

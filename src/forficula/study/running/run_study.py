@@ -7,12 +7,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from forficula.cores import usable_cores
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.names import check_whole
 from forficula.study.refine.rounds import refined_study
+from forficula.study.running.attempt_writer import attempt
 from forficula.study.running.evaluate import evaluate, row_key
-from forficula.study.running.journal import Row, open_journal, stored_rows
+from forficula.study.running.journal import Row, are_others_complete, open_journal, stored_rows
 from forficula.study.running.plan import Plan
 from forficula.study.running.stored_rows import StoredRows
 from forficula.study.search import most_runs, needless_runs, search_designs
@@ -124,10 +126,10 @@ def _run_points(
 ) -> xarray.Dataset | None:
     """Do the missing runs of fixed points; see `run_study`."""
     folder = Path(out)
-    rows, plan = stored_rows(folder, study.base), Plan(study)
+    rows, plan = stored_rows(folder, study.base, shard), Plan(study)
     points_of_shard = range(shard[0] - 1, len(plan), shard[1])
     count = RunCount(0, len(points_of_shard))
-    with open_journal(folder, study.base, shard) as journal:
+    with open_journal(folder, study.base, shard) as journal, attempt(journal, study) as writer:
         # the first points run before the designs of the last ones are built
         for first in range(0, len(points_of_shard), _WINDOW):
             window = points_of_shard[first : first + _WINDOW]
@@ -137,13 +139,19 @@ def _run_points(
                 count.plan(missing)
                 planned = {key: point for point in missing for key in point}
                 todo = list(_joined(missing).values())
-                searches = study.search is not None
+                searches, complete = study.search is not None, first + len(window) - len(missing)
                 for row in _in_batches(todo, threads, batch, searches) if cluster is None else cluster(todo, searches):
-                    rows.add(row, journal.path, journal.append(row))
+                    rows.add(row, journal.path, writer.append(row))
                     needless = () if study.search is None else needless_runs(study.search, planned[row["key"]], row)
                     count.count(row["key"], needless)
+                    writer.report(complete if searches else count.done, count.needed - count.done)
                     if progress is not None:
                         progress(count.done, count.needed, row)
+            writer.report(first + len(window), count.needed - count.done)
+    if shard[1] > 1:
+        if not are_others_complete(folder, shard):
+            return None
+        rows = stored_rows(folder, study.base)
     if shard[1] > 1 and next(_missing(plan, rows, building), None) is not None:
         return None
     return build_table(study, plan, rows)
@@ -188,28 +196,34 @@ def collect_points(study: Study, out: str | Path, building: Building | None = No
     return table
 
 
-def estimate(study: Study, out: str | Path, building: Building | None = None) -> tuple[int, int, float]:
-    """Estimate a study: largest number of runs, number of unfinished points, and time for these, s.
+def estimate(
+    study: Study, out: str | Path, building: Building | None = None, *, shard: tuple[int, int] = (1, 1)
+) -> tuple[int, int, float]:
+    """Estimate a study or a shard of it: largest number of runs, number of unfinished points, and time for these, s.
 
-    The number of runs of a search depends on their results. The estimated time is the time of the middle point, which
-    is run now, times the number of unfinished points.
+    The number of runs of a search depends on their results. For the time, one point for each core of this machine is
+    run now, side by side, as the study does. These points are spread evenly over the study.
 
     Args:
         study: study to run.
         out: folder with rows, if there are any.
         building: see `run_study`.
+        shard: see `run_study`.
     """
-    rows, plan = stored_rows(Path(out), study.base), Plan(study)
-    most = len(study.points) * (1 if study.search is None else most_runs(study.search))
-    left = _number_left(plan, rows, building)
+    rows, plan = stored_rows(Path(out), study.base, shard), Plan(study)
+    points_of_shard = range(shard[0] - 1, len(plan), shard[1])
+    most = len(points_of_shard) * (1 if study.search is None else most_runs(study.search))
+    left = _number_left(plan, points_of_shard, rows, building)
     if not left:
         return most, 0, 0.0
-    middle = {0: plan[len(plan) // 2]}
+    count = min(usable_cores(), len(points_of_shard))
+    spread = [points_of_shard[(2 * place + 1) * len(points_of_shard) // (2 * count)] for place in range(count)]
+    designs = {number: plan[number] for number in spread}
     measured: dict[str, Row] = {}
     start = time.perf_counter()
-    while points := _missing_by_point(study, middle, measured):
+    while points := _missing_by_point(study, designs, measured):
         measured |= {row["key"]: row for row in evaluate(list(_joined(points).values()), until_last=True)}
-    return most, left, (time.perf_counter() - start) * left
+    return most, left, (time.perf_counter() - start) * left / count
 
 
 def _split(plan: Plan, numbers: range, rows: Mapping[str, Row]) -> tuple[set[str], dict[int, Design | str]]:
@@ -219,34 +233,37 @@ def _split(plan: Plan, numbers: range, rows: Mapping[str, Row]) -> tuple[set[str
     return set(done.values()), {number: plan[number] for number in numbers if number not in done}
 
 
-def _missing(plan: Plan, rows: Mapping[str, Row], building: Building | None) -> Iterator[dict[str, Design]]:
-    """Yield the missing runs of every incomplete point; see `_missing_by_point`."""
-    for first in range(0, len(plan), _WINDOW):
-        window = range(first, min(first + _WINDOW, len(plan)))
+def _missing(
+    plan: Plan, rows: Mapping[str, Row], building: Building | None, numbers: range | None = None
+) -> Iterator[dict[str, Design]]:
+    """Yield the missing runs of every incomplete point, by default of all points; see `_missing_by_point`."""
+    numbers = range(len(plan)) if numbers is None else numbers
+    for first in range(0, len(numbers), _WINDOW):
+        window = numbers[first : first + _WINDOW]
         _, designs = _split(plan, window, rows)
         yield from _missing_by_point(plan.study, designs, rows)
         if building is not None:
-            building(window.stop, len(plan))
+            building(first + len(window), len(numbers))
 
 
-def _number_left(plan: Plan, rows: StoredRows, building: Building | None) -> int:
-    """Return the number of incomplete points.
+def _number_left(plan: Plan, numbers: range, rows: StoredRows, building: Building | None) -> int:
+    """Return the number of incomplete points among those with these numbers.
 
     Of more than 10 000 points, those without a valid design count too, because their designs are not built.
     """
-    if len(plan) <= _MOST_COUNTED:
-        return sum(1 for _ in _missing(plan, rows, building))
+    if len(numbers) <= _MOST_COUNTED:
+        return sum(1 for _ in _missing(plan, rows, building, numbers))
     if not rows:
-        return len(plan)
+        return len(numbers)
     left = 0
-    for first in range(0, len(plan), _WINDOW):
-        window = range(first, min(first + _WINDOW, len(plan)))
+    for first in range(0, len(numbers), _WINDOW):
+        window = numbers[first : first + _WINDOW]
         keys = dict(zip(window, plan.keys_without_designs(window), strict=True))
         left += sum(key not in rows for key in keys.values() if key is not None)
         unknown = {number: plan[number] for number, key in keys.items() if key is None}
         left += len(_missing_by_point(plan.study, unknown, rows))
         if building is not None:
-            building(window.stop, len(plan))
+            building(first + len(window), len(numbers))
     return left
 
 
