@@ -54,8 +54,9 @@ function wayOf({ course, protocol }, ends, divergedAt, transition) {
   const asked = sameGoal(own, transition.asked);
   const reached = driven.goal !== null || own.kind !== "bounds";
   const bounds = state && (asked ? transition.released : state.bounds);
-  const final = named > transition.stage && left && protocol.stages[named].kind === "bounds" && left.goal === null;
-  const holds = Boolean(end && bounds) && reached && !final && within(end.mean.coordinates, bounds) && !early(protocol, driven);
+  const between = ends.filter(({ stage }) => stage > transition.stage && stage <= named);
+  const lost = between.some((each) => protocol.stages[each.stage].kind === "bounds" && each.goal === null);
+  const holds = Boolean(end && bounds) && reached && !lost && within(end.mean.coordinates, bounds) && !early(protocol, driven);
   return { transition, begun, driven, work, end, state: end?.mean ?? null, holds };
 }
 

@@ -67,9 +67,9 @@ def _margin(record: Record, outcome: Outcome, transition: Transition) -> float:
         return 1.0 if made.time is None else max(1.0 - made.time / limit, 0.0) or np.finfo(float).eps
     reached = last < len(record.stages) and record.stages[last].goal_time is not None
     goal = goal_of(structure, transition.released if reached else transition.goal)
-    final = next((end for end in record.stages[last + 1 :] if end.stage.state == transition.state), None)
-    if final is not None and final.goal_time is None and distance_to_goal(state.coordinates, goal) == 0:
-        # the stage that ends in the state missed its own goal
+    final = record.stages[-1]
+    if last + 1 < len(record.stages) and final.goal_time is None and not distance_to_goal(state.coordinates, goal):
+        # a stage between the transition's goal and its state missed its own goal
         goal = goal_of(structure, final.stage.until)
     return -_share_short(record, transition, state, goal)
 
