@@ -13,7 +13,7 @@ from forficula.analysis.margin import transition_margins
 from forficula.design import load_design, with_values
 from forficula.study.running.runs import run
 from tests.analysis.test_outcome import ENDS, FOLDS_AND_OPENS, REFERENCE, planted
-from tests.elastic_joint import stage
+from tests.elastic_joint import stage as stage_of
 
 NAMES = ["settle", "fold", "release folded", "unfold", "release opened"]
 
@@ -99,12 +99,12 @@ def test_works_of_stages_add_up_in_failed_runs(torque):
 def flap(**values):
     """Two plates on a hinge without a spring, which two drives open one after the other; the goal is on a distance."""
     stages = [
-        stage("close", "close", "creases > 170 deg", state="closed"),
-        stage("open", "open", "time", 0.1),
-        stage("open further", "open", "rest", 0.5),
-        stage("press", "open", "time", 0.05),
-        stage("release", "none", "creases < 1 deg", 0.1),
-        stage("straight", "none", "span > 6.99 cm", 0.1, state="opened"),
+        stage_of("close", "close", "creases > 170 deg", state="closed"),
+        stage_of("open", "open", "time", 0.1),
+        stage_of("open further", "open", "rest", 0.5),
+        stage_of("press", "open", "time", 0.05),
+        stage_of("release", "none", "creases < 1 deg", 0.1),
+        stage_of("straight", "none", "span > 6.99 cm", 0.1, state="opened"),
     ]
     quick = {f"drive.{name}.no_load_speed": None for name in ("close", "open")}
     quick |= {"drive.close.value": 0.04, "drive.open.value": -0.04, "protocol.timestep": 2.5e-4}

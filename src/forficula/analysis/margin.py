@@ -26,9 +26,9 @@ def transition_margins(record: Record, outcome: Outcome) -> dict[str, float]:
     """Compute the signed margin of every transition: 1 at once, 0 only just, -1 not at all.
 
     The margin of a transition that succeeded is the share of the time limits of its stages that was left, because a
-    structure that is about to stick takes ever longer. The margin of one that failed is minus the share of the way to its goal
-    that was missing at the end, or, if it was lost on release, that was lost by then. A transition that was not tried
-    has -1, and so have all transitions of a run without a conclusive verdict.
+    structure that is about to stick takes ever longer. The margin of one that failed is minus the share of the way to
+    its goal that was missing at the end, or, if it was lost on release, that was lost by then. A transition that was
+    not tried has -1, and so have all transitions of a run without a conclusive verdict.
 
     Args:
         record: of a run; rows at the ends of its stages are enough.

@@ -293,8 +293,8 @@ class Outcome(Displayed):
 class _TransitionRun:
     """A transition in a run: the stages that drive it and that end at its goal, and the state at the end or later.
 
-    The way of a transition may begin with driven stages before its own. The stages after its goal, up to the one that
-    ends in the state, may have goals of their own, and `missed` is the first stage that missed such a goal.
+    The way of a transition may begin with driven stages before its own. The stages after its goal may have goals of
+    their own, up to the one that ends in the state, and `missed` is the first stage that missed such a goal.
     """
 
     transition: Transition
@@ -476,7 +476,8 @@ def _transition_run(record: Record, transition: Transition) -> _TransitionRun:
     reached = ended is not None and (ended.goal_time is not None or stage_goal.kind != "bounds")
     after = number if last is None else last
     missed = next(
-        (end for end in record.stages[after + 1 : named + 1] if end.goal_time is None and _has_bounds(record, end)), None
+        (end for end in record.stages[after + 1 : named + 1] if end.goal_time is None and _has_bounds(record, end)),
+        None,
     )
     holds = False
     if state is not None and rest_state is not None and missed is None:

@@ -93,7 +93,7 @@ def _goal_stage(stages: Sequence[StageSection], number: int) -> int | None:
 
 
 def _state_after(stages: Sequence[StageSection], number: int) -> str | None:
-    """Return the state that a driven stage leads to: its own, or the first one of the stages without drives after it."""
+    """Return the state that a driven stage leads to: its own, or the first of the stages without drives after it."""
     for stage in stages[number:]:
         if stage is not stages[number] and stage_drives(stage):
             return None
