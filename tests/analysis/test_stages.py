@@ -1,14 +1,19 @@
 """Results of every stage: its drive, its goal, its duration, and the work of its torques."""
 
 import json
+import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 import forficula as ff
-from forficula.analysis import measure, summary
-from forficula.design import with_values
+from forficula.analysis import Verdict, measure, summary
+from forficula.analysis.margin import transition_margins
+from forficula.design import load_design, with_values
+from forficula.study.running.runs import run
 from tests.analysis.test_outcome import ENDS, FOLDS_AND_OPENS, REFERENCE, planted
+from tests.elastic_joint import stage as stage_of
 
 NAMES = ["settle", "fold", "release folded", "unfold", "release opened"]
 
@@ -89,3 +94,43 @@ def test_works_of_stages_add_up_in_failed_runs(torque):
     outcome = measure(ff.run(with_values(REFERENCE, values), confirm=False))
     works = [stage.work for stage in outcome.stages]
     assert sum(works) == pytest.approx(outcome.energy_balance.work, rel=1e-12)
+
+
+def flap(**values):
+    """Two plates on a hinge without a spring, which two drives open one after the other; the goal is on a distance."""
+    stages = [
+        stage_of("close", "close", "creases > 170 deg", state="closed"),
+        stage_of("open", "open", "time", 0.1),
+        stage_of("open further", "open", "rest", 0.5),
+        stage_of("press", "open", "time", 0.05),
+        stage_of("release", "none", "creases < 1 deg", 0.1),
+        stage_of("straight", "none", "span > 6.99 cm", 0.1, state="opened"),
+    ]
+    quick = {f"drive.{name}.no_load_speed": None for name in ("close", "open")}
+    quick |= {"drive.close.value": 0.04, "drive.open.value": -0.04, "protocol.timestep": 2.5e-4}
+    return with_values(load_design("earwig-hindwing").base, quick | {"protocol.stages": stages, **values})
+
+
+def test_time_and_work_of_a_transition_are_those_of_all_stages_since_the_previous_state():
+    record = run(flap())
+    outcome = measure(record)
+    close, press = outcome.transitions["close"], outcome.transitions["press"]
+    works = [made.work for made in outcome.stages]
+    assert outcome.verdict is Verdict.REACHED
+    assert close.work == works[0]
+    assert press.work == pytest.approx(sum(works[1:4]), rel=1e-12)
+    assert press.work == pytest.approx(0.04 * math.radians(170), rel=0.05)
+    assert press.time == pytest.approx(record.stages[4].goal_time - record.stages[1].start)
+    assert 0 < transition_margins(record, outcome)["press"] < 1
+
+
+def test_a_state_is_missed_if_the_stage_that_ends_in_it_misses_its_own_goal():
+    record = run(flap(**{"crease.back_limit": math.radians(90)}))
+    outcome = measure(record)
+    assert record.stages[4].goal_time is not None
+    assert np.degrees(record.series["hinge_angle"][-1, 0]) == pytest.approx(-90, abs=1)
+    assert outcome.verdict is not Verdict.REACHED
+    assert outcome.status == 'missed the goal of stage "straight"'
+    assert outcome.holds == {"closed": True, "opened": False}
+    assert outcome.transitions["press"].time is None
+    assert -1 < transition_margins(record, outcome)["press"] < 0

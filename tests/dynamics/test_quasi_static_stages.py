@@ -76,6 +76,41 @@ def test_a_snap_that_meets_the_goal_ends_a_slow_stage_and_a_slow_stage_after_it_
     assert measure(record).energy_balance.residual < 1e-3
 
 
+def test_a_hinge_without_a_spring_creeps_from_stop_to_stop_in_slow_stages_one_after_another():
+    torque, damping, width = 0.04, 5e-2, 0.08
+    stages = [
+        stage("close", "close", "creases > 170 deg"),
+        slow("open", "open", "creases < 1 deg", 10.0),
+        slow("close again", "close", "rest", 10.0),
+        slow("open again", "open", "rest", 10.0),
+    ]
+    # the two plates of the claval line of the hindwing, with motors that do not brake
+    design = with_values(
+        load_design("earwig-hindwing").base,
+        {
+            **{f"drive.{name}.no_load_speed": None for name in ("close", "open")},
+            **{"drive.close.value": torque, "drive.open.value": -torque},
+            **{"protocol.timestep": 2.5e-4, "protocol.window": 0.05, "protocol.stages": stages},
+        },
+    )
+    record = run(design)
+    opened, closed, last = record.stages[1:]
+    assert [end.goal_time is not None for end in record.stages] == [True] * 4
+    # the smallest excess of the drive over 0 turns the hinge more slowly than the speed of rest
+    speed = 1e-4 * torque / (damping * width)
+    assert speed < np.radians(2)
+    assert opened.lost == (0.0,)
+    assert opened.end - opened.start < 0.2
+    assert last.end - closed.start < 20.5
+    outcome, turn = measure(record), np.radians(175)
+    assert outcome.stages[1].work == pytest.approx(opened.share * torque * turn, rel=1e-6)
+    # the drive of the stage before acts against the turn until it has fallen to 0
+    assert closed.lost[0] == pytest.approx(opened.share / (1 + opened.share), abs=1e-6)
+    assert last.lost[0] == pytest.approx(0.5, abs=1e-6)
+    assert np.degrees(record.series["hinge_angle"][-1, 0]) == pytest.approx(0, abs=1e-6)
+    assert outcome.energy_balance.residual < 1e-6
+
+
 def test_a_slow_stage_without_rest_ends_the_run():
     record = run(joint(slow("load", "unfold", HALF, 0.01), stage("release")))
     assert len(record.stages) == 4

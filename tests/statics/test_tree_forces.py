@@ -41,6 +41,7 @@ def slow_path(structure, start, before, after):
         begin=0.0,
         goal=StageGoal(name="time", kind="time", least=-none, most=none),
         built_on=points,
+        rest_speed=math.radians(2),
     )
     return stage_rest_path(structure, shape, load)
 
@@ -250,6 +251,7 @@ def test_slow_stages_of_trees_and_nets_agree_where_a_crease_opens(kind):
         begin=0.0,
         goal=StageGoal(name="less", kind=kind, least=-bounds, most=most),
         built_on=shown.points,
+        rest_speed=math.radians(2),
     )
     one, other = (solve(built, shown, load) for solve in (tree_rest_path, net_rest_path))
     assert one.ended == other.ended

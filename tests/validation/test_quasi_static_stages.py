@@ -54,8 +54,10 @@ def test_a_snap_in_a_slow_stage_dissipates_what_the_torque_and_the_tendon_releas
     end, angle = opened.stages[3], -opened.series["hinge_angle"][:, 0]
     before, after = row_at(opened, end.start), row_at(opened, end.end)
     lost = sum(opened.series[f"{name}_work"] for name in ("hinge_damping", "stop"))
-    # the torque is constant during the snap; in the simulation, the stop yields by 0.07 deg
-    released = moment(peak()) * (peak() - angle[after]) + energy(peak()) - energy(angle[after])
+    # the torque exceeds the lost one slightly, because the snap begins slowly; in the simulation, the stop yields by
+    # 0.07 deg
+    assert end.share * STRENGTH == pytest.approx(moment(peak()), rel=2e-3)
+    released = end.share * STRENGTH * (peak() - angle[after]) + energy(peak()) - energy(angle[after])
     agree("energy released", lost[before] - lost[after], released, by="closed form", unit="J", rel=3e-3)
     balance = measure(opened).energy_balance
     assert balance.residual < 5e-4

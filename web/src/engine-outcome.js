@@ -42,6 +42,9 @@ function wayOf({ course, protocol }, ends, divergedAt, transition) {
   const at = (stage) => ends.find((end) => end.stage === stage);
   const driven = transition.stage === null ? undefined : at(transition.stage);
   if (!driven) return { transition, driven: null, state: null, holds: false };
+  // several driven stages may lead to a state
+  const begun = at(transition.begins);
+  const work = ends.filter(({ stage }) => stage >= transition.begins && stage <= transition.stage).reduce((sum, each) => sum + each.work, 0);
   const sound = (end) => end && end.mean !== null;
   const named = course.stageStates.findIndex((name, stage) => stage >= transition.stage && name === transition.state);
   const left = at(named < 0 ? transition.stage : named);
@@ -51,8 +54,10 @@ function wayOf({ course, protocol }, ends, divergedAt, transition) {
   const asked = sameGoal(own, transition.asked);
   const reached = driven.goal !== null || own.kind !== "bounds";
   const bounds = state && (asked ? transition.released : state.bounds);
-  const holds = Boolean(end && bounds) && reached && within(end.mean.coordinates, bounds) && !early(protocol, driven);
-  return { transition, driven, end, state: end?.mean ?? null, holds };
+  const between = ends.filter(({ stage }) => stage > transition.stage && stage <= named);
+  const lost = between.some((each) => protocol.stages[each.stage].kind === "bounds" && each.goal === null);
+  const holds = Boolean(end && bounds) && reached && !lost && within(end.mean.coordinates, bounds) && !early(protocol, driven);
+  return { transition, begun, driven, work, end, state: end?.mean ?? null, holds };
 }
 
 function sameGoal(one, other) {
@@ -85,11 +90,11 @@ function wayAt(protocol, ways, end) {
   return ways.find((way) => way.driven === end) ?? ways.find(({ transition }) => transition.goal === until || acts(transition.drive));
 }
 
-function transitionOf(protocol, { transition, driven, holds }) {
+function transitionOf(protocol, { transition, begun, driven, work, holds }) {
   const { name, words } = transition;
   if (!driven) return { name, words, took: null };
-  const time = holds && driven.goal !== null ? (driven.goal - driven.start) * protocol.timestep : null;
-  return { name, words, took: { succeeded: holds, time_s: time, work: driven.work } };
+  const time = holds && driven.goal !== null ? (driven.goal - begun.start) * protocol.timestep : null;
+  return { name, words, took: { succeeded: holds, time_s: time, work } };
 }
 
 function stateOf(course, ends, ways, state) {

@@ -8,7 +8,14 @@ import numpy as np
 
 from forficula.analysis.outcome import Outcome, State
 from forficula.dynamics import Record
-from forficula.structure import StageGoal, Transition, distance_to_goal, goal_coordinates, goal_of
+from forficula.structure import (
+    StageGoal,
+    Transition,
+    distance_to_goal,
+    first_driven_stage,
+    goal_coordinates,
+    goal_of,
+)
 
 # least missing share of a failed transition, so that its margin is never 0
 _LEAST_SHORT = 1e-3
@@ -18,10 +25,10 @@ NOT_TRIED = -1.0
 def transition_margins(record: Record, outcome: Outcome) -> dict[str, float]:
     """Compute the signed margin of every transition: 1 at once, 0 only just, -1 not at all.
 
-    The margin of a transition that succeeded is the share of its stage's time limit that was left, because a structure
-    that is about to stick takes ever longer. The margin of one that failed is minus the share of the way to its goal
-    that was missing at the end, or, if it was lost on release, that was lost by then. A transition that was not tried
-    has -1, and so have all transitions of a run without a conclusive verdict.
+    The margin of a transition that succeeded is the share of the time limits of its stages that was left, because a
+    structure that is about to stick takes ever longer. The margin of one that failed is minus the share of the way to
+    its goal that was missing at the end, or, if it was lost on release, that was lost by then. A transition that was
+    not tried has -1, and so have all transitions of a run without a conclusive verdict.
 
     Args:
         record: of a run; rows at the ends of its stages are enough.
@@ -53,13 +60,18 @@ def _margin(record: Record, outcome: Outcome, transition: Transition) -> float:
     made, state = outcome.transitions[transition.name], outcome.states[transition.state]
     if not outcome.verdict.conclusive or made is None or state is None or transition.stage is None:
         return NOT_TRIED
+    stages, structure = record.design.protocol.stages, record.structure
     last = transition.stage if transition.goal_stage is None else transition.goal_stage
-    limit = sum(stage.time_limit for stage in record.design.protocol.stages[transition.stage : last + 1])
     if made.succeeded:
+        limit = sum(stage.time_limit for stage in stages[first_driven_stage(structure, stages, transition) : last + 1])
         return 1.0 if made.time is None else max(1.0 - made.time / limit, 0.0) or np.finfo(float).eps
-    goal = goal_of(record.structure, transition.goal)
     reached = last < len(record.stages) and record.stages[last].goal_time is not None
-    return -_share_short(record, transition, state, goal_of(record.structure, transition.released) if reached else goal)
+    goal = goal_of(structure, transition.released if reached else transition.goal)
+    final = record.stages[-1]
+    if last + 1 < len(record.stages) and final.goal_time is None and not distance_to_goal(state.coordinates, goal):
+        # a stage between the transition's goal and its state missed its own goal
+        goal = goal_of(structure, final.stage.until)
+    return -_share_short(record, transition, state, goal)
 
 
 def _share_short(record: Record, transition: Transition, state: State, goal: StageGoal) -> float:

@@ -27,6 +27,7 @@ from forficula.structure import (
     Structure,
     Transition,
     drive_of,
+    first_driven_stage,
     goal_coordinates,
     goal_of,
     measure_of,
@@ -144,8 +145,9 @@ class TransitionOutcome:
     Attributes:
         strength: of its drive, in the SI unit of `drive_unit`.
         succeeded: whether the goal was reached, and the state held after the release if a release ends in it.
-        time: from the start of the stage until the goal was reached, s; None if it failed.
-        work: of the motors over the stage, J: the integral of torque over angle.
+        time: from the start of the first driven stage after the previous state until the goal was reached, s; None if
+            it failed.
+        work: of the motors over the driven stages since the previous state, J: the integral of torque over angle.
         largest_force: largest total force along a displacement over the stage, N; None for other drives.
         held: whether the state held after the release; None if no release ends in the state.
         sprung_back: for a release that follows but ends in no named state: the readings furthest from the goal at the
@@ -289,11 +291,17 @@ class Outcome(Displayed):
 
 @dataclass(frozen=True, kw_only=True)
 class _TransitionRun:
-    """A transition in a run: the stages that drive it and that end at its goal, and the state at the end or later."""
+    """A transition in a run: the stages that drive it and that end at its goal, and the state at the end or later.
+
+    The way of a transition may begin with driven stages before its own. The stages after its goal may have goals of
+    their own, up to the one that ends in the state, and `missed` is the first stage that missed such a goal.
+    """
 
     transition: Transition
+    begun: StageEnd | None
     driven: StageEnd | None
     ended: StageEnd | None
+    missed: StageEnd | None
     state: State | None
     holds: bool
 
@@ -414,11 +422,7 @@ def _outcome(record: Record) -> Outcome:
 
 def early_goal(record: Record, end: StageEnd) -> str:
     """Return a warning if the goal of a driven stage, a bound, is met at its first step; else an empty text."""
-    if (
-        end.goal_time is None
-        or not stage_drives(end.stage)
-        or goal_of(record.structure, end.stage.until).kind != "bounds"
-    ):
+    if end.goal_time is None or not stage_drives(end.stage) or not _has_bounds(record, end):
         return ""
     early = end.goal_time - end.start <= _FIRST_STEP * float(record.design.protocol.timestep)
     # a quasi-static stage first comes to rest without its drive
@@ -430,8 +434,10 @@ def _reason_text(record: Record, verdict: Verdict, missed: StageEnd | None, run:
     """Return why a stage missed its goal where the wording of its transition would mislead; else an empty text."""
     if missed is None or verdict not in (Verdict.MOVING, Verdict.NOT_HELD, Verdict.STUCK):
         return ""
+    # the wording of a transition is about its own goal
+    other = run is None or missed is run.missed
     if verdict is Verdict.STUCK:
-        return ENDING_TEXTS["missed, stage"].format(stage=missed.stage.name) if run is None else ""
+        return ENDING_TEXTS["missed, stage"].format(stage=missed.stage.name) if other else ""
     if missed.stage.wait and missed.goal_time is None:
         limit, wait = show_value(missed.stage.time_limit, "s"), show_duration(missed.stage.wait)
         where = f'in the stage "{missed.stage.name}", which waits {wait} at rest'
@@ -442,14 +448,17 @@ def _reason_text(record: Record, verdict: Verdict, missed: StageEnd | None, run:
         return ENDING_TEXTS["moving, too short"]
     if missed.at_rest:
         return ENDING_TEXTS["moving, torque rises"]
-    return ENDING_TEXTS["missed, stage"].format(stage=missed.stage.name) if run is None else ""
+    return ENDING_TEXTS["missed, stage"].format(stage=missed.stage.name) if other else ""
 
 
 def _transition_run(record: Record, transition: Transition) -> _TransitionRun:
     structure, number = record.structure, transition.stage
     if number is None or number >= len(record.stages):
-        return _TransitionRun(transition=transition, driven=None, ended=None, state=None, holds=False)
+        return _TransitionRun(
+            transition=transition, begun=None, driven=None, ended=None, missed=None, state=None, holds=False
+        )
     driven, last = record.stages[number], transition.goal_stage
+    begins = first_driven_stage(structure, record.design.protocol.stages, transition)
     ended = record.stages[last] if last is not None and last < len(record.stages) else None
     names = structure.stage_states
     named = next((place for place in range(number, len(names)) if names[place] == transition.state), number)
@@ -465,21 +474,39 @@ def _transition_run(record: Record, transition: Transition) -> _TransitionRun:
     stage_goal = goal_of(structure, transition.goal if ended is None else ended.stage.until)
     ends_transition = _same_goal(stage_goal, goal_of(structure, transition.goal))
     reached = ended is not None and (ended.goal_time is not None or stage_goal.kind != "bounds")
+    after = number if last is None else last
+    missed = next(
+        (end for end in record.stages[after + 1 : named + 1] if end.goal_time is None and _has_bounds(record, end)),
+        None,
+    )
     holds = False
-    if state is not None and rest_state is not None:
+    if state is not None and rest_state is not None and missed is None:
         # a stage that does not end at a bound cannot reach it, so its final state decides
         kept = goal_of(structure, transition.released if ends_transition else rest_state.goal)
         holds = reached and _within_bounds(state.coordinates, kept)
         # a goal that was met before the drive acted is not an effect of the drive
         holds = holds and ended is not None and not early_goal(record, ended)
-    return _TransitionRun(transition=transition, driven=driven, ended=ended, state=state, holds=holds)
+    return _TransitionRun(
+        transition=transition,
+        begun=driven if begins is None else record.stages[begins],
+        driven=driven,
+        ended=ended,
+        missed=missed,
+        state=state,
+        holds=holds,
+    )
+
+
+def _has_bounds(record: Record, end: StageEnd) -> bool:
+    """Return whether the goal of a stage is a bound."""
+    return goal_of(record.structure, end.stage.until).kind == "bounds"
 
 
 def _transition_run_of(runs: list[_TransitionRun], end: StageEnd) -> _TransitionRun | None:
     """Return the transition that a stage drives, or whose goal ends the stage."""
     drives = stage_drives(end.stage)
     for run in runs:
-        if end in (run.driven, run.ended):
+        if end in (run.driven, run.ended, run.missed):
             return run
     return next((run for run in runs if run.transition.goal == end.stage.until or run.transition.drive in drives), None)
 
@@ -488,9 +515,9 @@ def _missed(record: Record, runs: list[_TransitionRun]) -> StageEnd | None:
     """Return the first stage whose goal was missed or lost when released; None if there is none."""
     for run in runs:
         if run.driven is not None and not run.holds:
-            return run.driven if run.ended is None else run.ended
+            return run.missed or run.ended or run.driven
     last = record.stages[-1]
-    has_goal = last.stage.wait or goal_of(record.structure, last.stage.until).kind == "bounds"
+    has_goal = last.stage.wait or _has_bounds(record, last)
     has_goal = has_goal or (last.stage.quasi_static and not last.at_rest)
     return last if last.goal_time is None and has_goal else None
 
@@ -606,8 +633,8 @@ def _furthest(
 
 
 def _transition(record: Record, run: _TransitionRun, holds: Mapping[str, bool | None]) -> TransitionOutcome | None:
-    end, transition = run.driven, run.transition
-    if end is None:
+    begun, end, transition = run.begun, run.driven, run.transition
+    if end is None or begun is None:
         return None
     succeeded = bool(holds[transition.state])
     reached = None if run.ended is None else run.ended.goal_time
@@ -616,8 +643,8 @@ def _transition(record: Record, run: _TransitionRun, holds: Mapping[str, bool | 
     return TransitionOutcome(
         strength=drive.strength,
         succeeded=succeeded,
-        time=reached - end.start if succeeded and reached is not None else None,
-        work=_work(record, end),
+        time=reached - begun.start if succeeded and reached is not None else None,
+        work=_work(record, begun.start, end.end),
         largest_force=_largest_force(record, drive, end),
         held=holds[transition.state] if released else None,
         sprung_back=None if released else _readings_at_release(record, transition),
@@ -659,7 +686,7 @@ def _stage(record: Record, end: StageEnd, *, conclusive: bool) -> StageOutcome:
         goal=end.stage.until,
         reached=end.goal_time is not None if conclusive and not timed else None,
         time=None if moment is None else moment - end.start,
-        work=_work(record, end),
+        work=_work(record, end.start, end.end),
         waited=end.waited or None,
         motion=end.stage.motion,
         share=end.share,
@@ -667,8 +694,8 @@ def _stage(record: Record, end: StageEnd, *, conclusive: bool) -> StageOutcome:
     )
 
 
-def _work(record: Record, end: StageEnd) -> float:
-    """Return the work of the motors over a stage, J."""
-    before, after = (int(np.argmin(np.abs(record.time - moment))) for moment in (end.start, end.end))
+def _work(record: Record, start: float, end: float) -> float:
+    """Return the work of the motors between two times, J."""
+    before, after = (int(np.argmin(np.abs(record.time - moment))) for moment in (start, end))
     work = record.series["motor_work"]
     return sum((float(last - first) for first, last in zip(work[before], work[after], strict=True)), 0.0)

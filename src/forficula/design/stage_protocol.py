@@ -93,11 +93,13 @@ def _goal_stage(stages: Sequence[StageSection], number: int) -> int | None:
 
 
 def _state_after(stages: Sequence[StageSection], number: int) -> str | None:
-    """Return the state that a driven stage leads to: its own state, or that of a release that follows."""
-    stage = stages[number]
-    if stage.state is not None or number + 1 == len(stages) or stage_drives(stages[number + 1]):
-        return stage.state
-    return stages[number + 1].state
+    """Return the state that a driven stage leads to: its own, or the first of the stages without drives after it."""
+    for stage in stages[number:]:
+        if stage is not stages[number] and stage_drives(stage):
+            return None
+        if stage.state is not None:
+            return stage.state
+    return None
 
 
 def _wording(state: str, done: str) -> Wording:

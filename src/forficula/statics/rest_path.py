@@ -19,11 +19,25 @@ _ACCURACY = 1e-9  # of the work in a step, relative to the largest setting times
 _DEPTH = 12  # halvings of a step for the integral of the work
 
 
+class Creep(NamedTuple, Generic[State]):
+    """Slow motion to an equilibrium: its end, and the energy that dampers dissipate, J."""
+
+    end: State
+    lost: float
+
+
 class LoadedSystem(Protocol[State]):
     """A structure under a load, as a static solver represents it."""
 
     def rest(self, share: float, near: State) -> State | None:
         """Return the stable equilibrium at a share of the load near a state; None if there is none."""
+        ...
+
+    def creep(self, share: float, start: State) -> Creep[State] | None:
+        """Return the motion without inertia from a state to an equilibrium at a share of the load, however far away.
+
+        None if a hinge would move faster than `GrowingLoad.rest_speed`, or if there is no equilibrium.
+        """
         ...
 
     def middle(self, one: State, other: State) -> State:
@@ -60,15 +74,19 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
 
     Args:
         system: the structure under the load.
-        start: near an equilibrium at the first share.
+        start: state at which the structure counts as at rest.
         load: the load.
     """
-    first = system.rest(load.begin, start)
+    first, lost, motors = system.rest(load.begin, start), 0.0, len(load.before)
+    crept = np.zeros(motors)
     if first is None:
-        motors = len(load.before)
-        return RestPath(
-            share=np.zeros(0), shapes=(), work=np.zeros((0, motors)), forces=np.zeros((0, motors)), ended="away"
-        )
+        creep = system.creep(load.begin, start)
+        if creep is None:
+            none = np.zeros((0, motors))
+            return RestPath(share=np.zeros(0), shapes=(), work=none, lost=0.0, forces=none, ended="away")
+        first, lost = creep
+        moved = system.conjugates(load.begin, first) - system.conjugates(load.begin, start)
+        crept = np.where(system.prescribes, 0.0, load.settings(load.begin) * moved)
     shares, states = [load.begin], [first]
     ended: Literal["goal", "full", "lost"] = "goal" if system.short_of_goal(first) <= 0 else "full"
     step, steady = _STEP, True
@@ -90,7 +108,8 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
     return RestPath(
         share=np.array(shares),
         shapes=tuple(system.shape(state) for state in states),
-        work=_works(system, load, shares, states, conjugates),
+        work=crept + _works(system, load, shares, states, conjugates),
+        lost=lost,
         forces=np.where(system.prescribes, conjugates, 0.0),
         ended=ended,
     )

@@ -9,7 +9,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.design.named_protocol import Drive, RestState, Transition
-from forficula.design.protocol import GoalText, read_goal
+from forficula.design.protocol import GoalText, StageSection, read_goal, stage_drives
 from forficula.design.section import ANGLE, LENGTH
 from forficula.errors import InputError
 from forficula.names import one_of
@@ -62,6 +62,25 @@ def first_state(structure: Structure, names: Sequence[str]) -> str:
     """
     led_to = {transition.state for transition in structure.transitions}
     return next((name for name in names if name and name not in led_to), "")
+
+
+def first_driven_stage(structure: Structure, stages: Sequence[StageSection], transition: Transition) -> int | None:
+    """Return the number of the first driven stage on the way to the state of a transition.
+
+    The way begins after the stage that ends in the previous named state, and after the previous transition. The stage
+    is that of the transition itself, unless several driven stages lead to the state.
+
+    Args:
+        structure: structure with the transition.
+        stages: stages of its protocol.
+        transition: one of the transitions of the structure.
+    """
+    if transition.stage is None:
+        return None
+    ends = [number for number, name in enumerate(structure.stage_states) if name]
+    ends += [earlier.goal_stage for earlier in structure.transitions if earlier.goal_stage is not None]
+    begins = 1 + max((number for number in ends if number < transition.stage), default=-1)
+    return next(number for number in range(begins, transition.stage + 1) if stage_drives(stages[number]))
 
 
 def measure_of(structure: Structure, name: str) -> Measure | None:

@@ -38,6 +38,7 @@ class GrowingLoad:
         begin: share at which the path begins.
         goal: ends the path; a goal without bounds ends it at the share 1.
         built_on: positions of the points at the share 0, m, (point, 3), from which a motor displaces points.
+        rest_speed: speed below which a hinge counts as at rest, rad/s.
     """
 
     before: Array
@@ -45,6 +46,7 @@ class GrowingLoad:
     begin: float
     goal: StageGoal
     built_on: Array
+    rest_speed: float
 
     def settings(self, share: float) -> Array:
         """Return the settings of the motors at a share of the stage, SI, (motor,)."""
@@ -58,7 +60,8 @@ class RestPath:
     Attributes:
         share: of the stage, rising, (row,).
         shapes: at these shares.
-        work: of the motors since the first row, J, (row, motor).
+        work: of the motors since the start, J, (row, motor).
+        lost: energy that dampers dissipate while the structure creeps from the start to the first row, J.
         forces: of motors that displace points, N; 0 for other motors, (row, motor).
         ended: "goal"; "full" at the share 1; "lost" if no stable equilibrium is near the last one at a larger share;
             "away" if no stable equilibrium is near the start, so that there are no rows.
@@ -67,6 +70,7 @@ class RestPath:
     share: Array
     shapes: tuple[RestShape, ...]
     work: Array
+    lost: float
     forces: Array
     ended: Literal["goal", "full", "lost", "away"]
 

@@ -138,12 +138,15 @@ class WorkBalance:
             places: rows of the path to return, (row,).
             settings: of the motors at these rows, in the model's units, (row, motor).
             times: of these rows, s, (row,).
-            jump: energy that the structure gains between the state that it reached and the first equilibrium, J.
+            jump: energy that the structure gains between the state that it reached and the first equilibrium, J, and
+                that neither the motors nor the dampers explain.
 
         Returns:
             As for `add`, at these rows, (row,).
         """
         self._jumped[row] += jump
+        if path.lost:
+            self._done.setdefault("hinge_damping_work", np.zeros(len(self._models)))[row] -= path.lost
         values = {name: np.full(len(places), done[row]) for name, done in self._done.items()}
         for motor in range(len(self._motors)):
             work = path.work[places, motor]

@@ -64,6 +64,7 @@ class QuasiStaticStages:
             begin=share,
             goal=goal_of(model.structure, model.design.protocol.stages[stage].until),
             built_on=self._begun[row][1],
+            rest_speed=model.design.protocol.rest_speed,
         )
         path = self._solver(model.structure, shape, load)
         if path.ended == "away":
@@ -75,6 +76,7 @@ class QuasiStaticStages:
         final = stepper.place(row, stepper.position_of(row, path.shapes[-1]))
         jump = _energy(model, stepper.place(row, stepper.position_of(row, path.shapes[0])), settings[0] / unit)
         jump -= _energy(model, reached, settings[0] / unit)
+        jump -= float(path.work[0].sum()) - path.lost
         stepper.place(row, final.position)
         first = int(tracker.steps[row])
         recorder.add_at_rest(

@@ -257,7 +257,13 @@ class StageTracker:
         return int(self._plan.limit[row, self.stage[row]])
 
     def rest_again(self, row: int) -> None:
-        """Let a structure move on in its quasi-static stage until it rests at an equilibrium."""
+        """Let a structure that rests without an equilibrium move on in its quasi-static stage.
+
+        Just beyond the drive at which an equilibrium is lost, a structure moves so slowly that it counts as at rest.
+        The excess of the drive is then doubled.
+        """
+        if self._lost[row]:
+            self._share[row] = min(2 * self._share[row] - self._lost[row][-1], 1.0)
         self.at_rest[row] = False
 
     def lose(self, row: int, share: float, beyond: float, steps: int) -> None:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import scipy
 
 from forficula.arrays import Array, Flags
-from forficula.statics.rest_path import rest_path
+from forficula.statics.rest_path import Creep, rest_path
+from forficula.statics.tree.elements import Expansion
 from forficula.statics.tree.pose import pose, tree_of
 from forficula.statics.tree.potential import Ensemble, ensemble, hinge_angles, potential, rest, torque_scale
 from forficula.statics.tree.tree_path import place_positions
@@ -22,6 +25,8 @@ from forficula.structure import (
 
 _NEAR = 0.05  # rad, largest turn of a hinge between two neighbouring equilibria
 _CORRECTIONS = 20
+_FURTHEST = 0.1  # rad, largest turn of a hinge in a step of a creep
+_MOST_CREEPS = 500  # steps of a creep
 _EXACT = 1e-13  # rad, step of Newton's method that ends it
 _AT_BOUND = 1e-12  # rad
 _QUIET = 1e-9  # torque that counts as 0, as a share of the largest torque of the stiffest part
@@ -42,6 +47,7 @@ class _LoadedTree:
         self._structures: Ensemble = ensemble([structure])
         self._tree = tree_of(structure)
         self._lower, self._upper = self._structures.lower[None], self._structures.upper[None]
+        self._damping = np.array([hinge.damping for hinge in structure.hinges[: self._structures.size]])
         self._spread, self._quiet = np.eye(self._structures.size), _QUIET * torque_scale(self._structures)
         if (ties := self._structures.ties) is not None:
             self._spread = ties.spread
@@ -90,6 +96,32 @@ class _LoadedTree:
                 return np.asarray(np.clip(angles, self._structures.lower, self._structures.upper))
         return None
 
+    def creep(self, share: float, start: Array) -> Creep[Array] | None:
+        """Return the motion to an equilibrium under the dampers of the joints, without inertia.
+
+        Every step is one of Euler's implicit method: it minimises the potential plus the dissipation of the step. Steps
+        grow, so that the dissipation vanishes and the potential alone decides where the structure rests. Other dampers
+        are left out. They slow the motion down, so the speed is not underestimated.
+        """
+        torques, first = self._load.settings(share), start
+        shortest = step = _NEAR / self._load.rest_speed
+        for _ in range(_MOST_CREEPS):
+            descended = rest(self._structures, start[None], torques, pull=_drag(self._damping / step, start))
+            turned = float(np.abs(descended.position[0] - start).max(initial=0.0))
+            if not descended.rests[0] or turned > _FURTHEST:
+                step /= 2
+                if step < shortest:
+                    return None
+                continue
+            if turned > self._load.rest_speed * step:
+                return None
+            start, step = descended.position[0], 2 * step
+            end = self.rest(share, start) if turned <= _NEAR else None
+            if end is not None:
+                energies = [float(potential(self._structures, at[None], torques)[0][0]) for at in (first, end)]
+                return Creep(end, energies[0] - energies[1])
+        return None
+
     def middle(self, one: Array, other: Array) -> Array:
         return np.asarray((one + other) / 2)
 
@@ -119,3 +151,14 @@ class _LoadedTree:
             origins=at.origins[0, :count],
             frames=at.frames[0, :count],
         )
+
+
+def _drag(damping: Array, start: Array) -> Callable[[Array], Expansion]:
+    """Return half the dissipation of a step from some angles as an energy; damping is divided by the step, N m/rad."""
+
+    def energy(angles: Array) -> Expansion:
+        turned = angles - start
+        curvature = np.tile(np.diag(damping), (len(angles), 1, 1))
+        return np.sum(damping * turned**2, axis=1) / 2, damping * turned, curvature
+
+    return energy

@@ -29,7 +29,16 @@ from forficula.show.page.data.packed_arrays import PackedArrays
 from forficula.show.page.parts.design_rows import key_meanings
 from forficula.show.page.parts.run_sentences import LIVE_OUTCOME_TEXTS
 from forficula.show.structure.labels import role_groups
-from forficula.structure import Measure, StageGoal, Structure, Transition, goal_of, measure_of, sums_of
+from forficula.structure import (
+    Measure,
+    StageGoal,
+    Structure,
+    Transition,
+    first_driven_stage,
+    goal_of,
+    measure_of,
+    sums_of,
+)
 
 _MOST_STRENGTH = 3.0  # largest strength of a drive on its slider, as a multiple of the design's
 
@@ -222,6 +231,7 @@ def _transition_data(model: Model, transition: Transition) -> dict[str, Any]:
         "name": transition.name,
         "drive": transition.drive,
         "stage": transition.stage,
+        "begins": first_driven_stage(structure, model.design.protocol.stages, transition),
         "goal": transition.goal,
         "asked": _goal_data(_goal_named(model, transition.goal)),
         "state": transition.state,

@@ -100,6 +100,10 @@ class _LoadedNet:
     def _motor_load(self, settings: Array) -> Load:
         return motor_load(self._structure, self._net, tuple(settings.tolist()))
 
+    def creep(self, _share: float, _start: NetShape) -> None:
+        """Return no creep: dampers between nodes are not a part of the net."""
+        return
+
     def middle(self, one: NetShape, other: NetShape) -> NetShape:
         return moved_shape(self._net, one, (one.positions + other.positions) / 2)
 
