@@ -16,6 +16,8 @@ from forficula.dynamics import (
     Model,
     NumericalCheck,
     Record,
+    batch_key,
+    check_device,
     compile_model,
     design_in_model_units,
     key_without_last_drive,
@@ -200,13 +202,14 @@ def run_each(
         attempts = [left[number] for number in sorted(left)]
 
 
-def topology(model: Model) -> tuple[int, ...]:
-    """Return what models of one batch must share: sizes, update interval of creases, and the hinges with motors."""
+def topology(model: Model) -> tuple[int | str, ...]:
+    """Return what models of one batch must share: sizes, update interval of creases, hinges with motors, device."""
     engine = model.engine
     sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
     driven = tuple(hinge for motor in model.structure.motors for hinge in motor.hinges)
     medium = model.drag is not None
-    return (*sizes, engine.neq, engine.nactuator, engine.na, engine.nplastic, model.followed, medium, *driven)
+    others = (engine.neq, engine.nactuator, engine.na, engine.nplastic, model.followed, medium, batch_key(model))
+    return (*sizes, *others, *driven)
 
 
 def _results(
@@ -239,7 +242,7 @@ def _simulated(
     progress: Progress | None,
 ) -> Iterator[tuple[_Attempt, Record | InputError]]:
     """Simulate models, those of one topology side by side. A batch that exceeds the memory is halved."""
-    groups: dict[tuple[int, ...], list[tuple[_Attempt, Model]]] = {}
+    groups: dict[tuple[int | str, ...], list[tuple[_Attempt, Model]]] = {}
     for attempt, model in built:
         groups.setdefault(topology(model), []).append((attempt, model))
     is_last = _did_last if until_last else None
@@ -371,12 +374,14 @@ def _with_protocol(model: Model | InputError, attempt: _Attempt) -> tuple[_Attem
     agreeing = _AGREEING if model.creases is None else _OF_NODES
     structure = with_protocol(model.structure, design)
     check_quasi_static(structure, design.protocol)
-    return replace(attempt, design=design, agreeing=agreeing), replace(
+    simulated = replace(
         model,
         design=design,
         structure=structure,
         in_units=with_protocol(model.in_units, design_in_model_units(design, model.units)),
     )
+    check_device(simulated)
+    return replace(attempt, design=design, agreeing=agreeing), simulated
 
 
 def _with_timestep_shown(progress: Progress, attempt: _Attempt) -> Progress:
