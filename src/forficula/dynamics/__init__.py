@@ -4,7 +4,7 @@ from forficula.dynamics.engine.model import Model, compile_model, compile_struct
 from forficula.dynamics.engine.portable_model import portable_model, why_not_portable
 from forficula.dynamics.engine.sharing import key_without_last_drive
 from forficula.dynamics.engine.units import design_in_model_units
-from forficula.dynamics.gpu.device import batch_key, check_device
+from forficula.dynamics.gpu.device import batch_key, check_available, check_device
 from forficula.dynamics.record import (
     AnyRun,
     NumericalCheck,
@@ -39,6 +39,7 @@ __all__ = [
     "SteppedProtocol",
     "as_record",
     "batch_key",
+    "check_available",
     "check_device",
     "compile_model",
     "compile_structure",

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import ctypes
 import hashlib
+import sys
 from functools import cache
+from importlib.util import find_spec
 from typing import Any
 
 import mujoco
@@ -42,8 +45,8 @@ def warp_engine() -> Any:
     return optional_module("mujoco_warp", needs, "forficula[gpu]", '"cpu" needs no further package')
 
 
-def device_name(device: str) -> str:
-    """Return Warp's name of a device.
+def check_available(device: str) -> None:
+    """Refuse a device that this computer does not have.
 
     Args:
         device: value of `protocol.device`.
@@ -51,14 +54,39 @@ def device_name(device: str) -> str:
     Raises:
         InputError: MuJoCo Warp is not installed, or there is no such device.
     """
+    if find_spec("mujoco_warp") is None:
+        warp_engine()  # says how to install it
+    if device == "gpu" and not (_has_driver() and _has_processor()):
+        raise InputError(
+            f'{_KEY}: need "cpu" on this computer, which has no graphics processor for CUDA or no driver for it,'
+            ' got "gpu"'
+        )
+
+
+def _has_driver() -> bool:
+    """Return whether there is a driver for CUDA; without one, Warp prints a warning of its own."""
+    try:
+        ctypes.CDLL("nvcuda.dll" if sys.platform == "win32" else "libcuda.so.1")
+    except OSError:
+        return False
+    return True
+
+
+def _has_processor() -> bool:
+    """Return whether Warp finds a graphics processor."""
     warp_engine()
     import warp
 
-    if device == "gpu" and not warp.get_cuda_device_count():
-        raise InputError(
-            f'{_KEY}: need "cpu" on this computer, which has no graphics processor for CUDA, or whose driver is'
-            ' missing, got "gpu"'
-        )
+    return bool(warp.get_cuda_device_count())
+
+
+def device_name(device: str) -> str:
+    """Return Warp's name of a device, a value of `protocol.device`.
+
+    Raises:
+        InputError: as for `check_available`.
+    """
+    check_available(device)
     return _NAMES[device]
 
 

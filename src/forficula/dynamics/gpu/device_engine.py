@@ -9,6 +9,7 @@ from typing import Any
 import mujoco
 import numpy as np
 import warp as wp
+from numpy.typing import NDArray
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.model import Model
@@ -61,7 +62,7 @@ class DeviceEngine:
         engine.opt.jacobian = mujoco.mjtJacobian.mjJAC_DENSE if engine.nv <= _DENSE else mujoco.mjtJacobian.mjJAC_SPARSE
         self._worlds = len(models)
         self._varying = _varying(engines)
-        sizes = {name: self._worlds for name in self._varying}
+        sizes = dict.fromkeys(self._varying, self._worlds)
         with wp.ScopedDevice(self._device):
             try:
                 self._model = self._warp.put_model(engine, batch_sizes=sizes)
@@ -177,7 +178,7 @@ class DeviceEngine:
         wp.launch(kernels.keep_values, (worlds, size), inputs=[self._step, numbers, first], outputs=[kept])
 
 
-def _varying(engines: Sequence[mujoco.MjModel]) -> dict[str, Array]:
+def _varying(engines: Sequence[mujoco.MjModel]) -> dict[str, NDArray[np.float32]]:
     """Return the numbers that differ between models, (model, ...), by the engine's names."""
     distinct = list({id(engine): engine for engine in engines}.values())
     if len(distinct) == 1:

@@ -6,6 +6,9 @@ Arrays of steps begin with the step, so that one step of all structures is one p
 
 import warp as wp
 
+# derivatives are not needed, and compiling them takes time
+wp.set_module_options({"enable_backward": False})
+
 
 @wp.kernel
 def set_controls(step: wp.array[int], controls: wp.array3d[float], ctrl: wp.array2d[float]):

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from forficula.analysis import Outcome, Verdict, measure
-from forficula.analysis.confirmation import HALF_STEP, OTHER_START, same_ending
+from forficula.analysis.confirmation import DOUBLE_PRECISION, HALF_STEP, OTHER_START, same_ending
 from forficula.analysis.outcome import outcome_values
 from forficula.analysis.verdict import UNSETTLED
 from forficula.design import Design, put
@@ -17,6 +17,7 @@ from forficula.dynamics import (
     NumericalCheck,
     Record,
     batch_key,
+    check_available,
     check_device,
     compile_model,
     design_in_model_units,
@@ -77,8 +78,9 @@ def run(design: Design, progress: Progress | None = None, *, confirm: bool = Fal
     Args:
         design: structure and protocol.
         progress: called now and then with the stage's name, the time so far and the time limit, s.
-        confirm: whether to run the design also at half the timestep and from a slightly different start, side by side.
-            With a timestep "auto" the last but one run replaces the one at half the timestep.
+        confirm: whether to run the design also at half the timestep and from a slightly different start, side by side,
+            and a design on a device also in double precision. With a timestep "auto" the last but one run replaces the
+            one at half the timestep.
 
     Returns:
         The record, sampled at the protocol's interval.
@@ -92,16 +94,26 @@ def run(design: Design, progress: Progress | None = None, *, confirm: bool = Fal
     if isinstance(record, InputError):
         raise record
     if confirm and design.protocol.timestep == "auto":
-        other = record.design.with_other_start()
-        others = {} if other is None else {OTHER_START: other}
+        others = _other_designs(record.design)
         runs |= {number + 1: checked for number, checked in run_each([*others.values()], progress=progress)}
     return with_checks(record, {name: runs[number] for number, name in enumerate(others, start=1)})
 
 
 def _second_designs(design: Design) -> dict[str, Design]:
     """Return the designs of the second runs that confirm one with a given timestep, by the name of the difference."""
-    half, other = half_step(design), design.with_other_start()
-    return {HALF_STEP: half} | ({} if other is None else {OTHER_START: other})
+    return {HALF_STEP: half_step(design)} | _other_designs(design)
+
+
+def _other_designs(design: Design) -> dict[str, Design]:
+    """Return the designs of the second runs at the same timestep, by the name of the difference."""
+    start = design.with_other_start()
+    others = {} if start is None else {OTHER_START: start}
+    return others if design.protocol.device is None else others | {DOUBLE_PRECISION: in_double_precision(design)}
+
+
+def in_double_precision(design: Design) -> Design:
+    """Return the design simulated by the processor."""
+    return put(design, "protocol.device", None)
 
 
 def half_step(design: Design) -> Design:
@@ -169,6 +181,8 @@ def run_each(
     Returns:
         Records, or why a design cannot be built.
     """
+    for device in {design.protocol.device for design in designs} - {None}:
+        check_available(str(device))
     attempts = [
         _Attempt(number=number, design=design, halvings=0 if design.protocol.timestep == "auto" else None)
         for number, design in enumerate(designs)

@@ -12,6 +12,7 @@ import numpy as np
 from forficula.analysis import SPRUNG, Ending, Verdict
 from forficula.analysis.margin import combined_row_margin, margin_column
 from forficula.analysis.package import flat_package
+from forficula.analysis.precision import precision_of
 from forficula.arrays import Array
 from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
@@ -50,7 +51,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         every searched transition. The attribute
         `transitions` has the transitions, see `table_transitions`; `whole` is the noun for the structure in sentences.
         A study of named changes that searches nothing also has the margin of every transition and of the whole run.
-        If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run. If the
+        If a run was computed in single precision, `precision` has the precision of each run. If a run has an
+        automatic timestep and nothing is searched, `timestep` has the timestep of each run. If the
         pattern varies, `folding_ratio` and `folded_height` have the size of the flat-folded sheet.
     """
     from forficula.study.tables.study_table import StudyTable
@@ -90,6 +92,9 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     if search is None and any(automatic):
         steps = np.array([_nan(result.get("timestep_s")) for result in results]).reshape(shape)
         variables["timestep"] = (dimensions, steps, {"units": "s", "long_name": "timestep of the run"})
+    precisions = [precision_of(design) if isinstance(design, Design) else "" for design in designs.values()]
+    if "single" in precisions:
+        variables["precision"] = (dimensions, np.array(precisions, dtype=object).reshape(shape))
     attributes = {
         "name": study.name,
         "source": study.source,
@@ -185,7 +190,7 @@ def _columns(study: Study, table: xarray.Dataset) -> list[str]:
     early = [name for name in numbers if name not in (*late, "residual")]
     holds = [transition.state for transition in structure.transitions]
     folded = ("folding_ratio", "folded_height")
-    columns = (*early, *folded, "status", *late, "verdict", "residual", "timestep", *holds)
+    columns = (*early, *folded, "status", *late, "verdict", "residual", "timestep", "precision", *holds)
     return [name for name in columns if name in table]
 
 
