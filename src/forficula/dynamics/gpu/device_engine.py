@@ -35,7 +35,7 @@ _FLOAT = 4  # bytes
 class DeviceEngine:
     """Models and data of structures on a device.
 
-    A device steps the first of its worlds. Which structures they are changes when a structure is done.
+    The first world is the first structure that still moves, and so on: worlds change when a structure is done.
     """
 
     def __init__(
@@ -56,7 +56,7 @@ class DeviceEngine:
         assert device is not None
         self._warp, self._chunk = warp_engine(), chunk
         self._device = wp.get_device(device_name(device))
-        engine = copy.copy(engines[0])
+        self._engine = engine = copy.copy(engines[0])
         # nothing on a device resets a structure that diverged, but MuJoCo Warp refuses the request not to
         engine.opt.disableflags &= ~int(mujoco.mjtDisableBit.mjDSBL_AUTORESET)
         engine.opt.jacobian = mujoco.mjtJacobian.mjJAC_DENSE if engine.nv <= _DENSE else mujoco.mjtJacobian.mjJAC_SPARSE
@@ -66,9 +66,6 @@ class DeviceEngine:
         with wp.ScopedDevice(self._device):
             try:
                 self._model = self._warp.put_model(engine, batch_sizes=sizes)
-                self._data = self._warp.make_data(
-                    engine, nworld=self._worlds, nconmax=1, njmax=_most_constraints(engine)
-                )
             except (NotImplementedError, ValueError) as error:
                 reason = " ".join(str(error).split())
                 raise InputError(
@@ -85,7 +82,8 @@ class DeviceEngine:
             self._columns = {name: mujoco.mj_stateSize(engine, part.value) for name, part in _PARTS.items()}
             self._states = self._memory(sum(self._columns.values()))
         self._placed: Indices | None = None
-        self._graphs: dict[int, Any] = {}
+        # data and graph of one step, by number of worlds
+        self._steps: dict[int, tuple[Any, Any]] = {}
 
     def start(self, rows: Indices, before: Array, controls: Array, about: Mapping[str, Any]) -> DeviceSteps:
         """Step some structures from their states, (row, number), with the controls of each step.
@@ -101,13 +99,12 @@ class DeviceEngine:
         worlds_of = np.append(np.arange(count), np.full(worlds - count, count - 1))
         with wp.ScopedDevice(self._device):
             self._place(rows[worlds_of])
-            self._data.nworld = worlds
-            graph = self._graph(worlds)
+            data, graph = self._of_worlds(worlds)
             first = 0
             for name, size in self._columns.items():
                 if size:
                     values = before[worlds_of, first : first + size].astype(np.float32)
-                    field = getattr(self._data, name)[:worlds]
+                    field = getattr(data, name)
                     field.assign(values.reshape(field.shape))
                     first += size
             of_steps = np.zeros(self._controls.shape, dtype=np.float32)
@@ -139,43 +136,42 @@ class DeviceEngine:
             field.assign(values[rows].reshape(field.numpy().shape))
         self._model.opt.timestep[: len(rows)].assign(self._timesteps[rows])
 
-    def _graph(self, worlds: int) -> Any:
-        """Return one step of a number of worlds as a graph of kernels; recording it changes their states.
+    def _of_worlds(self, worlds: int) -> tuple[Any, Any]:
+        """Return the data of a number of worlds, and one step of them as a graph of kernels.
 
         Calling the hundred kernels of a step from Python would take 15 ms, hundreds of times as long as a graph takes.
         """
-        if worlds not in self._graphs:
-            self._take_step(worlds)  # compiles the kernels, which is not possible while a graph is recorded
+        if worlds not in self._steps:
+            most = _most_constraints(self._engine)
+            data = self._warp.make_data(self._engine, nworld=worlds, nconmax=1, njmax=most)
+            self._step.zero_()  # the memory ends with the chunk
+            self._take_step(data)  # compiles the kernels, which is not possible while a graph is recorded
             with wp.ScopedCapture() as capture:
-                self._take_step(worlds)
-            self._graphs[worlds] = capture.graph
-        return self._graphs[worlds]
+                self._take_step(data)
+            self._steps[worlds] = data, capture.graph
+        return self._steps[worlds]
 
-    def _take_step(self, worlds: int) -> None:
-        if self._controls.shape[2]:
+    def _take_step(self, data: Any) -> None:
+        worlds, controls = data.nworld, self._controls.shape[2]
+        if controls:
             wp.launch(
-                kernels.set_controls,
-                (worlds, self._controls.shape[2]),
-                inputs=[self._step, self._controls],
-                outputs=[self._data.ctrl],
+                kernels.set_controls, (worlds, controls), inputs=[self._step, self._controls], outputs=[data.ctrl]
             )
-        self._warp.step(self._model, self._data)
+        self._warp.step(self._model, data)
         for name, kept in self._kept.items():
-            self._keep(name, 0, kept, worlds)
+            self._keep(getattr(data, name), 0, kept)
         first = 0
         for name, size in self._columns.items():
-            self._keep(name, first, self._states, worlds)
+            self._keep(getattr(data, name), first, self._states)
             first += size
         wp.launch(kernels.next_step, 1, inputs=[self._step])
 
-    def _keep(self, name: str, first: int, kept: Any, worlds: int) -> None:
-        field = getattr(self._data, name)
+    def _keep(self, field: Any, first: int, kept: Any) -> None:
         # elements may be vectors
-        size = int(np.prod(field.shape[1:])) * wp.types.type_size_in_bytes(field.dtype) // _FLOAT
-        if not size:
-            return
-        numbers = wp.array(ptr=field.ptr, dtype=float, shape=(self._worlds, size), device=field.device)
-        wp.launch(kernels.keep_values, (worlds, size), inputs=[self._step, numbers, first], outputs=[kept])
+        worlds, size = len(field), int(np.prod(field.shape[1:])) * wp.types.type_size_in_bytes(field.dtype) // _FLOAT
+        if size:
+            numbers = wp.array(ptr=field.ptr, dtype=float, shape=(worlds, size), device=field.device)
+            wp.launch(kernels.keep_values, (worlds, size), inputs=[self._step, numbers, first], outputs=[kept])
 
 
 def _varying(engines: Sequence[mujoco.MjModel]) -> dict[str, NDArray[np.float32]]:
