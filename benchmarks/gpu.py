@@ -14,6 +14,7 @@ import platform
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -40,8 +41,14 @@ def main() -> None:
     parser.add_argument("--most", type=int, default=4096, help="designs that the processor runs at most")
     parser.add_argument("--short", type=float, help="simulated time of each stage, s, at most, as a check")
     parser.add_argument("--verdicts", type=int, nargs="?", const=60, help="compare the search of so many tendons")
+    parser.add_argument("--smallest", action="store_true", help="a check that needs no graphics processor")
     parser.add_argument("--json", type=Path, help="write the numbers here, too")
     arguments = parser.parse_args()
+    if arguments.smallest:
+        if find_spec("mujoco_warp") is None:
+            print('not measured: pip install "forficula[gpu]"')
+            return
+        arguments.device, arguments.worlds, arguments.threads, arguments.short = "warp-cpu", [2], [1], 0.01
     numbers: dict[str, object] = {
         "machine": {"cores": os.cpu_count(), "python": platform.python_version(), **versions(arguments.device)},
         "device": arguments.device,

@@ -115,7 +115,7 @@ def _why_not(model: Model) -> str:
     if model.drag is not None:
         return "the drag of air or water is computed on the processor between the steps"
     if model.explicit:
-        return "closed loops of bodies need more digits than single precision has"
+        return "closed loops of bodies take steps of Runge and Kutta, at whose ends a device does not keep the forces"
     if any(stage.quasi_static for stage in model.design.protocol.stages):
         return "quasi-static stages are computed by statics on the processor"
     return ""

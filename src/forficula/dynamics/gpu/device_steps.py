@@ -44,12 +44,12 @@ class DeviceValues:
     def at(self, rows: Indices, steps: Indices, part: slice = slice(None)) -> Array:
         """Return the values of some rows at some steps, or columns of them, (value, column)."""
         first, last, _ = part.indices(self.kept.shape[2])
-        found = wp.empty((len(rows), last - first), dtype=float, device=self.kept.device)
+        values = wp.empty((len(rows), last - first), dtype=float, device=self.kept.device)
         places = [wp.array(numbers, dtype=int, device=self.kept.device) for numbers in (steps, rows)]
         wp.launch(
-            kernels.gather, found.shape, inputs=[self.kept, *places, first], outputs=[found], device=self.kept.device
+            kernels.gather, values.shape, inputs=[self.kept, *places, first], outputs=[values], device=self.kept.device
         )
-        return np.asarray(found.numpy(), dtype=np.float64)
+        return np.asarray(values.numpy(), dtype=np.float64)
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
         """Return all values."""
@@ -89,7 +89,7 @@ class DeviceSteps(Steps):
             ("hold", "window", "taken", "start", "risen", "limit", "goal_since", "rest_since"), wp.int64
         )
         bounds = dict.fromkeys(("lowest", "highest", "rest_speed", "senses", "least", "most", "least_hold"), wp.float64)
-        found = wp.empty((rows, len(_NUMBERS) + len(_FLAGS)), dtype=wp.int64, device=device)
+        result = wp.empty((rows, len(_NUMBERS) + len(_FLAGS)), dtype=wp.int64, device=device)
         wp.launch(
             kernels.find_ends,
             rows,
@@ -104,10 +104,10 @@ class DeviceSteps(Steps):
                 put(kernels.Bounds, bounds),
                 put(kernels.StageNumbers, flags | numbers),
             ],
-            outputs=[found],
+            outputs=[result],
             device=device,
         )
-        columns = dict(zip((*_NUMBERS, *_FLAGS), found.numpy().T, strict=True))
+        columns = dict(zip((*_NUMBERS, *_FLAGS), result.numpy().T, strict=True))
         ended = {name: columns[name].astype(bool) for name in _FLAGS}
         return Passage(**{name: columns[name] for name in _NUMBERS}, **ended, arrived=ended["held"])
 
