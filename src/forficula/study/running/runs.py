@@ -89,10 +89,13 @@ def run(design: Design, progress: Progress | None = None, *, confirm: bool = Fal
         InputError: the design cannot be built.
     """
     others = _second_designs(design) if confirm and design.protocol.timestep != "auto" else {}
-    runs = dict(run_each([design, *others.values()], progress=progress))
+    runs: dict[int, Record | InputError] = {}
+    for number, result in run_each([design, *others.values()], progress=progress):
+        if number == 0 and isinstance(result, InputError):
+            raise result  # before the second runs, which may be possible
+        runs[number] = result
     record = runs[0]
-    if isinstance(record, InputError):
-        raise record
+    assert isinstance(record, Record)
     if confirm and design.protocol.timestep == "auto":
         others = _other_designs(record.design)
         runs |= {number + 1: checked for number, checked in run_each([*others.values()], progress=progress)}
