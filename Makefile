@@ -8,7 +8,7 @@ INSTALLED_DOCS := $(VENV)/.installed-docs
 # process 2 s
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: install release-check benchmarks demo test test-step browsers check format page docs docs-all docs-links validation walk clean
+.PHONY: install release-check benchmarks demo test test-step test-gpu browsers check format page docs docs-all docs-links validation walk clean
 
 install: $(INSTALLED_DOCS)  ## install all that the targets below need
 
@@ -22,6 +22,10 @@ test: $(INSTALLED)  ## run all tests; the next make docs shows those of validati
 test-step: $(INSTALLED)  ## before a release: install Open Cascade, 380 MB, and compare all solids with it
 	$(BIN)/python -m pip install --quiet --editable ".[step]"
 	FORFICULA_STEP=demanded $(BIN)/python -m pytest -n 0 tests/make/test_step.py
+
+test-gpu: $(INSTALLED)  ## before a release: install MuJoCo Warp, 370 MB, and test it on its device "warp-cpu"
+	$(BIN)/python -m pip install --quiet --editable ".[gpu]"
+	FORFICULA_GPU=demanded $(BIN)/python -m pytest -n 0 tests/dynamics/test_gpu.py
 
 browsers: $(INSTALLED)  ## open every kind of page in Firefox, which must be installed; before a release
 	FORFICULA_EVERY_BROWSER=1 FORFICULA_NEED_FIREFOX=1 $(BIN)/python -m pytest \
@@ -46,6 +50,7 @@ benchmarks: $(INSTALLED)  ## run every benchmark in its smallest size, as a chec
 	$(BIN)/python benchmarks/confirmation.py --of binder2025-joint --designs 1
 	$(BIN)/python benchmarks/contact.py --units 1 --strips 1
 	$(BIN)/python benchmarks/folding_ratio.py --units 1
+	$(BIN)/python benchmarks/gpu.py --smallest
 	$(BIN)/python benchmarks/identify.py --plantings 1 --only smooth
 	$(BIN)/python benchmarks/many_points.py --points 5000 --shards 2
 	$(BIN)/python benchmarks/named_designs.py letter-fold

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, TypeVar
+from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 
 from cyclopts import Parameter, Token
 
@@ -89,6 +89,13 @@ DesignName = Annotated[
 ]
 Dask = Annotated[
     str | None, Parameter(help="Run on the Dask cluster with this scheduler, such as tcp://scheduler:8786.")
+]
+Device = Annotated[
+    Literal["cpu", "gpu", "warp-cpu"] | None,
+    Parameter(
+        help="Simulate on this device: cpu (the default, in double precision), gpu (a graphics processor, in single"
+        " precision), or warp-cpu (the same on the processor, for tests). It is the value of protocol.device."
+    ),
 ]
 DrawingUnit = Annotated[
     str | None, Parameter(help='Length of one unit of a FOLD file or drawing that states no unit, such as "1 cm".')
@@ -342,6 +349,23 @@ def read_design(name: str, settings: Sequence[str] | None, unit: str | None) -> 
             if remark != CHOSEN_UNIT:  # a warning
                 note(f"{name}: {remark}")
     return chosen
+
+
+def on_device(design: Design, device: str | None) -> Design:
+    """Return a design that is simulated on the device of an option; unchanged without the option.
+
+    Raises:
+        InputError: this computer does not have the device.
+    """
+    from forficula.design import with_values
+    from forficula.dynamics import check_available
+
+    if device is None:
+        return design
+    placed = with_values(design, {"protocol.device": device})
+    if placed.protocol.device is not None:
+        check_available(placed.protocol.device)
+    return placed
 
 
 def read_settings(

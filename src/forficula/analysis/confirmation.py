@@ -18,6 +18,8 @@ from forficula.serial import Key, Seconds, Written
 
 HALF_STEP = "half the timestep"
 OTHER_START = "a slightly different start"
+DOUBLE_PRECISION = "double precision"
+_PREPOSITIONS = {OTHER_START: "from", DOUBLE_PRECISION: "in"}
 # share of a value; a larger difference between two timesteps means that the value has not converged
 SETTLED_WITHIN = 0.02
 
@@ -169,9 +171,9 @@ def confirmation_text(ending: Ending, confirmation: Confirmation) -> str:
 
     The runs at longer timesteps in the search for an automatic timestep are not called a confirmation.
     """
-    names = [f"{'from' if check.name == OTHER_START else 'at'} {check.name}" for check in confirmation.checks]
+    names = [f"{_PREPOSITIONS.get(check.name, 'at')} {check.name}" for check in confirmation.checks]
     if confirmation.agree:
-        confirms = any(check.name in (HALF_STEP, OTHER_START) for check in confirmation.checks)
+        confirms = any(check.name in (HALF_STEP, OTHER_START, DOUBLE_PRECISION) for check in confirmation.checks)
         return f"{'confirmed' if confirms else 'the search of the timestep found the same'} {listed(names)}"
     others = [
         f"{check.status} {name}"

@@ -35,7 +35,7 @@ def write_run_files(
     """
     save_design(record.design, folder / _DESIGN)
     save_record(record if kept is None else kept, folder / _RECORD)
-    write_text(folder / _SUMMARY, json_text(summary(record, outcome, versions(), key)))
+    write_text(folder / _SUMMARY, json_text(summary(record, outcome, versions(record.design.protocol.device), key)))
 
 
 def read_run(folder: Path) -> Record:
@@ -58,7 +58,8 @@ def holds_run(folder: Path, key: str) -> bool:
     """Return whether a folder contains the run with this key, written by the present versions."""
     try:
         written = json.loads((folder / _SUMMARY).read_text("utf-8"))
-        same = written["key"] == key and written["versions"] == versions()
+        # the versions of the device's packages, if there are any, follow
+        same = written["key"] == key and versions().items() <= written["versions"].items()
         return same and (folder / _RECORD).is_file()
     except (OSError, ValueError, LookupError, TypeError):
         return False

@@ -10,6 +10,7 @@ import numpy as np
 from forficula.analysis.crossing_facets import facets_that_cross
 from forficula.analysis.crossing_panels import panel_crossing
 from forficula.analysis.outcome import early_goal
+from forficula.analysis.precision import precision_text
 from forficula.analysis.strength import membrane_peaks, strain_peaks
 from forficula.arrays import Array
 from forficula.dynamics import Record, energy_balance
@@ -29,7 +30,7 @@ def run_warnings(record: Record) -> list[str]:
     """Return the warnings about a run, one sentence each."""
     early = [early_goal(record, end) for end in record.stages]
     return [
-        *filter(None, early),
+        *filter(None, (*early, precision_text(record.design))),
         *_missed(record),
         *_overstressed_parts(record),
         *_stretched_membranes(record),

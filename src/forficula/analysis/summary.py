@@ -17,6 +17,7 @@ from forficula.analysis.crossing_panels import PanelCrossing, panel_crossing
 from forficula.analysis.groups import Groups, groups_of
 from forficula.analysis.outcome import SPRUNG, Outcome, StageOutcome, State
 from forficula.analysis.package import Package, packages, smallest_package
+from forficula.analysis.precision import precision_of
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.storage import Storage, storage_texts, storages
 from forficula.analysis.strength import FoldPeak, Peak, fold_peak, permanent_fold, strain_peaks
@@ -119,6 +120,7 @@ class Summary:
         verdict: the outcome in a word.
         residual: largest share of the exchanged energy that is missing in the balance.
         advice: what to change, in a sentence; empty if nothing is known to help.
+        precision: of the arithmetic, if it is not double.
         confirmation: comparison with second runs.
         holds: by name of a state, whether it was reached and held when released.
         states: by name; null for a state that the protocol did not get to.
@@ -146,6 +148,7 @@ class Summary:
     verdict: Verdict
     residual: float | None
     advice: str
+    precision: Annotated[Literal["single"] | None, Written.IF_KNOWN]
     confirmation: Annotated[Confirmation | None, Written.IF_KNOWN]
     holds: Annotated[Mapping[str, bool | None], Written.BESIDE]
     states: Mapping[str, StateSummary | None]
@@ -187,6 +190,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str], key: str
         verdict=outcome.verdict,
         residual=outcome.ending.residual,
         advice=outcome.advice,
+        precision="single" if precision_of(record.design) == "single" else None,
         confirmation=outcome.confirmation,
         holds=outcome.holds,
         states={

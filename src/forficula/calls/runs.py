@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from forficula.calls.progress import Progress, ProgressOption, reporting, simulated
-from forficula.design import AnyDesign, as_design
+from forficula.design import AnyDesign, as_design, with_values
 from forficula.files import AnyPath
 
 if TYPE_CHECKING:
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from forficula.statics import EnergyLandscape, QuasiStaticPath, QuasiStaticPoint
 
 
-def run(design: AnyDesign, progress: ProgressOption = None, *, confirm: bool = True) -> Run:
+def run(design: AnyDesign, progress: ProgressOption = None, *, confirm: bool = True, device: str | None = None) -> Run:
     """Run a design through its protocol, as `forficula run` does.
 
     Args:
@@ -25,6 +25,8 @@ def run(design: AnyDesign, progress: ProgressOption = None, *, confirm: bool = T
         confirm: whether to run the design also at half the timestep and from a slightly different start, for the
             numerical uncertainty of the results; a verdict that changes is "undecided". Without it, a loop over many
             designs takes a quarter of the time.
+        device: "gpu" simulates in single precision on a graphics processor, "cpu" in double precision on the processor;
+            by default `protocol.device` of the design.
 
     Returns:
         Run with its record, outcome, figures and page. If the timestep is "auto", the design of the run has the
@@ -42,7 +44,8 @@ def run(design: AnyDesign, progress: ProgressOption = None, *, confirm: bool = T
     from forficula.study.running.law_timestep import with_timestep_for_law
     from forficula.study.running.runs import run as run_one
 
-    read = with_timestep_for_law(as_design(design))
+    chosen = as_design(design)
+    read = with_timestep_for_law(chosen if device is None else with_values(chosen, {"protocol.device": device}))
     with reporting(progress, simulated) as tell:
         return Run(run_one(read, tell, confirm=confirm))
 

@@ -12,6 +12,7 @@ from forficula.errors import InputError, error_prefix
 from forficula.options import (
     WHOLE_NUMBER,
     DesignName,
+    Device,
     DrawingUnit,
     NoEngine,
     OkIf,
@@ -25,6 +26,7 @@ from forficula.options import (
     exit_status,
     finish_folder,
     note_replaced,
+    on_device,
     read_design,
     read_option,
     read_quantity,
@@ -62,6 +64,7 @@ def run(
             " verdict and give numbers their uncertainty.",
         ),
     ] = False,
+    device: Device = None,
     no_engine: NoEngine = False,
     figures: Annotated[
         str | None,
@@ -77,7 +80,7 @@ def run(
     with result_first() as release:
         from forficula.study.running.law_timestep import with_timestep_for_law
 
-        chosen = with_timestep_for_law(read_design(design, settings, unit))
+        chosen = with_timestep_for_law(on_device(read_design(design, settings, unit), device))
         folder = out or Path("out") / chosen.name
         check_verdicts(ok_if)
         copies = _copies(figures)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import nullcontext
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -15,6 +16,7 @@ from forficula.options import (
     WHOLE_NUMBER,
     Dask,
     DesignName,
+    Device,
     DrawingUnit,
     NoEngine,
     OkIf,
@@ -29,6 +31,7 @@ from forficula.options import (
     exit_status,
     finish_folder,
     note_replaced,
+    on_device,
     read_design,
     read_option,
     read_shard,
@@ -60,6 +63,7 @@ def study(
         int | None, WHOLE_NUMBER, Parameter(help="Write a SLURM job array of this number of shards, and run nothing.")
     ] = None,
     dask: Dask = None,
+    device: Device = None,
     keep: Annotated[
         int | None,
         WHOLE_NUMBER,
@@ -79,10 +83,12 @@ def study(
     drawn = {"--keep": keep is not None, "--no-engine": no_engine, "--parquet": parquet, "--open": open_report}
     others = {"--slurm": slurm is not None, "--collect": collect, "--dry-run": dry_run}
     check_apart("--status", status, others | split | drawn)
-    check_apart("--slurm", slurm is not None, {"--collect": collect, "--dry-run": dry_run} | split | drawn)
+    other_work = {"--collect": collect, "--dry-run": dry_run, "--device": device is not None}
+    check_apart("--slurm", slurm is not None, other_work | split | drawn)
     check_apart("--collect", collect, {"--dry-run": dry_run} | split)
     check_apart("--dry-run", dry_run, {"--dask": dask is not None} | drawn)
     chosen = load_study(study)
+    chosen = replace(chosen, base=on_device(chosen.base, device))
     folder = out or Path("out") / chosen.name
     check_folder(folder, "study")
     check_reproduction(chosen)

@@ -96,7 +96,7 @@ class Protocol(Section):
     about: ClassVar[str] = "The stages in which the structure is driven, and the criteria by which a run is judged"
 
     natural: ClassVar[tuple[str, ...]] = ("gravity",)
-    later: ClassVar[tuple[str, ...]] = ("shortest_timestep",)
+    later: ClassVar[tuple[str, ...]] = ("shortest_timestep", "device")
 
     timestep: float | Literal["auto"] = quantity(
         SHORT_TIME,
@@ -141,7 +141,23 @@ class Protocol(Section):
     ] = 0.005
     gravity: float = quantity(ACCELERATION, "gravity, normal to the flat sheet and downwards; 0 switches gravity off")
     contact: Annotated[bool, Field(strict=True, description="whether bodies touch each other")]
+    device: Annotated[
+        Literal["gpu", "warp-cpu"] | None,
+        Field(
+            description='"gpu": simulated in single precision on a graphics processor, by MuJoCo Warp; "warp-cpu": the'
+            ' same on the processor, slowly, for tests; if not given, or "cpu": in double precision on the processor',
+            examples=["gpu"],
+        ),
+    ] = None
     stages: Annotated[tuple[StageSection, ...], Field(min_length=1, description="stages of the protocol, in order")]
+
+    @field_validator("device", mode="before")
+    @classmethod
+    def _processor_without_device(cls, device: object) -> object:
+        """Read "cpu" as an absent value, so that both have the same hash."""
+        if device not in ("cpu", "gpu", "warp-cpu", None):
+            raise InputError(f'need "cpu", "gpu" or "warp-cpu", got {as_written(device)}')
+        return None if device == "cpu" else device
 
 
 class CommonProtocol(Protocol):

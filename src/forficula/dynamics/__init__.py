@@ -4,6 +4,7 @@ from forficula.dynamics.engine.model import Model, compile_model, compile_struct
 from forficula.dynamics.engine.portable_model import portable_model, why_not_portable
 from forficula.dynamics.engine.trials import design_trial, needless_trials, trial_chains, tried_transition
 from forficula.dynamics.engine.units import design_in_model_units
+from forficula.dynamics.gpu.device import batch_key, check_available, check_device
 from forficula.dynamics.record import (
     AnyRun,
     NumericalCheck,
@@ -37,6 +38,9 @@ __all__ = [
     "StageEnd",
     "SteppedProtocol",
     "as_record",
+    "batch_key",
+    "check_available",
+    "check_device",
     "compile_model",
     "compile_structure",
     "design_in_model_units",

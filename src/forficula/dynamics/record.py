@@ -296,7 +296,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         **_quasi_static(record.stages),
         **({} if record.kinetic_peak is None else {"kinetic_peak": np.array(record.kinetic_peak)}),
         **({} if record.strain_rates is None else {"strain_rates": record.strain_rates}),
-        **{f"version_{name}": version for name, version in versions().items()},
+        **{f"version_{name}": version for name, version in versions(record.design.protocol.device).items()},
     }
     content = _netcdf(data)
     write_bytes(Path(path), content + _seal(content))
@@ -437,11 +437,15 @@ def _check(written: Mapping[str, Any]) -> NumericalCheck:
     return NumericalCheck(**{**written, "values": {name: tuple(values) for name, values in written["values"].items()}})
 
 
-def versions() -> dict[str, str]:
-    """Return the versions of the packages that numbers depend on."""
-    return {name: _version(name) for name in ("forficula", "mujoco", "numpy")}
+def versions(device: str | None = None) -> dict[str, str]:
+    """Return the versions of the packages that numbers of runs on a device depend on; None for the processor."""
+    names = ("forficula", "mujoco", "numpy", *(() if device is None else ("mujoco-warp", "warp-lang")))
+    return {name: _version(name) for name in names}
 
 
 @cache  # a look-up takes milliseconds
 def _version(name: str) -> str:
-    return metadata.version(name)
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError:  # an extra, with which another computer wrote the results
+        return "not installed"

@@ -10,7 +10,8 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.record import StageEnd
-from forficula.dynamics.stepping.stage_plan import Booleans, Numbers, stage_plan, stage_torques
+from forficula.dynamics.stepping.passage import Conditions
+from forficula.dynamics.stepping.stage_plan import Numbers, stage_plan, stage_torques
 from forficula.dynamics.stepping.steps import Steps
 
 _AT_ONCE = 1e-9  # steps
@@ -128,83 +129,77 @@ class StageTracker:
         Returns:
             Number of steps that count, (row,); the others belong to the next stage, with other torques.
         """
-        position, velocity = steps.position, steps.velocity
-        count = position.shape[1]
-        sound = _count_finite_steps(steps.before[:, 0], steps.time, position, velocity)
-        beyond = ((position < self._plan.lowest[rows, None]) | (position > self._plan.highest[rows, None])).any(axis=2)
-        sound = np.minimum(sound, _first(np.asarray(beyond), count))
-        stage = self.stage[rows]
-        number = self.steps[rows, None] + np.arange(1, count + 1)
-        resting = np.all(np.abs(velocity) <= self._plan.rest_speed[rows, None], axis=2)
-        reached = self._reached(rows, steps, resting)
-        goal_since = _holds_since(reached, number, self._goal_since[rows])
-        rest_since = _holds_since(resting, number, self._rest_since[rows])
-        held = self._goal_held(rows, number, reached, goal_since)
-        stuck = resting & self._short(rows, number, reached, rest_since)
-        settling = self._settling[rows]
-        arrived = held
-        if settling.any():
-            settled = resting & (number - rest_since >= self._plan.settled[rows, None])
-            # the motion that follows a lost equilibrium may meet the goal, the motion before statics begins may not
-            snapping = np.array([bool(self._lost[row]) for row in rows]) & self._plan.has_bounds[rows, stage]
-            arrived = held & snapping[:, None]
-            held, stuck = np.where(settling[:, None], settled | arrived, held), stuck & ~settling[:, None]
-        over = held | stuck | (number - self._limit_start[rows, None] >= self._plan.limit[rows, stage][:, None])
-        end = _first(over, count) + 1
+        passage, count = steps.passage(self._conditions(rows)), steps.count
+        sound, end, settling = passage.sound, passage.end, self._settling[rows]
         taken = np.minimum(np.minimum(end, sound), count)
         self.steps[rows] += taken
-        self._met[rows] |= (reached & (np.arange(count) < taken[:, None])).any(axis=1)
-        self._goal_since[rows] = np.where(reached[:, -1], goal_since[:, -1], -1)
-        self._rest_since[rows] = np.where(resting[:, -1], rest_since[:, -1], -1)
-        for place in np.flatnonzero((end <= count) | (sound < count)):
+        self._met[rows] |= passage.met
+        self._goal_since[rows], self._rest_since[rows] = passage.carried_goal, passage.carried_rest
+        ending = np.flatnonzero((end <= count) | (sound < count))
+        begun = steps.states(ending, taken[ending], slice(1, 1 + steps.positions))
+        for position, place in zip(begun, ending.tolist(), strict=True):
             if sound[place] < min(end[place], count):
                 row = int(rows[place])
                 self.diverged_at[row] = float((self.steps[row] + 1) * self._plan.timestep[row])
                 self._end_stage(row, None, at_rest=False, at_goal=False)
                 self.ended[row] = self._stopped[row] = True
             elif end[place] <= count:
-                last = end[place] - 1
-                if settling[place] and held[place, last] and not arrived[place, last]:
+                if settling[place] and passage.held[place] and not passage.arrived[place]:
                     self.at_rest[rows[place]] = True
                     self._goal_since[rows[place]] = self._rest_since[rows[place]] = -1
                     continue
-                self._begun[int(rows[place])] = position[place, last]
+                self._begun[int(rows[place])] = position
+                goal_step, resting = int(passage.goal_since[place]), bool(passage.resting[place])
                 if settling[place]:
                     self._end_moving(
                         int(rows[place]),
-                        int(goal_since[place, last]) if arrived[place, last] else None,
-                        at_rest=bool(resting[place, last] and arrived[place, last]),
+                        goal_step if passage.arrived[place] else None,
+                        at_rest=bool(resting and passage.arrived[place]),
                     )
                     continue
-                goal_step = int(goal_since[place, last]) if held[place, last] else None
-                self._finish_stage(int(rows[place]), goal_step, resting[place, last], reached[place, last])
+                self._finish_stage(
+                    int(rows[place]),
+                    goal_step if passage.held[place] else None,
+                    at_rest=resting,
+                    at_goal=bool(passage.reached[place]),
+                )
         return np.asarray(taken)
 
-    def _goal_held(self, rows: Numbers, number: Numbers, reached: Booleans, goal_since: Numbers) -> Booleans:
-        """Return whether each structure has been at its goal for the required time after each step, (row, step).
+    def _conditions(self, rows: Numbers) -> Conditions:
+        """Return what ends the present stages of structures."""
+        plan, stage, settling = self._plan, self.stage[rows], self._settling[rows]
+        lost = np.array([bool(self._lost[row]) for row in rows], dtype=bool)
+        return Conditions(
+            folds=[self._folds[row] for row in rows],
+            senses=self._senses[rows],
+            watched=plan.watched,
+            distances=self._distances,
+            lowest=plan.lowest[rows],
+            highest=plan.highest[rows],
+            rest_speed=plan.rest_speed[rows],
+            least=plan.least[rows, stage],
+            most=plan.most[rows, stage],
+            has_bounds=plan.has_bounds[rows, stage],
+            ends_at_rest=plan.ends_at_rest[rows, stage],
+            may_stick=plan.may_stick[rows, stage],
+            hold=plan.hold[rows, stage],
+            least_hold=plan.least_hold[rows],
+            window=plan.window[rows],
+            settled=plan.settled[rows],
+            taken=self.steps[rows],
+            start=np.where(settling, self._limit_start[rows], self.stage_start[rows]),
+            risen=self.stage_start[rows] + self._risen[rows, stage],
+            limit=self._limit_start[rows] + plan.limit[rows, stage],
+            goal_since=self._goal_since[rows],
+            rest_since=self._rest_since[rows],
+            settling=settling,
+            snapping=lost & plan.has_bounds[rows, stage],
+        )
 
-        A goal that is met only for an instant may be a bounce.
-        """
-        stage = self.stage[rows]
-        start = np.where(self._settling[rows], self._limit_start[rows], self.stage_start[rows])
-        taken_to_goal = (goal_since - start[:, None]) * self._plan.has_bounds[rows, stage][:, None]
-        hold = np.maximum(self._plan.hold[rows, stage][:, None], self._plan.least_hold[rows, None] * taken_to_goal)
-        return np.asarray(reached & (number - goal_since >= hold))
-
-    def _short(self, rows: Numbers, number: Numbers, reached: Booleans, rest_since: Numbers) -> Booleans:
-        """Return whether a resting structure has rested short of its goal for too long after each step, (row, step).
-
-        The time counts from the moment at which its torques have risen.
-        """
-        stage = self.stage[rows]
-        short = ~reached & self._plan.may_stick[rows, stage][:, None]
-        since = np.maximum(rest_since, (self.stage_start[rows] + self._risen[rows, stage])[:, None])
-        return np.asarray(short & (number - since >= self._plan.window[rows, None]))
-
-    def _finish_stage(self, row: int, goal_step: int | None, at_rest: bool, at_goal: bool) -> None:
+    def _finish_stage(self, row: int, goal_step: int | None, *, at_rest: bool, at_goal: bool) -> None:
         """End the stage of a structure, or start its wait."""
         if goal_step is None or not self._plan.wait[row, self.stage[row]] > 0:
-            self._end_stage(row, goal_step, at_rest=bool(at_rest), at_goal=bool(at_goal))
+            self._end_stage(row, goal_step, at_rest=at_rest, at_goal=at_goal)
             return
         self._rested[row] = self._rested[row] if self._rested[row] >= 0 else self.steps[row]
         self._limit_start[row] = self.steps[row]
@@ -341,31 +336,6 @@ class StageTracker:
         passed = float(self.steps[row] * self._plan.timestep[row])
         return stages[0].name, passed, start + sum(stage.time_limit for stage in stages)
 
-    def _reached(self, rows: Numbers, steps: Steps, resting: Booleans) -> Booleans:
-        """Return whether the goal of each structure's stage is met after each step, (row, step)."""
-        stage, angles = self.stage[rows], self._plan.watched.hinges
-        if steps.angles is None:
-            watched = self._senses[rows][:, None, angles] * steps.position[:, :, angles]
-        else:
-            number = np.arange(1, resting.shape[1] + 1)
-            watched = np.array(
-                [
-                    steps.angles_of(self._folds[row], place, steps.position[place], number, angles)
-                    for place, row in enumerate(rows.tolist())
-                ]
-            )
-        parts = [watched[:, :, self._plan.watched.angles]]
-        if len(self._plan.watched.distances):
-            # lengths are those before the step, so a distance counts one step late
-            parts.append(steps.derived["ten_length"][:, :, self._distances[self._plan.watched.distances]])
-        if len(self._plan.watched.sums):
-            parts.append(watched @ self._plan.watched.sums.T)
-        watched = np.concatenate(parts, axis=2)
-        least, most = self._plan.least[rows, stage][:, None], self._plan.most[rows, stage][:, None]
-        within = np.all((watched >= least) & (watched <= most), axis=2)
-        bounded, at_rest = (flags[rows, stage][:, None] for flags in (self._plan.has_bounds, self._plan.ends_at_rest))
-        return np.where(bounded, within, at_rest & resting)
-
     def _end_stage(self, row: int, goal_step: int | None, *, at_rest: bool, at_goal: bool) -> None:
         stage = self._models[row].design.protocol.stages[self.stage[row]]
         goes_on = not self._plan.has_bounds[row, self.stage[row]] and not self._plan.wait[row, self.stage[row]] > 0
@@ -394,44 +364,3 @@ class StageTracker:
         self.stage_start[row] = self._limit_start[row] = self.steps[row]
         self._goal_since[row] = self._rest_since[row] = self._rested[row] = -1
         self._begin_stage(row)
-
-
-def _first(holds: Booleans, count: int) -> Numbers:
-    """Return the first step at which a condition holds, by structure; `count` if it never holds."""
-    return np.where(holds.any(axis=1), holds.argmax(axis=1), count)
-
-
-def _holds_since(holds: Booleans, number: Numbers, carried: Numbers) -> Numbers:
-    """Return for each step the number of the step since which a condition has held without a break, (row, step).
-
-    Args:
-        holds: whether the condition holds after each step, (row, step).
-        number: of each step, (row, step).
-        carried: step since which it held before, (row,), or -1 if it did not.
-    """
-    broken = np.maximum.accumulate(np.where(holds, -1, number), axis=1)
-    before = np.where(carried >= 0, carried, number[:, 0])
-    return np.where(broken < 0, before[:, None], broken + 1)
-
-
-def _count_finite_steps(before: Array, time: Array, position: Array, velocity: Array) -> Numbers:
-    """Return the number of steps before the numbers of each structure diverged, (row,); the engine then stops its time.
-
-    Args:
-        before: time before the first step, (row,).
-        time: after each step, (row, step).
-        position: after each step, (row, step, dof).
-        velocity: after each step, (row, step, dof).
-    """
-    sound = np.full(len(time), position.shape[1])
-    # check only the last step first: non-finite numbers stay non-finite, and a stopped time stays constant
-    previous = time[:, -2] if time.shape[1] > 1 else before
-    broken = np.flatnonzero(~_finite_steps(previous, time[:, -1:], position[:, -1:], velocity[:, -1:])[:, 0])
-    sound[broken] = _finite_steps(before[broken], time[broken], position[broken], velocity[broken]).argmin(axis=1)
-    return sound
-
-
-def _finite_steps(before: Array, time: Array, position: Array, velocity: Array) -> Booleans:
-    """Return whether each step has finite numbers and an increased time, (row, step)."""
-    finite = np.isfinite(position).all(axis=2) & np.isfinite(velocity).all(axis=2)
-    return np.asarray(finite & (np.diff(time, axis=1, prepend=before[:, None]) > 0))

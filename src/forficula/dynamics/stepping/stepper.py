@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from queue import SimpleQueue
+from typing import TYPE_CHECKING, Any
 
 import mujoco
 import numpy as np
@@ -26,6 +27,9 @@ from forficula.dynamics.engine.plate_creases import PlateRows, plate_rows
 from forficula.dynamics.stepping.folds import joint_address, slide_name
 from forficula.dynamics.stepping.steps import SETS, EngineState, Steps
 from forficula.structure import RestShape
+
+if TYPE_CHECKING:
+    from forficula.dynamics.gpu.device_engine import DeviceEngine
 
 # the full state that a step depends on, and the part that a step changes: time, positions and velocities first
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
@@ -92,8 +96,6 @@ class Stepper:
         self._applied = _columns(model, mujoco.mjtState.mjSTATE_QFRC_APPLIED.value)
         if drags:
             self._names = (*self._names, "qfrc_applied")
-        # memory is reused, because fresh memory costs as much time as reading it
-        self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
         # last angles of creases, without jumps
         self._angles = np.array([_start_creases(model) for model in models])
         # permanent folds of creases; a crease that starts beyond its yield angle has a set already
@@ -105,6 +107,14 @@ class Stepper:
                 for model, start in zip(models, self._angles, strict=True)
             ]
         )
+        self._data = mujoco.MjData(model)
+        self._device = _device_engine(models, self._models, self._names, chunk)
+        if self._device is not None:
+            # a device steps all structures at once
+            self.threads, self.together = 1, len(models)
+            return
+        # memory is reused, because fresh memory costs as much time as reading it
+        self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
         self._creases = crease_rows(models) if models[0].folds.placement is None else plate_rows(models)
         # writable rows of the engine's models
         self._bends = [] if self._creases is None else [engine_rows(model) for model in self._models]
@@ -120,7 +130,6 @@ class Stepper:
         for _ in range(self.threads):
             self._engines.put(Batch(model, most, 1))
         self._workers = ThreadPoolExecutor(max_workers=self.threads)
-        self._data = mujoco.MjData(model)
 
     def start(self, rows: Indices, controls: Array, efforts: Array) -> Pending:
         """Start a chunk of steps of some structures in the background.
@@ -134,6 +143,9 @@ class Stepper:
         """
         # for `state`: the controls in the last state are those of the last step
         self._state[np.ix_(rows, self._control)] = controls[:, -1]
+        if self._device is not None:
+            before = self._state[np.ix_(rows, self._moving)]
+            return Pending(parts=(), steps=self._device.start(rows, before, controls, self._about()))
         self._memory.rotate()
         self._blocks.rotate()
         fields = {name: field[: len(rows)] for name, field in self._memory[0].items()}
@@ -142,13 +154,10 @@ class Stepper:
         parts = [slice(*pair) for pair in itertools.pairwise(bounds)]
         late = {name: np.empty_like(fields[name]) for name in self._names} if self._explicit else None
         steps = Steps(
-            positions=self._structures[0].engine.nq,
-            dof=self._structures[0].engine.nv,
-            inner=self._branch_slices,
+            **self._about(),
             before=self._state[np.ix_(rows, self._moving)],
             after=fields[_MOVING],
             derived={name: fields[name] for name in self._names},
-            kept=self._kept,
             late=late,
             angles=None if followed is None else followed[0],
             sets=None if followed is None else followed[1],
@@ -256,7 +265,13 @@ class Stepper:
 
     def close(self) -> None:
         """Wait for the steps in progress and start no others."""
-        self._workers.shutdown(cancel_futures=True)
+        if self._device is None:
+            self._workers.shutdown(cancel_futures=True)
+
+    def _about(self) -> dict[str, Any]:
+        """Return the fields that all steps of the structures have."""
+        engine = self._structures[0].engine
+        return {"positions": engine.nq, "dof": engine.nv, "inner": self._branch_slices, "kept": self._kept}
 
     def _parts(self, rows: int) -> int:
         """Return the number of workers for a number of structures."""
@@ -390,6 +405,17 @@ def energy_of(model: Model, moving: Array) -> float:
     # the engine also counts the weight of floating masses
     floats = model.engine.body_mass * model.engine.body_gravcomp
     return float(data.energy.sum() + floats @ (data.xipos @ model.engine.opt.gravity))
+
+
+def _device_engine(
+    models: Sequence[Model], engines: Sequence[mujoco.MjModel], names: Sequence[str], chunk: int
+) -> DeviceEngine | None:
+    """Return the engine on the device of the structures; None for the processor."""
+    if models[0].design.protocol.device is None:
+        return None
+    from forficula.dynamics.gpu.device_engine import DeviceEngine
+
+    return DeviceEngine(models, engines, names, chunk)
 
 
 def _engine_models(models: Sequence[Model], sparse: bool) -> list[mujoco.MjModel]:

@@ -10,6 +10,7 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.crease_rows import without_jump
 from forficula.dynamics.stepping.folds import Folds
+from forficula.dynamics.stepping.passage import Conditions, Passage, passage_of
 
 # name of the sets of creases among the fields of a state
 SETS = "crease_set"
@@ -51,6 +52,11 @@ class Steps:
     followed: int = 1
 
     @property
+    def count(self) -> int:
+        """Return the number of steps."""
+        return int(self.after.shape[1])
+
+    @property
     def time(self) -> Array:
         """Return the time after each step, (structure, step)."""
         return self.after[:, :, 0]
@@ -74,6 +80,10 @@ class Steps:
     def position_before(self) -> Array:
         """Return the positions before the first step, (structure, position)."""
         return self.before[:, 1 : 1 + self.positions]
+
+    def passage(self, conditions: Conditions) -> Passage:
+        """Return the passage of the structures through the steps."""
+        return passage_of(self, conditions)
 
     def angles_of(self, folds: Folds, structure: int, positions: Array, step: Indices, hinges: Indices) -> Array:
         """Return angles of some hinges of a structure in own senses, without jumps, rad, (state, hinge).

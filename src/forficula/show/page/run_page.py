@@ -95,7 +95,7 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
             section("Outcome", *events, *outcome_tables(outcome), strength_table(record), name="outcome"),
             section("Dimensionless groups", groups_table(record), name="groups"),
             section("Design", *design_tables(design), name="design"),
-            section("Run it again", *_repeat(design, run_versions or versions()), name="repeat"),
+            section("Run it again", *_repeat(design, run_versions or versions(design.protocol.device)), name="repeat"),
         )
     )
 

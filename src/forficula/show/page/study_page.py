@@ -34,10 +34,10 @@ from forficula.study.running.kept_runs import KeptRun
 from forficula.study.search_steps import SearchStep
 from forficula.study.tables.outcome_kinds import (
     TableTransition,
-    confirmation_sentence,
     least_values,
     lost_text,
     reached_all,
+    reliability_sentences,
     studied_transitions,
     undecided_text,
 )
@@ -151,7 +151,7 @@ def _runs_in_bins(runs: list[dict[str, Any]], bins: Bins, results: Dataset) -> l
 def study_sentence(study: Study, results: Dataset) -> str:
     """Return a sentence with the number of points and of those that completed each transition."""
     count, transitions = f"{len(study.points)} points", studied_transitions(results)
-    confirmed = f" {sentence}." if (sentence := confirmation_sentence(results)) else ""
+    confirmed = "".join(f" {sentence}" for sentence in reliability_sentences(results))
     if study.plan:
         return f"{count}. {redundancy_sentences(results)[0]}{confirmed}"
     if study.boundaries is not None:
@@ -256,7 +256,8 @@ def _about(study: Study) -> list[str]:
             rows.append([f"{first.state} before {nouns[0]} with", large])
             rows.append([f"{_plural(second)} tried", _torques(second)])
         rows.append(["halvings of the last step", str(search.refinements)])
-    rows += [*([name, version] for name, version in versions().items()), ["design hash", study.base.hash]]
+    rows += [[name, version] for name, version in versions(study.base.protocol.device).items()]
+    rows.append(["design hash", study.base.hash])
     file = study.name if study.name in named_studies() else f"{study.name}.toml"
     return [
         paragraph(f"Source: {study.source}" if study.source else "", "note"),

@@ -14,9 +14,9 @@ from forficula.show.study.choices_figure import choice_rows
 from forficula.study import Study
 from forficula.study.refine.summary import boundary_sentences
 from forficula.study.tables.outcome_kinds import (
-    confirmation_sentence,
     least_values,
     lost_text,
+    reliability_sentences,
     studied_transitions,
     undecided_text,
 )
@@ -35,8 +35,8 @@ def print_study(study: Study, table: Dataset) -> None:
     for outcome, count in Counter(map(str, table["outcome"].values.ravel())).most_common():
         lines.add_row(outcome, str(count))
     Console(width=110, highlight=False).print(lines)
-    if sentence := confirmation_sentence(table):
-        print(f"{sentence}.")
+    for sentence in reliability_sentences(table):
+        print(textwrap.fill(sentence, 110, break_long_words=False, break_on_hyphens=False))
     headings, rows = change_rows(table) if study.plan else choice_rows(table)
     if rows:
         by_choice = Table(box=None, padding=(0, 2, 0, 0))

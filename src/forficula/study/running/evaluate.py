@@ -18,19 +18,14 @@ from forficula.analysis import (
     measure,
 )
 from forficula.analysis.confirmation import HALF_STEP
-from forficula.analysis.margin import NOT_TRIED, margin_column, transition_margins
+from forficula.analysis.margin import NOT_TRIED, SMALL_MARGIN, margin_column, transition_margins
 from forficula.analysis.outcome import compared_outcome
 from forficula.analysis.package import smallest_package
 from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.study.running.journal import SCHEMA, Row
-from forficula.study.running.runs import check_of, half_step, reached_goal, run_each
-
-# [chosen] size of a margin, in [-1, 1], below which a verdict is confirmed. Calibrated on 200 builds of the reference
-# wing within 10 % (benchmarks/confirmation.py): the rule finds all 14 verdicts that change between 0.2 and 0.1 ms, with
-# 156 repetitions.
-_SMALL = 0.05
+from forficula.study.running.runs import check_of, half_step, in_double_precision, reached_goal, run_each
 
 
 def row_key(design: Design, *, whole: bool = False) -> str:
@@ -49,8 +44,9 @@ def evaluate(
     """Run designs and yield their rows as they finish. Rows do not depend on order, other designs or threads.
 
     A design that cannot be built also has a row; its status says why. A run whose verdict may depend on the timestep
-    (see `needs_confirmation`) is repeated at half the timestep. `confirmed` is whether the verdicts agree; None if the
-    run was not repeated. If they differ, the verdict is "undecided", and each margin is the smaller one.
+    (see `needs_confirmation`) is repeated at half the timestep; a run on a device that reached or missed a transition
+    by a small margin is repeated in double precision, too. `confirmed` is whether the verdicts agree; None if the run
+    was not repeated. If they differ, the verdict is "undecided", and each margin is the smaller one.
 
     Args:
         designs: designs to run.
@@ -69,7 +65,8 @@ def evaluate(
         margins = transition_margins(result, outcome)
         row = {"key": keys[number], **_row(result, outcome, margins), **more}
         if needs_confirmation(result, outcome, margins):
-            doubtful.append((row, outcome, result.design))
+            close = result.design.protocol.device is not None and _is_close(margins)
+            doubtful.append((row, outcome, in_double_precision(result.design) if close else result.design))
         else:
             yield row
     halves = [half_step(design) for _, _, design in doubtful]
@@ -220,4 +217,9 @@ def needs_confirmation(record: Record, outcome: Outcome, margins: Mapping[str, f
         and record.stages[transition.stage].goal_time is not None
         for transition in record.structure.transitions
     )
-    return released or any(margin > NOT_TRIED and abs(margin) < _SMALL for margin in margins.values())
+    return released or _is_close(margins)
+
+
+def _is_close(margins: Mapping[str, float]) -> bool:
+    """Return whether a transition was reached or missed by a small margin."""
+    return any(margin > NOT_TRIED and abs(margin) < SMALL_MARGIN for margin in margins.values())

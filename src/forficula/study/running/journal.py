@@ -181,7 +181,7 @@ def _is_whole(entry: dict[str, Any]) -> bool:
 
 def _signature(base: Design) -> dict[str, Any]:
     """Return the identity of a writer of rows: the varied design and the versions."""
-    return {"schema": SCHEMA, "design": base.name, "design_hash": base.hash, **versions()}
+    return {"schema": SCHEMA, "design": base.name, "design_hash": base.hash, **versions(base.protocol.device)}
 
 
 def _check_signature(path: Path, in_file: Mapping[str, Any], current: Mapping[str, Any]) -> None:

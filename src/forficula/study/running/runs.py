@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from forficula.analysis import Outcome, Verdict, measure
-from forficula.analysis.confirmation import HALF_STEP, OTHER_START, same_ending
+from forficula.analysis.confirmation import DOUBLE_PRECISION, HALF_STEP, OTHER_START, same_ending
 from forficula.analysis.outcome import outcome_values
 from forficula.analysis.verdict import UNSETTLED
 from forficula.design import Design, put
@@ -16,6 +16,9 @@ from forficula.dynamics import (
     Model,
     NumericalCheck,
     Record,
+    batch_key,
+    check_available,
+    check_device,
     compile_model,
     design_in_model_units,
     design_trial,
@@ -79,8 +82,9 @@ def run(design: Design, progress: Progress | None = None, *, confirm: bool = Fal
     Args:
         design: structure and protocol.
         progress: called now and then with the stage's name, the time so far and the time limit, s.
-        confirm: whether to run the design also at half the timestep and from a slightly different start, side by side.
-            With a timestep "auto" the last but one run replaces the one at half the timestep.
+        confirm: whether to run the design also at half the timestep and from a slightly different start, side by side,
+            and a design on a device also in double precision. With a timestep "auto" the last but one run replaces the
+            one at half the timestep.
 
     Returns:
         The record, sampled at the protocol's interval.
@@ -89,21 +93,34 @@ def run(design: Design, progress: Progress | None = None, *, confirm: bool = Fal
         InputError: the design cannot be built.
     """
     others = _second_designs(design) if confirm and design.protocol.timestep != "auto" else {}
-    runs = dict(run_each([design, *others.values()], progress=progress))
+    runs: dict[int, Record | InputError] = {}
+    for number, result in run_each([design, *others.values()], progress=progress):
+        if number == 0 and isinstance(result, InputError):
+            raise result  # before the second runs, which may be possible
+        runs[number] = result
     record = runs[0]
-    if isinstance(record, InputError):
-        raise record
+    assert isinstance(record, Record)
     if confirm and design.protocol.timestep == "auto":
-        other = record.design.with_other_start()
-        others = {} if other is None else {OTHER_START: other}
+        others = _other_designs(record.design)
         runs |= {number + 1: checked for number, checked in run_each([*others.values()], progress=progress)}
     return with_checks(record, {name: runs[number] for number, name in enumerate(others, start=1)})
 
 
 def _second_designs(design: Design) -> dict[str, Design]:
     """Return the designs of the second runs that confirm one with a given timestep, by the name of the difference."""
-    half, other = half_step(design), design.with_other_start()
-    return {HALF_STEP: half} | ({} if other is None else {OTHER_START: other})
+    return {HALF_STEP: half_step(design)} | _other_designs(design)
+
+
+def _other_designs(design: Design) -> dict[str, Design]:
+    """Return the designs of the second runs at the same timestep, by the name of the difference."""
+    start = design.with_other_start()
+    others = {} if start is None else {OTHER_START: start}
+    return others if design.protocol.device is None else others | {DOUBLE_PRECISION: in_double_precision(design)}
+
+
+def in_double_precision(design: Design) -> Design:
+    """Return the design simulated by the processor."""
+    return put(design, "protocol.device", None)
 
 
 def half_step(design: Design) -> Design:
@@ -171,6 +188,8 @@ def run_each(
     Returns:
         Records, or why a design cannot be built.
     """
+    for device in {design.protocol.device for design in designs} - {None}:
+        check_available(str(device))
     attempts = [
         _Attempt(number=number, design=design, halvings=0 if design.protocol.timestep == "auto" else None)
         for number, design in enumerate(designs)
@@ -200,13 +219,14 @@ def run_each(
         attempts = [left[number] for number in sorted(left)]
 
 
-def topology(model: Model) -> tuple[int, ...]:
-    """Return what models of one batch must share: sizes, update interval of creases, and the hinges with motors."""
+def topology(model: Model) -> tuple[int | str, ...]:
+    """Return what models of one batch must share: sizes, update interval of creases, hinges with motors, device."""
     engine = model.engine
     sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
     driven = tuple(hinge for motor in model.structure.motors for hinge in motor.hinges)
     medium = model.drag is not None
-    return (*sizes, engine.neq, engine.nactuator, engine.na, engine.nplastic, model.followed, medium, *driven)
+    others = (engine.neq, engine.nactuator, engine.na, engine.nplastic, model.followed, medium, batch_key(model))
+    return (*sizes, *others, *driven)
 
 
 def _results(
@@ -239,7 +259,7 @@ def _simulated(
     progress: Progress | None,
 ) -> Iterator[tuple[_Attempt, Record | InputError]]:
     """Simulate models, those of one topology side by side. A batch that exceeds the memory is halved."""
-    groups: dict[tuple[int, ...], list[tuple[_Attempt, Model]]] = {}
+    groups: dict[tuple[int | str, ...], list[tuple[_Attempt, Model]]] = {}
     for attempt, model in built:
         groups.setdefault(topology(model), []).append((attempt, model))
     reached = reached_goal if until_last else None
@@ -396,12 +416,14 @@ def _with_protocol(model: Model | InputError, attempt: _Attempt) -> tuple[_Attem
     agreeing = _AGREEING if model.creases is None else _OF_NODES
     structure = with_protocol(model.structure, design)
     check_quasi_static(structure, design.protocol)
-    return replace(attempt, design=design, agreeing=agreeing), replace(
+    simulated = replace(
         model,
         design=design,
         structure=structure,
         in_units=with_protocol(model.in_units, design_in_model_units(design, model.units)),
     )
+    check_device(simulated)
+    return replace(attempt, design=design, agreeing=agreeing), simulated
 
 
 def _with_timestep_shown(progress: Progress, attempt: _Attempt) -> Progress:

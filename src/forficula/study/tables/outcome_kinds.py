@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from forficula.analysis import FORMER_WORDS, Verdict, verdict_word
+from forficula.analysis.precision import precisions_text
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.structure import Appearance, Structure, Wording
@@ -151,6 +152,13 @@ def undecided_text(table: Dataset, transition: TableTransition) -> str:
     outcomes = next(table[name] for name in names if name in table)
     undecided = int((open_ones & (outcomes == verdict_word(Verdict.UNDECIDED, None))).sum())
     return f" ({int((~open_ones).sum()) + undecided} with the undecided ones)" if undecided else ""
+
+
+def reliability_sentences(table: Dataset) -> list[str]:
+    """Return how many runs were repeated and changed their verdicts, and how many are in single precision, if any."""
+    precisions = table["precision"].values if "precision" in table else np.zeros(0)
+    sentences = [confirmation_sentence(table), precisions_text(int(np.sum(precisions == "single")), precisions.size)]
+    return [f"{sentence}." for sentence in sentences if sentence]
 
 
 def confirmation_sentence(table: Dataset) -> str:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from forficula.analysis import SPRUNG, Ending, Verdict
 from forficula.analysis.margin import combined_row_margin, margin_column
 from forficula.analysis.package import flat_package
+from forficula.analysis.precision import precision_of
 from forficula.arrays import Array, Flags
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
@@ -58,7 +59,8 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         of runs that its points need.
         A search that takes smaller torques to fail where a larger one does (`Search.scan`) also has `monotony`, and
         which torques of the first transition were tried, see `search_result`.
-        If a run has an automatic timestep and nothing is searched, `timestep` has the timestep of each run. If the
+        If a run was computed in single precision, `precision` has the precision of each run. If a run has an
+        automatic timestep and nothing is searched, `timestep` has the timestep of each run. If the
         pattern varies, `folding_ratio` and `folded_height` have the size of the flat-folded sheet.
     """
     from forficula.study.tables.study_table import StudyTable
@@ -92,6 +94,10 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     if columns.automatic:
         steps = columns.timesteps.reshape(shape)
         variables["timestep"] = (dimensions, steps, {"units": "s", "long_name": "timestep of the run"})
+    if study.base.protocol.device is not None or "protocol.device" in _varied_keys(study):
+        every = (designs[number] for number in range(len(study.points)))
+        precisions = [precision_of(design) if isinstance(design, Design) else "" for design in every]
+        variables["precision"] = (dimensions, np.array(precisions, dtype=object).reshape(shape))
     attributes = {
         "name": study.name,
         "source": study.source,

@@ -32,7 +32,7 @@ def _columns(study: Study, table: xarray.Dataset) -> list[str]:
     early = [name for name in numbers if name not in (*late, "residual")]
     holds = [transition.state for transition in structure.transitions]
     folded = ("folding_ratio", "folded_height")
-    columns = (*early, *folded, "status", *late, "verdict", "residual", "timestep", *holds, "monotony")
+    columns = (*early, *folded, "status", *late, "verdict", "residual", "timestep", "precision", *holds, "monotony")
     return [name for name in columns if name in table]
 
 
