@@ -6,10 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.sparse import csc_array
 
 from forficula.arrays import Array
 from forficula.statics.net.energy import Expansion, expand, expand_at
-from forficula.statics.net.factor import Factorisation, factored, largest_entry
+from forficula.statics.net.factor import Factorisation, Matrix, definite, factored, largest_entry
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.supports import supported
@@ -17,6 +18,7 @@ from forficula.statics.net.supports import supported
 _MOST_STEPS = 2000
 _CORRECTIONS = 7
 _SMALLEST_SHIFT, _LARGEST_SHIFT = 1e-9, 1e3  # of the largest stiffness
+_DRAG = 1e-4  # dampers on all coordinates of a large net, relative to those between nodes
 _HOME = 1e-9  # step that ends the search, of the net's size
 _PUSH = 1e-3
 _ROUNDING = 1e-13
@@ -69,6 +71,9 @@ def minimum(
     follow a slow motion with equal dampers on all coordinates). The corrections restore the lengths of stiff bars
     before the energy is compared. The shift decreases to 0, so that the last steps are those of Newton's method.
 
+    In a large net the dampers connect neighbouring nodes, and those on all coordinates are weak. Otherwise the far end
+    of a sheet would hardly move, and the sheet would buckle in between, which takes several times as many steps.
+
     Args:
         net: need not be supported if the load moves no rigid body; see `supported`.
         start: start shape.
@@ -85,15 +90,17 @@ def minimum(
     net, pins = supported(net, load)
     longest = longest_step if longest_step is not None else net.size / 10
     current, shift, steps, settled = expand(net, start, load, factor), 0.0, 0, False
-    parts, most = factored(current.free), 0.0
+    parts, most = definite(current.free), 0.0
     while steps < _MOST_STEPS and not settled and not (stop is not None and stop(current.shape)):
         steps += 1
         stiffest = float(current.free.diagonal().max(initial=0.0)) or 1.0
         # largest value so far, because at an inflection a net of few coordinates has no stiffness
         most = max(most, _LARGEST_SHIFT * stiffest)
-        while parts.index and shift <= most:
+        while parts is None and shift <= most:
             shift = _raised(shift, stiffest)
-            parts = factored(current.free, shift)
+            parts = definite(*_damped(current, shift))
+        if parts is None:
+            parts = factored(*_damped(current, shift))
         taken, corrections = _proximal_step(net, current, parts, shift, load, factor, longest)
         if taken is None:
             if shift > most:
@@ -107,7 +114,7 @@ def minimum(
             settled = near and (shift <= _SMALLEST_SHIFT * stiffest or not pushed)
             shift = shift / 10 if corrections <= 2 else shift / 2 if corrections <= 3 else shift
             shift = 0.0 if shift < _SMALLEST_SHIFT * stiffest else shift
-        parts = factored(current.free, shift)
+        parts = definite(*_damped(current, shift))
     return _rest(net, current, pins, steps, settled)
 
 
@@ -150,6 +157,26 @@ def _raised(shift: float, stiffest: float) -> float:
     return max(10 * shift, _SMALLEST_SHIFT * stiffest)
 
 
+def _damped(current: Expansion, shift: float) -> tuple[Matrix, float]:
+    """Return the Hessian with dampers of a size, as a matrix and a multiple of the identity to add."""
+    if isinstance(current.free, np.ndarray) or not shift:
+        return current.free, shift
+    entries = current.free.data + shift * current.layout.dampers
+    return _like(current.free, entries), _DRAG * shift
+
+
+def _damping_forces(current: Expansion, step: Array) -> Array:
+    """Return the forces of dampers of size 1 for a step, (coordinate,)."""
+    if isinstance(current.free, np.ndarray):
+        return step
+    return np.asarray(_like(current.free, current.layout.dampers) @ step + _DRAG * step)
+
+
+def _like(matrix: csc_array, entries: Array) -> csc_array:
+    """Return a matrix with the pattern of another."""
+    return csc_array((entries, matrix.indices, matrix.indptr), shape=matrix.shape)
+
+
 def _moved(net: Net, shape: NetShape, step: Array, load: Load | None, factor: float) -> Expansion:
     positions = shape.positions.copy()
     positions[net.free] += step
@@ -168,13 +195,14 @@ def _proximal_step(
             return None, corrections
         following = _moved(net, current.shape, step, load, factor)
         slope = following.slope[net.free]
-        gain = current.energy - following.energy - shift / 2 * float(step @ step)
+        damping = _damping_forces(current, step)
+        gain = current.energy - following.energy - shift / 2 * float(step @ damping)
         rounded = abs(gain) <= _rounding(net, current) and np.abs(slope).max(initial=0.0) <= 2 * steepest
         if gain >= 0.1 * promise or rounded:
             return following, corrections
         if not np.all(np.isfinite(slope)):
             return None, corrections
-        step = step - factored(following.free, shift).solve(slope + shift * step)
+        step = step - factored(*_damped(following, shift)).solve(slope + shift * damping)
     return None, _CORRECTIONS
 
 
