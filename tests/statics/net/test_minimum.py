@@ -111,7 +111,7 @@ def test_one_coordinate_goes_downhill_over_an_inflection_where_nothing_is_stiff(
 
 def test_a_large_folded_sheet_comes_to_rest_flat_in_few_steps_with_dampers_between_its_nodes():
     """In the sheet of 32 x 32 facets of the benchmark, 42 steps replace 212."""
-    keys = {"pattern.columns": 10, "pattern.rows": 10, "pattern.fold": np.pi / 2, "crease.rest_angle": "flat"}
+    keys = {"pattern.columns": 12, "pattern.rows": 12, "pattern.fold": np.pi / 2, "crease.rest_angle": "flat"}
     structure = structure_of(with_values(load_design("miura-sheet"), keys))
     net = net_of(structure)
     start = start_shape(structure, net)
@@ -120,5 +120,4 @@ def test_a_large_folded_sheet_comes_to_rest_flat_in_few_steps_with_dampers_betwe
         assert rest.stable
         assert rest.energy < 1e-12 * expand(net, start).energy
         assert np.abs(rest.shape.angles).max() < 1e-6
-    assert between.steps < on_nodes.steps
-    assert between.steps <= 40
+    assert 2 * between.steps < on_nodes.steps
