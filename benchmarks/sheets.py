@@ -43,6 +43,8 @@ _LANDSCAPES = (
     "waterbomb-base",
 )
 _REPEATS = 60
+_SWING = 0.4  # s
+_SWUNG = (4e-4, 1.6e-3)  # timesteps of swinging sheets, s
 _LARGE = 32  # facets along a side of the largest sheet that is released
 
 
@@ -142,6 +144,38 @@ def release_time(size: int) -> dict[str, Any]:
     return {"size": size, "nodes": len(net.nodes), "steps": rest.steps, "wall_s": wall, "cpu_s": cpu}
 
 
+def swing(size: int, timestep: float) -> dict[str, Any]:
+    """Return CPU time and errors of an undamped sheet of rigid plates that swings through more than 100 deg."""
+    changes = {
+        "pattern.long_side": 0.02,
+        "pattern.short_side": 0.02,
+        "pattern.fold": np.radians(30),
+        "facet.thickness": 5e-4,
+        "facet.density": 1200.0,
+        "crease.stiffness": 1e-3,
+        "crease.damping": 0.0,
+        "crease.rest_angle": np.radians(75),
+        "drive": [],
+        "support": [],
+        "protocol.timestep": timestep,
+        "protocol.sample_interval": _SWING / 100,
+        "protocol.stages": [
+            {"name": "swing", "drive": "none", "until": "time", "hold": 0.0, "time_limit": _SWING},
+        ],
+    }
+    model = compile_model(with_values(sheet(size, "rigid"), changes))
+    _, cpu, (record,) = _timed(lambda: simulate([model]))
+    energy = record.series["hinge_energy"].sum(axis=1) + record.series["kinetic_energy"]
+    return {
+        "size": size,
+        "timestep_s": timestep,
+        "swing_deg": float(np.degrees(np.ptp(record.series["hinge_angle"], axis=0).max())),
+        "cpu_per_second": cpu / _SWING,
+        "energy_error": float(np.abs(energy / energy[0] - 1).max()),
+        "gap": float(record.series["closure_gap"][-1] / 0.02),
+    }
+
+
 def side_by_side() -> dict[str, Any]:
     """Designs of differing crease stiffness as one batch, by the same one after another."""
     stiffness = np.geomspace(0.01, 0.04, _DESIGNS).tolist()
@@ -194,6 +228,12 @@ def _show(numbers: dict[str, Any]) -> None:
             f"release, {row['size']}x{row['size']}, {row['nodes']} nodes: {row['steps']} steps, {row['wall_s']:.2f} s,"
             f" {row['cpu_s']:.2f} s CPU"
         )
+    for row in numbers["swings"]:
+        print(
+            f"swing of {row['size']}x{row['size']} rigid plates by {row['swing_deg']:.0f} deg,"
+            f" {1e3 * row['timestep_s']:.3g} ms: {row['cpu_per_second']:.2g} s CPU per second,"
+            f" energy within {row['energy_error']:.1e}, gap {row['gap']:.1e} of an edge"
+        )
     batch = numbers["batch"]
     print(
         f"{batch['designs']} designs as one batch: {batch['together_steps_per_s']:.0f} steps/s, one after another"
@@ -217,6 +257,7 @@ def main() -> None:
         "paths": [path_time(size) for size in sizes],
         "landscapes": [landscape_time(name) for name in (_LANDSCAPES if whole else _LANDSCAPES[:1])],
         "releases": [release_time(size) for size in (*sizes, *([_LARGE] if whole else []))],
+        "swings": [swing(size, step) for size in sizes for step in _SWUNG],
         "batch": side_by_side(),
         "load_after": os.getloadavg()[0],
     }

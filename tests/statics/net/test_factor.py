@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.sparse import csc_array, random_array
 
-from forficula.statics.net.factor import factored, lowest, softest
+from forficula.statics.net.factor import definite, factored, lowest, softest
 
 
 def symmetric(size, seed):
@@ -73,3 +73,14 @@ def test_a_large_positive_definite_matrix_is_solved_as_a_band(size, seed):
     solution = factors.solve(right)
     np.testing.assert_allclose(matrix @ solution + shift * solution, right, atol=1e-8)
     np.testing.assert_allclose(factors.solve(right[:, 1]), solution[:, 1], rtol=1e-9, atol=1e-9)
+
+
+@settings(deadline=None, max_examples=10)
+@given(st.integers(2, 150), st.integers(0, 1000))
+def test_only_a_positive_definite_matrix_is_factorised_as_one(size, seed):
+    matrix = symmetric(size, seed)
+    least = np.linalg.eigvalsh(matrix.toarray())[0]
+    assert definite(matrix, -least - 1e-3) is None
+    parts = definite(matrix, -least + 1e-3)
+    assert parts is not None
+    assert parts.index == 0

@@ -143,7 +143,7 @@ def passage_of(steps: Steps, conditions: Conditions) -> Passage:
         arrived=at_end(arrived),
         resting=at_end(resting),
         reached=at_end(reached),
-        met=(reached & (np.arange(count) < np.minimum(end, sound)[:, None])).any(axis=1),
+        met=np.asarray((reached & (np.arange(count) < np.minimum(end, sound)[:, None])).any(axis=1)),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -207,7 +208,9 @@ def _explicit_limit(linear: _Linear, branches: Sequence[tuple[int, TendonBranch]
 
 
 def _as_built(model: Model) -> _Linear:
-    engine = model.engine
+    engine = copy.copy(model.engine)
+    # no term of the linearisation is a force of a constraint, and constraints take most of the engine's time
+    engine.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONSTRAINT.value
     data = mujoco.MjData(engine)
     mujoco.mj_forward(engine, data)
     inertia = np.zeros((engine.nv, engine.nv))

@@ -58,6 +58,17 @@ def factored(matrix: Matrix, shift: float = 0.0) -> Factorisation:
     raise ArithmeticError("a curvature that no shift makes regular")
 
 
+def definite(matrix: Matrix, shift: float = 0.0) -> Factorisation | None:
+    """Factorise a symmetric matrix plus a multiple of the identity; None if it is not positive definite.
+
+    For a large matrix this takes a fraction of the time in which `factored` counts negative eigenvalues.
+    """
+    if isinstance(matrix, np.ndarray) or matrix.shape[0] <= _FEW or _band_of(matrix) is None:
+        parts = factored(matrix, shift)
+        return None if parts.index else parts
+    return _cholesky(matrix, shift)
+
+
 def largest_entry(matrix: Matrix) -> float:
     """Return the largest magnitude of an entry; 0 for an empty matrix."""
     entries = matrix if isinstance(matrix, np.ndarray) else matrix.data
@@ -137,9 +148,13 @@ def _band(starts: bytes, rows: bytes, kind: str) -> _Band | None:
     return _Band(order=order, places=places, entries=entries, shape=(width, count))
 
 
+def _band_of(matrix: csc_array) -> _Band | None:
+    return _band(matrix.indptr.tobytes(), matrix.indices.tobytes(), matrix.indices.dtype.str)
+
+
 def _cholesky(matrix: csc_array, shift: float) -> Factorisation | None:
     """Factorise a positive definite matrix plus a multiple of the identity; None if it is not positive definite."""
-    band = _band(matrix.indptr.tobytes(), matrix.indices.tobytes(), matrix.indices.dtype.str)
+    band = _band_of(matrix)
     if band is None:
         return None
     flat = np.zeros(band.shape[0] * band.shape[1])

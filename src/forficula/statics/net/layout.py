@@ -59,6 +59,19 @@ class Layout:
         columns = np.repeat(np.arange(len(self.free)), np.diff(self.free_starts))
         return np.asarray(self.free_rows * len(self.free) + columns, dtype=np.int64)
 
+    @cached_property
+    def dampers(self) -> Array:
+        """Return the damping matrix of equal dampers along all sides, in the order of the free part, (entry,).
+
+        They resist every relative motion of the ends of a side. Its largest entry is 1.
+        """
+        springs, tendons, creases, triangles = self.counts
+        by_pair = [np.ones(springs + tendons), np.repeat(np.eye(3).ravel(), creases)]
+        by_pair.append(np.tile(np.eye(2).ravel(), triangles))
+        blocks = np.asarray(self.gather @ np.outer(np.concatenate(by_pair), np.eye(3).ravel()))
+        entries = blocks.reshape(-1)[self.taken]
+        return np.asarray(entries / entries.max(initial=1.0))
+
     def whole(self, blocks: Array) -> bsr_array:
         """Return the Hessian by all coordinates from its blocks, (block, 9)."""
         size = 3 * (len(self.rows) - 1)

@@ -6,10 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.sparse import csc_array
 
 from forficula.arrays import Array
 from forficula.statics.net.energy import Expansion, expand, expand_at, kept_folds
-from forficula.statics.net.factor import Factorisation, factored, largest_entry
+from forficula.statics.net.factor import Factorisation, Matrix, definite, factored, largest_entry
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.supports import supported
@@ -17,6 +18,8 @@ from forficula.statics.net.supports import supported
 _MOST_STEPS = 2000
 _CORRECTIONS = 7
 _SMALLEST_SHIFT, _LARGEST_SHIFT = 1e-9, 1e3  # of the largest stiffness
+_DRAG = 1e-4  # dampers on all coordinates of a large net, relative to those between nodes
+_SHARE = 0.8  # of the longest step that a large net shall take
 _HOME = 1e-9  # step that ends the search, of the net's size
 _PUSH = 1e-3
 _ROUNDING = 1e-13
@@ -61,6 +64,7 @@ def minimum(
     factor: float = 0.0,
     *,
     longest_step: float | None = None,
+    between_nodes: bool = False,
     stop: Callable[[NetShape], bool] | None = None,
 ) -> NetRest:
     """Find the energy minimum that is reached by descending from a shape.
@@ -75,6 +79,9 @@ def minimum(
         load: acting load; its displacements are not applied to the start.
         factor: of the load.
         longest_step: of any coordinate, m; None for a tenth of the net's size.
+        between_nodes: whether the dampers of a large net connect neighbouring nodes, and those on all coordinates are
+            weak. A sheet then comes to rest in a fraction of the steps, because its far end moves along instead of
+            being held back while the sheet buckles in between. The minimum may be another one.
         stop: ends the search, not settled, at the first shape for which it returns True.
 
     Raises:
@@ -85,29 +92,34 @@ def minimum(
     net, pins = supported(net, load)
     longest = longest_step if longest_step is not None else net.size / 10
     current, shift, steps, settled = expand(net, start, load, factor), 0.0, 0, False
-    parts, most = factored(current.free), 0.0
+    dampers = current.layout.dampers if between_nodes and not isinstance(current.free, np.ndarray) else None
+    parts, most = definite(current.free), 0.0
     while steps < _MOST_STEPS and not settled and not (stop is not None and stop(current.shape)):
         steps += 1
         stiffest = float(current.free.diagonal().max(initial=0.0)) or 1.0
         # largest value so far, because at an inflection a net of few coordinates has no stiffness
         most = max(most, _LARGEST_SHIFT * stiffest)
-        while parts.index and shift <= most:
+        while parts is None and shift <= most:
             shift = _raised(shift, stiffest)
-            parts = factored(current.free, shift)
-        taken, corrections = _proximal_step(net, current, parts, shift, load, factor, longest)
+            parts = definite(*_damped(current, dampers, shift))
+        if parts is None:
+            parts = factored(*_damped(current, dampers, shift))
+        taken, corrections = _proximal_step(net, current, parts, (shift, dampers), load, factor, longest)
         if taken is None:
             if shift > most:
                 break
             shift = _raised(shift, stiffest)
         else:
-            near = bool(np.abs(taken.shape.positions - current.shape.positions).max() <= _HOME * net.size)
-            current = taken
+            moved = float(np.abs(taken.shape.positions - current.shape.positions).max())
+            near, current = moved <= _HOME * net.size, taken
             # while a shift remains, the shape is a minimum only if no force is left
             pushed = np.abs(current.slope[net.free]).max(initial=0.0) > _PUSH * _HOME * net.size * stiffest
             settled = near and (shift <= _SMALLEST_SHIFT * stiffest or not pushed)
-            shift = shift / 10 if corrections <= 2 else shift / 2 if corrections <= 3 else shift
+            # a step that exceeds the longest one costs a factorisation
+            divisor = 10.0 if dampers is None else min(10.0, max(1.0, _SHARE * longest / max(moved, 1e-300)))
+            shift = shift / divisor if corrections <= 2 else shift / 2 if corrections <= 3 else shift
             shift = 0.0 if shift < _SMALLEST_SHIFT * stiffest else shift
-        parts = factored(current.free, shift)
+        parts = definite(*_damped(current, dampers, shift))
     return _rest(net, current, pins, steps, settled)
 
 
@@ -150,6 +162,25 @@ def _raised(shift: float, stiffest: float) -> float:
     return max(10 * shift, _SMALLEST_SHIFT * stiffest)
 
 
+def _damped(current: Expansion, dampers: Array | None, shift: float) -> tuple[Matrix, float]:
+    """Return the Hessian with dampers of a size, as a matrix and a multiple of the identity to add."""
+    if dampers is None or isinstance(current.free, np.ndarray):
+        return current.free, shift
+    return _like(current.free, current.free.data + shift * dampers), _DRAG * shift
+
+
+def _resistance(current: Expansion, dampers: Array | None, step: Array) -> Array:
+    """Return the forces of dampers of size 1 for a step, (coordinate,)."""
+    if dampers is None or isinstance(current.free, np.ndarray):
+        return step
+    return np.asarray(_like(current.free, dampers) @ step + _DRAG * step)
+
+
+def _like(matrix: csc_array, entries: Array) -> csc_array:
+    """Return a matrix with the pattern of another."""
+    return csc_array((entries, matrix.indices, matrix.indptr), shape=matrix.shape)
+
+
 def _moved(net: Net, shape: NetShape, step: Array, load: Load | None, factor: float) -> Expansion:
     positions = shape.positions.copy()
     positions[net.free] += step
@@ -157,9 +188,16 @@ def _moved(net: Net, shape: NetShape, step: Array, load: Load | None, factor: fl
 
 
 def _proximal_step(
-    net: Net, current: Expansion, parts: Factorisation, shift: float, load: Load | None, factor: float, longest: float
+    net: Net,
+    current: Expansion,
+    parts: Factorisation,
+    damping: tuple[float, Array | None],
+    load: Load | None,
+    factor: float,
+    longest: float,
 ) -> tuple[Expansion | None, int]:
     """Return the expansion about a shape of less energy, None if the step fails, and the number of corrections."""
+    shift, dampers = damping
     down = -current.slope[net.free]
     step = parts.solve(down)
     promise, steepest = float(down @ step) / 2, np.abs(down).max(initial=0.0)
@@ -168,13 +206,14 @@ def _proximal_step(
             return None, corrections
         following = _moved(net, current.shape, step, load, factor)
         slope = following.slope[net.free]
-        gain = current.energy - following.energy - shift / 2 * float(step @ step)
+        resisting = _resistance(current, dampers, step)
+        gain = current.energy - following.energy - shift / 2 * float(step @ resisting)
         rounded = abs(gain) <= _rounding(net, current) and np.abs(slope).max(initial=0.0) <= 2 * steepest
         if gain >= 0.1 * promise or rounded:
             return following, corrections
         if not np.all(np.isfinite(slope)):
             return None, corrections
-        step = step - factored(following.free, shift).solve(slope + shift * step)
+        step = step - factored(*_damped(following, dampers, shift)).solve(slope + shift * resisting)
     return None, _CORRECTIONS
 
 

@@ -67,13 +67,14 @@ class Course:
 
 def released(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
     """Return the rest states of a net after its release, pushed off unstable equilibria, and a remark on the pushes."""
-    rest, off = minimum(net, built), 0
+    rest, off = minimum(net, built, between_nodes=True), 0
     while rest.settled and rest.index and off < _RIDGES:
         held, _ = supported(net)
         mode = np.zeros_like(net.nodes)
         mode[held.free] = softest(expand(held, rest.shape).free, 1)[1][:, 0]
         mode *= _OFF * net.size / mode.flat[np.argmax(np.abs(mode))]
-        sides = [minimum(net, moved_shape(net, rest.shape, rest.shape.positions + sign * mode)) for sign in (1, -1)]
+        pushed = [moved_shape(net, rest.shape, rest.shape.positions + sign * mode) for sign in (1, -1)]
+        sides = [minimum(net, shape, between_nodes=True) for shape in pushed]
         rest, off = min(sides, key=lambda side: side.energy), off + 1
     if not off:
         return rest, ()
