@@ -12,7 +12,8 @@ import pytest
 from forficula.errors import InputError
 from forficula.study import collect, estimate, load_study, run_study, table_csv
 from forficula.study.refine.boundary_plan import BoundaryPlan, LatticeAxis, read_plan
-from forficula.study.refine.cells import chain, locate
+from forficula.study.refine.cells import locate
+from forficula.study.refine.planes import labels_between
 from forficula.study.refine.summary import boundary_map, boundary_sentences, largest_gap
 from tests.planted import folds_if, soft
 
@@ -55,7 +56,7 @@ def predicted(cells):
         corners = list(itertools.product(*zip(cell.low, cell.high, strict=True)))
         for position in itertools.product(*map(range, cell.low, (place + 1 for place in cell.high))):
             if cell.surfaces:
-                label = chain(cell.surfaces)[sum(surface.distance(position) > 0 for surface in cell.surfaces)]
+                label = labels_between(cell.surfaces)[sum(surface.distance(position) > 0 for surface in cell.surfaces)]
             else:
                 nearest = min(range(len(corners)), key=lambda index: math.dist(corners[index], position))
                 label = cell.corners[nearest]

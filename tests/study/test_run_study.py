@@ -146,8 +146,9 @@ def test_a_study_of_many_points_has_the_table_of_one_whose_points_are_all_in_mem
         ("running.run_study", "_WINDOW", 2),
         ("running.plan", "_MOST_DESIGNS", 1),
         ("running.stored_rows", "_MOST_IN_MEMORY", 1),
-        ("tables.table", "_ROWS", 4),
-        ("tables.table_rows", "_ROWS", 4),
+        ("tables.point_columns", "POINTS_TOGETHER", 4),
+        ("tables.table", "POINTS_TOGETHER", 4),
+        ("tables.table_rows", "POINTS_TOGETHER", 4),
     ):
         monkeypatch.setattr(sys.modules[f"forficula.study.{module}"], name, number)
     study, seen = load_study(path), []

@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from forficula.analysis.outcome import Outcome, State
+from forficula.analysis.outcome import Outcome
+from forficula.analysis.states import State
 from forficula.dynamics import Record
 from forficula.structure import (
     StageGoal,

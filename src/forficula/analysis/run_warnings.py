@@ -9,9 +9,9 @@ import numpy as np
 
 from forficula.analysis.crossing_facets import facets_that_cross
 from forficula.analysis.crossing_panels import panel_crossing
-from forficula.analysis.outcome import early_goal
 from forficula.analysis.precision import precision_text
 from forficula.analysis.strength import membrane_peaks, strain_peaks
+from forficula.analysis.transition_runs import early_goal
 from forficula.arrays import Array
 from forficula.dynamics import Record, energy_balance
 from forficula.quantities import show_value

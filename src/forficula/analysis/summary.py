@@ -15,10 +15,11 @@ from forficula.analysis.branch import Branch, branch_taken
 from forficula.analysis.confirmation import Confirmation, StateValues
 from forficula.analysis.crossing_panels import PanelCrossing, panel_crossing
 from forficula.analysis.groups import Groups, groups_of
-from forficula.analysis.outcome import SPRUNG, Outcome, StageOutcome, State
+from forficula.analysis.outcome import Outcome, StageOutcome
 from forficula.analysis.package import Package, packages, smallest_package
 from forficula.analysis.precision import precision_of
 from forficula.analysis.run_warnings import run_warnings
+from forficula.analysis.states import SPRUNG, State
 from forficula.analysis.storage import Storage, storage_texts, storages
 from forficula.analysis.strength import FoldPeak, Peak, fold_peak, permanent_fold, strain_peaks
 from forficula.analysis.verdict import Verdict

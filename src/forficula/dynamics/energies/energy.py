@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import reduce
 
+import mujoco
 import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.couplings import coupling_energies
 from forficula.dynamics.engine.membrane import stretch_energy
 from forficula.dynamics.engine.model import Model
-from forficula.dynamics.stepping.steps import SETS
+from forficula.dynamics.engine.warnings import quiet
+from forficula.dynamics.stepping.steps import MOVING, SETS
 
 # fields of the engine that `clamping_work` needs
 CLAMPING_FIELDS = ("ten_length", "ten_velocity", "ten_J")
@@ -250,3 +252,14 @@ def state_energies(model: Model, derived: Mapping[str, Array]) -> dict[str, Arra
             "kinetic_energy": units.energy * derived["energy"][:, 1],
             "gravitational_energy": units.energy * model.in_units.gravity * height,
         }
+
+
+def energy_of(model: Model, moving: Array) -> float:
+    """Compute the energy of springs, weight and motion, in the model's units, from a state of `Steps.after`."""
+    data = mujoco.MjData(model.engine)
+    mujoco.mj_setState(model.engine, data, moving, MOVING)
+    with quiet:
+        mujoco.mj_forward(model.engine, data)
+    # the engine also counts the weight of floating masses
+    floats = model.engine.body_mass * model.engine.body_gravcomp
+    return float(data.energy.sum() + floats @ (data.xipos @ model.engine.opt.gravity))

@@ -8,10 +8,9 @@ import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics.energies.crease_work import crease_works, displacement_force, engine_work, motor_travel
-from forficula.dynamics.energies.energy import CLAMPING_FIELDS, branch_losses, clamping_work
+from forficula.dynamics.energies.energy import CLAMPING_FIELDS, branch_losses, clamping_work, energy_of
 from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
 from forficula.dynamics.engine.model import Model, joint_ranges
-from forficula.dynamics.stepping.stepper import energy_of
 from forficula.dynamics.stepping.steps import EngineState, Steps
 from forficula.structure import RestPath
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.model import Model
-from forficula.dynamics.stepping.stepper import start_position
+from forficula.dynamics.stepping.start_states import start_position
 
 # numerical options with the same meaning in every version
 _OPTIONS = ("timestep", "impratio", "tolerance", "ls_tolerance", "ccd_tolerance", "gravity")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import itertools
-import threading
 from collections import deque
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -24,16 +23,15 @@ from forficula.dynamics.engine.crease_rows import CreaseRows, crease_rows, witho
 from forficula.dynamics.engine.drag import KINEMATICS, stacked_drag
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.plate_creases import PlateRows, plate_rows
+from forficula.dynamics.engine.warnings import quiet
 from forficula.dynamics.stepping.folds import joint_address, slide_name
-from forficula.dynamics.stepping.steps import SETS, EngineState, Steps
+from forficula.dynamics.stepping.start_states import start_creases, start_folds, start_position, start_states
+from forficula.dynamics.stepping.steps import MOVING, SETS, STATE, EngineState, Steps
 from forficula.structure import RestShape
 
 if TYPE_CHECKING:
     from forficula.dynamics.gpu.device_engine import DeviceEngine
 
-# the full state that a step depends on, and the part that a step changes: time, positions and velocities first
-_STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
-_MOVING = _STATE & ~mujoco.mjtState.mjSTATE_USER.value
 _CONTROL = mujoco.mjtState.mjSTATE_CTRL.value
 # fields for the states of a sparse record and of others, and further fields for the works
 _OF_SPARSE = ("ten_length",)
@@ -79,8 +77,8 @@ class Stepper:
         self._models = _engine_models(models, sparse)
         self._explicit = models[0].explicit
         model = models[0].engine
-        self._state = _start_states(models)
-        self._moving, self._control = _columns(model, _MOVING), _columns(model, _CONTROL)
+        self._state = start_states(models)
+        self._moving, self._control = _columns(model, MOVING), _columns(model, _CONTROL)
         self._branch_slices = _branch_slices(model)
         self._activation = self._moving[self._branch_slices.get("act", slice(0, 0))]
         self._kept = _OF_SPARSE if sparse else _OF_STATES
@@ -97,16 +95,9 @@ class Stepper:
         if drags:
             self._names = (*self._names, "qfrc_applied")
         # last angles of creases, without jumps
-        self._angles = np.array([_start_creases(model) for model in models])
-        # permanent folds of creases; a crease that starts beyond its yield angle has a set already
-        self._sets = np.array(
-            [
-                np.zeros_like(start)
-                if model.creases is None
-                else model.creases.law.next_set(start, 0.0, np.zeros_like(start))
-                for model, start in zip(models, self._angles, strict=True)
-            ]
-        )
+        self._angles = np.array([start_creases(model) for model in models])
+        # permanent folds of creases
+        self._sets = np.array([start_folds(model) for model in models])
         self._data = mujoco.MjData(model)
         self._device = _device_engine(models, self._models, self._names, chunk)
         if self._device is not None:
@@ -156,7 +147,7 @@ class Stepper:
         steps = Steps(
             **self._about(),
             before=self._state[np.ix_(rows, self._moving)],
-            after=fields[_MOVING],
+            after=fields[MOVING],
             derived={name: fields[name] for name in self._names},
             late=late,
             angles=None if followed is None else followed[0],
@@ -202,8 +193,8 @@ class Stepper:
         # data are reused, because structures of one topology have data of the same size and creation is slow
         engine, data = self._structures[row].engine, self._data
         mujoco.mj_resetData(engine, data)
-        mujoco.mj_setState(engine, data, self._state[row], _STATE)
-        with _quiet:
+        mujoco.mj_setState(engine, data, self._state[row], STATE)
+        with quiet:
             mujoco.mj_forward(engine, data)
         derived = {name: getattr(data, name).copy() for name in (*_OF_STATES, "xmat", *self._branch_slices)}
         derived[SETS] = self._sets[row].copy()
@@ -294,7 +285,7 @@ class Stepper:
             first = self._fields(engine, rows, driven, self._names, mujoco.mjtStage.mjSTAGE_ACC)
         self._load_states(engine, rows, state)
         out: dict[str | int | mujoco.mjtState, Array] = {**memory}
-        with _quiet:
+        with quiet:
             engine.rollout(
                 controls.shape[1],
                 control=controls,
@@ -315,7 +306,7 @@ class Stepper:
         self._load_states(engine, rows, state)
         # the engine fills only fields that were bound before
         bound = {name: engine.bind(name) for name in names}
-        with _quiet:
+        with quiet:
             engine.forward(np.arange(len(rows)), stage.value)
         return {name: field[: len(rows)].copy() for name, field in bound.items()}
 
@@ -362,7 +353,7 @@ class Stepper:
                     values[:, steps] = in_block[name]
                 for field, values in late.items():
                     values[:, steps] = of_late[field]
-                state[:, self._moving] = in_block[_MOVING][:, -1]
+                state[:, self._moving] = in_block[MOVING][:, -1]
             self._state[rows] = state
         finally:
             self._engines.put(engine)
@@ -396,17 +387,6 @@ class Stepper:
         return angles, sets
 
 
-def energy_of(model: Model, moving: Array) -> float:
-    """Compute the energy of springs, weight and motion, in the model's units, from a state of `Steps.after`."""
-    data = mujoco.MjData(model.engine)
-    mujoco.mj_setState(model.engine, data, moving, _MOVING)
-    with _quiet:
-        mujoco.mj_forward(model.engine, data)
-    # the engine also counts the weight of floating masses
-    floats = model.engine.body_mass * model.engine.body_gravcomp
-    return float(data.energy.sum() + floats @ (data.xipos @ model.engine.opt.gravity))
-
-
 def _device_engine(
     models: Sequence[Model], engines: Sequence[mujoco.MjModel], names: Sequence[str], chunk: int
 ) -> DeviceEngine | None:
@@ -426,15 +406,10 @@ def _engine_models(models: Sequence[Model], sparse: bool) -> list[mujoco.MjModel
     ]
 
 
-def _start_creases(model: Model) -> Array:
-    """Return the start angles of creases, rad, (crease,)."""
-    return np.array([model.structure.hinges[number].start for number in model.folds.creases])
-
-
 def _memory(models: Sequence[Model], names: Sequence[str], chunk: int, moving: int) -> dict[str | int, Array]:
     """Allocate memory for a chunk of steps of all structures, by recorded field."""
     data = mujoco.MjData(models[0].engine)
-    shapes = {_MOVING: (moving,), **{name: getattr(data, name).shape for name in names}}
+    shapes = {MOVING: (moving,), **{name: getattr(data, name).shape for name in names}}
     return {name: np.empty((len(models), chunk, *shape)) for name, shape in shapes.items()}
 
 
@@ -445,9 +420,9 @@ def _block(memory: Array, steps: int) -> Array:
 
 def _columns(engine: mujoco.MjModel, part: int) -> Indices:
     """Return the indices of a part of a state."""
-    every = np.arange(mujoco.mj_stateSize(engine, _STATE), dtype=np.float64)
+    every = np.arange(mujoco.mj_stateSize(engine, STATE), dtype=np.float64)
     indices = np.empty(mujoco.mj_stateSize(engine, part))
-    mujoco.mj_extractState(engine, every, _STATE, indices, part)
+    mujoco.mj_extractState(engine, every, STATE, indices, part)
     return indices.astype(np.int64)
 
 
@@ -455,7 +430,7 @@ def _branch_slices(engine: mujoco.MjModel) -> dict[str, slice]:
     """Return the slices of branches and of yielding tendons in the changing part of a state, by MuJoCo's names."""
     state = mujoco.mjtState
     before = state.mjSTATE_TIME.value | state.mjSTATE_QPOS.value | state.mjSTATE_QVEL.value
-    first, size = mujoco.mj_stateSize(engine, before), mujoco.mj_stateSize(engine, _MOVING)
+    first, size = mujoco.mj_stateSize(engine, before), mujoco.mj_stateSize(engine, MOVING)
     places = {"act": slice(first, first + engine.na), "plastic": slice(size - engine.nplastic, size)}
     return {name: place for name, place in places.items() if place.start < place.stop}
 
@@ -466,70 +441,3 @@ def _without_energy(models: Sequence[Model]) -> list[mujoco.MjModel]:
     for engine in bare.values():
         engine.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_ENERGY)
     return [bare[id(model.engine)] for model in models]
-
-
-def _start_states(models: Sequence[Model]) -> Array:
-    """Return the start states of structures, (structure, number)."""
-    batch = Batch(models[0].engine, len(models), 1)
-    batch.set_models([model.engine for model in models])
-    batch.bind("qpos")[:] = [start_position(model) for model in models]
-    if batch.model.nplastic:
-        batch.bind("plastic")[:] = [_start_creep(model) for model in models]
-    return np.array(batch.state)
-
-
-def start_position(model: Model) -> Array:
-    """Return the positions at the start; sliding bodies start in the built shape."""
-    position = np.array(model.engine.qpos0)
-    for hinge, place in zip(model.structure.hinges, model.folds.joints.tolist(), strict=True):
-        if place >= 0:
-            position[place] = hinge.sense * hinge.start + 0.0  # -0 would be another bit
-    return position
-
-
-def _start_creep(model: Model) -> Array:
-    """Return the plastic state at the start: a tendon or joint that the start stretches too far has already yielded."""
-    engine = model.engine
-    data = mujoco.MjData(engine)
-    data.qpos[:] = start_position(model)
-    mujoco.mj_forward(engine, data)
-    plastic = np.asarray(data.plastic.copy())
-    for tendon, place, creep in zip(model.in_units.tendons, model.tendons, model.creep, strict=True):
-        if tendon.law.yield_extension is not None:
-            plastic[creep] = max(tendon.law.rest_length, data.ten_length[place] - tendon.law.yield_extension)
-    for hinge, creep in zip(model.in_units.hinges, model.hinge_creep, strict=True):
-        if creep >= 0:
-            turned = hinge.start - hinge.rest_angle
-            beyond = turned - max(-hinge.yield_angle, min(turned, hinge.yield_angle))
-            plastic[creep] = hinge.sense * (hinge.rest_angle + beyond)
-    return plastic
-
-
-class _Quiet:
-    """Context that keeps MuJoCo from writing its warnings to a file; divergence is in the record.
-
-    MuJoCo has only one handler for warnings. The first user replaces it, and the last user restores it.
-    """
-
-    def __init__(self) -> None:
-        self._lock, self._users, self._before = threading.Lock(), 0, None
-
-    def __enter__(self) -> None:
-        with self._lock:
-            if not self._users:
-                self._before = mujoco.get_mju_user_warning()
-                mujoco.set_mju_user_warning(_ignore_warning)
-            self._users += 1
-
-    def __exit__(self, *error: object) -> None:
-        with self._lock:
-            self._users -= 1
-            if not self._users:
-                mujoco.set_mju_user_warning(self._before)
-
-
-def _ignore_warning(message: str) -> None:
-    """Ignore a warning of MuJoCo."""
-
-
-_quiet = _Quiet()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+import mujoco
 import numpy as np
 
 from forficula.arrays import Array, Indices
@@ -12,6 +13,9 @@ from forficula.dynamics.engine.crease_rows import without_jump
 from forficula.dynamics.stepping.folds import Folds
 from forficula.dynamics.stepping.passage import Conditions, Passage, passage_of
 
+# the full state that a step depends on, and the part that a step changes: time, positions and velocities first
+STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
+MOVING = STATE & ~mujoco.mjtState.mjSTATE_USER.value
 # name of the sets of creases among the fields of a state
 SETS = "crease_set"
 

@@ -33,7 +33,8 @@ from forficula.show.style import (
     letter_panels,
 )
 from forficula.study.refine.boundary_plan import LatticeAxis
-from forficula.study.refine.cells import Cell, Surface, region_parts
+from forficula.study.refine.cells import Cell, region_parts
+from forficula.study.refine.planes import Surface
 from forficula.study.refine.summary import BoundaryMap, boundary_map
 
 if TYPE_CHECKING:

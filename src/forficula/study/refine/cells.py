@@ -17,60 +17,10 @@ import scipy
 
 from forficula.arrays import Array
 from forficula.study.refine.boundary_plan import BoundaryPlan, Position
+from forficula.study.refine.planes import Crossing, Surface, fitted_plane, labels_between, separating_planes
 
 # [chosen] a margin at one end of an edge is close to 0 below this share of the margin at the other end
 _NEAR_ZERO = 0.25
-
-
-@dataclass(frozen=True, kw_only=True)
-class Crossing:
-    """A boundary between two neighbouring positions.
-
-    Attributes:
-        low: the position with the lower place on the axis.
-        axis: index of the axis along which the positions are neighbours.
-        labels: labels at both positions.
-    """
-
-    low: Position
-    axis: int
-    labels: tuple[str, str]
-
-    @property
-    def middle(self) -> tuple[float, ...]:
-        """Middle between both positions."""
-        return tuple(place + 0.5 * (index == self.axis) for index, place in enumerate(self.low))
-
-
-@dataclass(frozen=True, kw_only=True)
-class Surface:
-    """Plane that approximates a boundary in a cell.
-
-    Attributes:
-        axis: axis along which distances from the plane are measured.
-        centre: a position on the plane.
-        slopes: change of the place on the axis with the places on all axes; 0 for the axis itself.
-        labels: labels below and above the plane.
-    """
-
-    axis: int
-    centre: tuple[float, ...]
-    slopes: tuple[float, ...]
-    labels: tuple[str, str]
-
-    def height(self, position: Sequence[float]) -> float:
-        """Return the place of the plane on the axis at a position."""
-        offsets = (slope * (at - mid) for slope, at, mid in zip(self.slopes, position, self.centre, strict=True))
-        return self.centre[self.axis] + sum(offsets)
-
-    def distance(self, position: Sequence[float]) -> float:
-        """Return the distance from the plane along the axis."""
-        return position[self.axis] - self.height(position)
-
-    @property
-    def accuracy(self) -> float:
-        """Distance from the plane beyond which a label is predicted; boundaries on edges are known to half a step."""
-        return max(1.0, *map(abs, self.slopes))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -214,7 +164,7 @@ class _Locator:
         elif cell.located:
             if tested and surfaces:
                 known = dict(corners) | {position: self._labels[position] for position in inside}
-                surfaces = _separating(surfaces, known)
+                surfaces = separating_planes(surfaces, known)
             cell = replace(cell, surfaces=surfaces, located=tested is not None)
         self._cells.append(cell)
 
@@ -292,7 +242,7 @@ class _Locator:
                 return ()
         else:
             return ()
-        fitted = [_plane(group) for group in groups]
+        fitted = [fitted_plane(group) for group in groups]
         surfaces = tuple(surface for surface in fitted if surface is not None)
         if len(surfaces) < len(groups):
             return ()
@@ -300,7 +250,7 @@ class _Locator:
             heights = [surface.height(corner) for surface in surfaces]
             if heights != sorted(heights):
                 return ()
-        labels = chain(surfaces)
+        labels = labels_between(surfaces)
         for position, label in (*corners.items(), *((position, self._labels[position]) for position in inside)):
             distances = [(surface.distance(position), surface.accuracy) for surface in surfaces]
             above = sum(distance > accuracy for distance, accuracy in distances)
@@ -313,7 +263,7 @@ class _Locator:
         self, surfaces: Sequence[Surface], low: Position, high: Position, corners: Mapping[Position, str]
     ) -> bool | None:
         """Return whether each boundary is next to its plane at its centre; None as long as this is unknown."""
-        labels, complete = chain(surfaces), True
+        labels, complete = labels_between(surfaces), True
         for number, surface in enumerate(surfaces):
             axis = surface.axis
             at = tuple(round(place) for place in surface.centre)
@@ -381,66 +331,6 @@ class _Locator:
         if index > 0 and line[index - 1] >= cell.low[axis]:
             return self._labels[_moved(vertex, axis, line[index - 1])]
         return corners[_moved(vertex, axis, cell.low[axis])]
-
-
-def chain(surfaces: Sequence[Surface]) -> list[str]:
-    """Return the labels between surfaces, from low to high."""
-    return [surfaces[0].labels[0], *(surface.labels[1] for surface in surfaces)]
-
-
-def _plane(crossings: Sequence[Crossing]) -> Surface | None:
-    """Return the plane through boundaries with the same labels; None if their order of labels differs."""
-    middles = np.array([crossing.middle for crossing in crossings])
-    counts = np.bincount([crossing.axis for crossing in crossings], minlength=middles.shape[1])
-    candidates = np.flatnonzero(counts == counts.max())
-    axis = int(candidates[np.argmin(np.ptp(middles[:, candidates], axis=0))])
-    labels = {crossing.labels for crossing in crossings if crossing.axis == axis}
-    if len(labels) > 1:
-        return None
-    centre = middles.mean(axis=0)
-    offsets = middles - centre
-    slopes = np.linalg.lstsq(np.delete(offsets, axis, axis=1), offsets[:, axis], rcond=None)[0]
-    return Surface(
-        axis=axis,
-        centre=tuple(centre.tolist()),
-        slopes=tuple(np.insert(slopes, axis, 0.0).tolist()),
-        labels=labels.pop(),
-    )
-
-
-def _separating(surfaces: tuple[Surface, ...], known: Mapping[Position, str]) -> tuple[Surface, ...]:
-    """Return planes with all known labels on their right sides, if there are any close to some tested planes.
-
-    Tested planes may have known labels on the wrong side, because boundaries on edges are known to half a step.
-    """
-    labels = chain(surfaces)
-    if len(set(labels)) < len(labels) or not set(known.values()) <= set(labels):
-        return surfaces
-    moved = []
-    for number, surface in enumerate(surfaces):
-        sides = {position: 1 if labels.index(label) > number else -1 for position, label in known.items()}
-        if all(side * surface.distance(position) >= 0 for position, side in sides.items()):
-            moved.append(surface)
-            continue
-        places, signs = np.array(list(sides), dtype=float), np.array(list(sides.values()), dtype=float)
-        offsets = places - surface.centre
-        across = np.delete(offsets, surface.axis, axis=1)
-        # unknowns: shift and slopes of the plane, and its least distance from a label
-        unknowns = np.column_stack([signs, signs[:, None] * across, np.ones(len(signs))])
-        count = unknowns.shape[1]
-        solution = scipy.optimize.linprog(
-            [0.0] * (count - 1) + [-1.0],
-            A_ub=unknowns,
-            b_ub=signs * offsets[:, surface.axis],
-            bounds=[(None, None)] * (count - 1) + [(0.0, 0.5)],
-        )
-        if not solution.success:
-            return surfaces
-        shift, *slopes = solution.x[:-1].tolist()
-        centre = tuple(at + shift * (axis == surface.axis) for axis, at in enumerate(surface.centre))
-        slopes.insert(surface.axis, 0.0)
-        moved.append(replace(surface, centre=centre, slopes=tuple(slopes)))
-    return tuple(moved)
 
 
 def _without(position: Position, axis: int) -> Position:

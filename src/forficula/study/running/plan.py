@@ -59,10 +59,6 @@ class Plan(Mapping[int, "Design | str"]):
                 self._designs.popitem(last=False)
         return self._designs[number]
 
-    def is_built(self, number: int) -> bool:
-        """Whether the design at a point is in memory."""
-        return number in self._designs
-
     def keys_without_designs(self, numbers: range) -> list[str | None]:
         """Return the key of the row of each point; None if only the design determines the key.
 

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from forficula.analysis import SPRUNG, Ending, Verdict
-from forficula.analysis.margin import combined_row_margin, margin_column
+from forficula.analysis import SPRUNG
+from forficula.analysis.margin import margin_column
 from forficula.analysis.package import flat_package
 from forficula.analysis.precision import precision_of
-from forficula.arrays import Array, Flags
+from forficula.arrays import Array
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
 from forficula.structure import Structure, drive_keys, first_state, springs_name, structure_of
@@ -22,20 +20,15 @@ from forficula.study.assumptions.choices import CHOICE, choice_label, own_value
 from forficula.study.changes import CHANGE
 from forficula.study.factors import Factor
 from forficula.study.points import SampledPoints
-from forficula.study.running.evaluate import ending_row, row_key
 from forficula.study.running.journal import Row
-from forficula.study.running.plan import Plan
-from forficula.study.search import search_result
 from forficula.study.search_steps import Search, SearchStep
 from forficula.study.study import Study
 from forficula.study.tables.outcome_kinds import transitions_text
+from forficula.study.tables.point_columns import POINTS_TOGETHER, PointColumns, read_columns, varied_keys
 from forficula.study.tables.redundancy import CHANGED_VALUES, FIRST, MARGIN, SECOND, omitted_text
 
 if TYPE_CHECKING:
     import xarray
-
-# Number of points whose results are in memory as Python objects at a time. [chosen]
-_ROWS = 4096
 
 
 def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> xarray.Dataset:
@@ -67,7 +60,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
 
     structure, search = structure_of(study.base), study.search
     numbers = table_numbers(study, structure)
-    columns = _read_columns(study, designs, rows, numbers)
+    columns = read_columns(study, designs, rows, numbers)
     coordinates, dimensions, shape = table_axes(study)
     variables: dict[str, Any] = {}
     for name, (unit, meaning) in numbers.items():
@@ -89,12 +82,12 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
             del variables["reference_outcome"]
         else:
             variables["reference_outcome"] += ({"torque": search.reference, "units": search.first.unit.si},)
-    if any(key.startswith("pattern.") for key in _varied_keys(study)):
+    if any(key.startswith("pattern.") for key in varied_keys(study)):
         variables |= _folded_sizes(designs, dimensions, shape)
     if columns.automatic:
         steps = columns.timesteps.reshape(shape)
         variables["timestep"] = (dimensions, steps, {"units": "s", "long_name": "timestep of the run"})
-    if study.base.protocol.device is not None or "protocol.device" in _varied_keys(study):
+    if study.base.protocol.device is not None or "protocol.device" in varied_keys(study):
         every = (designs[number] for number in range(len(study.points)))
         precisions = [precision_of(design) if isinstance(design, Design) else "" for design in every]
         variables["precision"] = (dimensions, np.array(precisions, dtype=object).reshape(shape))
@@ -116,94 +109,6 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     table = StudyTable(variables, coordinates, attributes)
     table.study = study
     return table
-
-
-@dataclass(frozen=True, kw_only=True)
-class _ReadColumns:
-    """Results of all points, one array for each column.
-
-    Attributes:
-        numbers: numbers in SI by name, nan if missing, (point,).
-        known: names of numbers that some point has.
-        words: outcomes and texts by name, (point,).
-        holds: whether each state holds, by name, (point,); empty for a search.
-        timesteps: timestep of each run, s; nan if missing or for a search, (point,).
-        automatic: whether a run has an automatic timestep and nothing is searched.
-        times_tried: for a search, time of the first transition for every value that was tried, s, (point, value).
-        outcomes_tried: the outcomes for these values, (point, value).
-        tried: whether each of these values was tried, (point, value).
-    """
-
-    numbers: Mapping[str, Array]
-    known: set[str]
-    words: Mapping[str, NDArray[np.object_]]
-    holds: Mapping[str, Flags]
-    timesteps: Array
-    automatic: bool
-    times_tried: Array
-    outcomes_tried: NDArray[np.object_]
-    tried: Flags
-
-
-def _read_columns(
-    study: Study,
-    designs: Mapping[int, Design | str],
-    rows: Mapping[str, Row],
-    numbers: Mapping[str, tuple[str, str]],
-) -> _ReadColumns:
-    """Read the results of all points, one after another."""
-    count, search = len(study.points), study.search
-    names: tuple[str, ...] = ("status", "verdict", "outcome")
-    if search is not None:
-        names += (f"{search.first.transition}_outcome", "reference_outcome")
-        names += ("monotony",) * (search.scan == "bracket")
-    values_tried = () if search is None else search.first.values
-    values = {name: np.full(count, math.nan) for name in numbers}
-    words = {name: np.empty(count, dtype=object) for name in names}
-    transitions = structure_of(study.base).transitions if search is None else ()
-    holds = {transition.state: np.zeros(count, dtype=bool) for transition in transitions}
-    timesteps, automatic = np.full(count, math.nan), False
-    size = (count, len(values_tried))
-    times, outcomes, tried = np.full(size, math.nan), np.empty(size, dtype=object), np.zeros(size, dtype=bool)
-    known, texts = set[str](), dict[str, str]()
-
-    def text(word: object) -> str:
-        """Return a word; equal words are one object."""
-        return texts.setdefault(str(word), str(word))
-
-    for number, (result, is_automatic) in enumerate(_results(study, designs, rows, numbers)):
-        for name, column in values.items():
-            if (value := result.get(name)) is not None:
-                column[number] = value
-                known.add(name)
-        for name, entries in words.items():
-            entries[number] = text(result.get(name, "" if name == "monotony" else result["outcome"]))
-        for state, flags in holds.items():
-            flags[number] = bool(result.get(state))
-        if search is None:
-            timesteps[number] = _nan(result.get("timestep_s"))
-            automatic |= is_automatic
-        for place, value in enumerate(values_tried):
-            tried[number, place] = value in result.get("tried", ())
-            times[number, place] = _nan(result.get("times_tried", {}).get(value))
-            outcomes[number, place] = text(result.get("outcomes_tried", {}).get(value, result["outcome"]))
-    return _ReadColumns(
-        numbers=values,
-        known=known,
-        words=words,
-        holds=holds,
-        timesteps=timesteps,
-        automatic=automatic,
-        times_tried=times,
-        outcomes_tried=outcomes,
-        tried=tried,
-    )
-
-
-def _varied_keys(study: Study) -> set[str]:
-    """Return the keys that any point of a study changes."""
-    keys = {factor.key for factor in (*study.factors, *study.grid)}
-    return keys | {key for change in study.plan.changes for key in change.values}
 
 
 def _folded_sizes(
@@ -278,7 +183,7 @@ def _ask(study: Study) -> str:
 
 
 def _by_value(
-    search: Search, columns: _ReadColumns, dimensions: tuple[str, ...], shape: tuple[int, ...]
+    search: Search, columns: PointColumns, dimensions: tuple[str, ...], shape: tuple[int, ...]
 ) -> dict[str, Any]:
     """Return the result of the first transition for every value that was tried."""
     first, kind = search.first, "torque" if search.first.unit is TORQUE else "value"
@@ -301,47 +206,6 @@ def _tried(step: SearchStep) -> tuple[str, Array, dict[str, str]]:
         np.array(step.values),
         {"units": unit.si, "display": unit.display, "key": step.key, "long_name": meaning},
     )
-
-
-def _results(
-    study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row], numbers: Mapping[str, tuple[str, str]]
-) -> Iterator[tuple[dict[str, Any], bool]]:
-    """Yield the result of every point, and whether its design has an automatic timestep.
-
-    A result has numbers in SI by their names in the table, and words.
-    """
-    keys: Sequence[str | None] = ()
-    for number in range(len(study.points)):
-        if number % _ROWS == 0:
-            block = range(number, min(number + _ROWS, len(study.points)))
-            keys = designs.keys_without_designs(block) if isinstance(designs, Plan) else [None] * len(block)
-        key = keys[number % _ROWS]
-        if key is not None and (row := rows.get(key)) is not None:
-            # such a design has the timestep of the base, or a number
-            automatic = study.base.protocol.timestep == "auto" and "protocol.timestep" not in _varied_keys(study)
-            yield _of_run(study, row, numbers), automatic
-            continue
-        design = designs[number]
-        if isinstance(design, str):
-            yield ending_row(Ending(verdict=Verdict.NOT_BUILT, why=design)), False
-        elif study.search is not None:
-            yield search_result(design, study.search, rows), False
-        else:
-            yield _of_run(study, rows[row_key(design)], numbers), design.protocol.timestep == "auto"
-
-
-def _of_run(study: Study, row: Row, numbers: Mapping[str, tuple[str, str]]) -> dict[str, Any]:
-    if study.plan or study.boundaries is not None:
-        row = _with_margins(row, study)
-    return row | {name: row.get(f"{name}_{unit}") for name, (unit, _) in numbers.items() if unit}
-
-
-def _with_margins(row: Row, study: Study) -> Row:
-    """Return a row with the margin of all transitions; without margins if its verdict is inconclusive."""
-    transitions = structure_of(study.base).transitions
-    if Verdict(row["verdict"]).conclusive:
-        return row | {MARGIN: combined_row_margin(row, transitions)}
-    return row | {margin_column(transition.name): None for transition in transitions}
 
 
 def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:
@@ -376,7 +240,10 @@ def _sampled_values(study: Study, factor: Factor) -> list[float] | None:
     if not isinstance(study.points, SampledPoints):
         return None
     place = study.factors.index(factor)
-    blocks = (range(first, min(first + _ROWS, len(study.points))) for first in range(0, len(study.points), _ROWS))
+    blocks = (
+        range(first, min(first + POINTS_TOGETHER, len(study.points)))
+        for first in range(0, len(study.points), POINTS_TOGETHER)
+    )
     return [value for block in blocks for value in study.points.si_values(block)[:, place].tolist()]
 
 
@@ -403,7 +270,3 @@ def _factor_value(factor: Factor, value: object) -> Any:
     if unit is None:
         return as_written(value) if isinstance(value, list) else value
     return value if isinstance(value, float) else parse_quantity(value, unit)
-
-
-def _nan(value: object) -> float:
-    return math.nan if value is None else float(str(value))

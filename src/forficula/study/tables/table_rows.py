@@ -14,14 +14,12 @@ from forficula.structure import structure_of
 from forficula.study.changes import CHANGE
 from forficula.study.factors import Factor
 from forficula.study.study import Study
+from forficula.study.tables.point_columns import POINTS_TOGETHER
 from forficula.study.tables.redundancy import CHANGED_VALUES
 from forficula.study.tables.table import point_value, table_numbers
 
 if TYPE_CHECKING:
     import xarray
-
-# Number of points whose values are in memory as Python objects at a time. [chosen]
-_ROWS = 4096
 
 
 def _columns(study: Study, table: xarray.Dataset) -> list[str]:
@@ -92,8 +90,8 @@ def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], Iterator[list
         words = table["verdict" if "verdict" in table else "outcome"].values.ravel()
         flat = [table[name].values.ravel() for name in names]
         coordinates = [_values_at_points(study, factor, table) for factor in varied]
-        for first in range(0, len(study.points), _ROWS):
-            block = slice(first, first + _ROWS)
+        for first in range(0, len(study.points), POINTS_TOGETHER):
+            block = slice(first, first + POINTS_TOGETHER)
             columns = [column[block].tolist() for column in flat]
             factor_values = [values(block) for values in coordinates]
             for place, word in enumerate(words[block].tolist()):
