@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from forficula.dynamics.stepping.stages import _count_finite_steps
+from forficula.dynamics.stepping.passage import _count_finite_steps
 
 
 def test_non_finite_numbers_end_a_simulation_without_a_warning():

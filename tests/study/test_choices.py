@@ -14,6 +14,7 @@ from forficula.errors import InputError
 from forficula.show import print_study, write_study
 from forficula.study import collect, estimate, load_study, run_study, table_csv
 from forficula.study.assumptions.choice_groups import choice_groups, count_all, count_first
+from forficula.study.running.journal import read_rows
 from forficula.study.running.kept_runs import runs_to_keep
 from forficula.study.search import point_design
 
@@ -154,7 +155,7 @@ def test_a_search_without_unfold_torques_only_folds_and_releases(gridded, tmp_pa
     study, table, folder = gridded
     # three dampings, four tendons, two torques, and a release for each that folds
     folds = int(np.isfinite(table["least_fold_torque"]).sum())
-    assert len((folder / "journal.jsonl").read_text().splitlines()) - 1 == 24 + folds
+    assert len(read_rows(folder, study.base)) == 24 + folds
     assert not {name for name in table if "unfold" in name or "opened" in name or "reference" in name}
     assert "least_unfold_torque_N_m" not in table_csv(study, table)
     assert {run.part for run in runs_to_keep(study, table)} == {"folding"}

@@ -190,7 +190,7 @@ def test_a_journal_that_cannot_be_opened_is_one_clear_error(tmp_path, study_file
 
 
 @pytest.mark.skipif(os.name != "posix", reason="limits of a process are POSIX's")
-@pytest.mark.parametrize("limit", [100, 1000])
+@pytest.mark.parametrize("limit", [100, 2000])
 def test_a_full_disk_is_one_line_and_the_study_goes_on_when_there_is_room(tmp_path, study_file, capsys, limit):
     path = str(study_file(TENDONS))
     with files_of_at_most(limit), pytest.raises(SystemExit) as ended:
