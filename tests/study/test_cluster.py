@@ -12,9 +12,10 @@ from hypothesis import strategies as st
 
 import forficula as ff
 from forficula.cli import main
+from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.study import dask_cluster
-from forficula.study.running.cluster import _Pace
+from forficula.study.running.cluster import _check_versions, _Pace
 from forficula.study.running.journal import read_rows
 
 FACTORS = '"tendon.stiffness" = "10..40 N/cm step 10"\n"tendon.rest_length" = "1..8 cm step 1"'
@@ -203,3 +204,15 @@ def test_without_dask_the_error_says_what_to_install(study_file, tmp_path, monke
         main(["study", str(study_file(FACTORS)), "--out", str(tmp_path / "out"), "--dask", "tcp://127.0.0.1:9"])
     assert ended.value.code == 1
     assert 'pip install "forficula[cluster]"' in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("device", [None, "gpu"])
+def test_rows_of_workers_with_other_versions_are_refused(device):
+    _check_versions({device: versions(device)})
+    with pytest.raises(InputError, match="a worker has other versions"):
+        _check_versions({None: versions(), device: {**versions(device), "mujoco": "1.0"}})
+
+
+def test_versions_of_the_engine_on_a_device_are_compared_too():
+    with pytest.raises(InputError, match="warp-lang"):
+        _check_versions({"gpu": {**versions("gpu"), "warp-lang": "0.1"}})

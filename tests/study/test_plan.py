@@ -8,7 +8,7 @@ import pytest
 from forficula.design import Design
 from forficula.study import load_study
 from forficula.study.running.evaluate import row_key
-from forficula.study.running.plan import Plan
+from forficula.study.running.plan import StudyPlan
 
 SAMPLED = """
 "tendon.stiffness" = { distribution = "uniform", low = "10 N/cm", high = "60 N/cm" }
@@ -25,7 +25,7 @@ def plan(study_file, monkeypatch):
         monkeypatch.setattr(sys.modules["forficula.study.running.plan"], "_MOST_DESIGNS", 1)
         path = Path(study_file(*texts, **options))
         path.write_text(path.read_text().replace('"binder2025"', f'"{design}"'))
-        return Plan(load_study(path))
+        return StudyPlan(load_study(path))
 
     return of
 

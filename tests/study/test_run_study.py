@@ -18,7 +18,7 @@ from forficula.errors import InputError
 from forficula.show.study.maps import draw_torque_maps
 from forficula.study import collect, estimate, load_study, run_study, table_csv
 from forficula.study.running.evaluate import evaluate
-from forficula.study.running.plan import Plan
+from forficula.study.running.plan import StudyPlan
 from forficula.study.search import point_design
 from tests.forks import forks
 from tests.show.study.test_maps import legend
@@ -77,7 +77,7 @@ def test_rows_have_the_same_bits_whatever_the_threads_and_the_size_of_a_batch(
 
 
 def test_rows_have_the_same_bits_in_any_order(study_file):
-    designs = list(Plan(load_study(study_file(TENDONS))).values())
+    designs = list(StudyPlan(load_study(study_file(TENDONS))).values())
     first = by_key(evaluate(designs))
     shuffled = random.Random(5).sample(designs, len(designs))
     assert by_key(evaluate(designs[::-1])) == first

@@ -164,7 +164,7 @@ def _print_estimate(study: Study, folder: Path, shard: str) -> None:
     points = len(range(number - 1, len(study.points), count))
     set_result({"name": study.name, "points": points, "most_runs": most, "runs_left": left, "time_s": seconds})
     name = study.name if count == 1 else f"shard {shard} of {study.name}"
-    print(f"{name}: {points} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
+    print(f"{name}: {counted(points, 'point')}, at most {counted(most, 'run')}; {left} to do, about {seconds:.0f} s")
     if study.boundaries is not None:
         count = study.boundaries.full_grid
         print(f"These are the points of the initial grid. Refinement adds some of the {count} points of the full grid.")

@@ -10,7 +10,7 @@ from forficula.structure import Structure, Transition, drive_of
 
 
 @dataclass(frozen=True, kw_only=True)
-class Trial:
+class DriveTrial:
     """A run whose drive has one of several strengths.
 
     Attributes:
@@ -30,20 +30,20 @@ def tried_transition(design: Design, structure: Structure) -> Transition | None:
     return next((item for item in reversed(structure.transitions) if item.drive in acting), None)
 
 
-def design_trial(design: Design, structure: Structure) -> Trial | None:
+def design_trial(design: Design, structure: Structure) -> DriveTrial | None:
     """Return the trial of a design: that of the drive of its `tried_transition`."""
     transition = tried_transition(design, structure)
     if transition is None:
         return None
     drive = drive_of(structure, transition.drive)
-    return Trial(
+    return DriveTrial(
         others=put(design, drive.key, 0.0).hash,
         strength=abs(float(str(key_value(design, drive.key)))),
         last=transition is structure.transitions[-1],
     )
 
 
-def trial_chains(trials: Sequence[Trial | None]) -> list[list[int]]:
+def trial_chains(trials: Sequence[DriveTrial | None]) -> list[list[int]]:
     """Return chains of trials by number: those of one chain run one after another, in the given order.
 
     Trials of the last transition form a chain in any order. Those of an earlier transition form a chain only if their
@@ -56,14 +56,14 @@ def trial_chains(trials: Sequence[Trial | None]) -> list[list[int]]:
     return [chain for chain in chains.values() if len(chain) > 1 and _runs_in_turn([trials[row] for row in chain])]
 
 
-def _runs_in_turn(trials: Sequence[Trial | None]) -> bool:
+def _runs_in_turn(trials: Sequence[DriveTrial | None]) -> bool:
     known = [trial for trial in trials if trial is not None]
     strengths = [trial.strength for trial in known]
     return known[0].last or strengths == sorted(strengths, reverse=True)
 
 
 def needless_trials(
-    trials: Sequence[Trial | None], chain: Sequence[int], done: int, *, reached: bool | None
+    trials: Sequence[DriveTrial | None], chain: Sequence[int], done: int, *, reached: bool | None
 ) -> list[int]:
     """Return the trials of a chain that the result of one of them makes needless.
 
@@ -80,7 +80,7 @@ def needless_trials(
     if known is None or reached is None:
         return []
 
-    def needless(trial: Trial | None) -> bool:
+    def needless(trial: DriveTrial | None) -> bool:
         if trial is None:
             return False
         return known.last and trial.strength > known.strength if reached else trial.strength < known.strength

@@ -101,7 +101,7 @@ class DeviceSteps(Steps):
                 lengths.kept,
                 wp.array(weights, dtype=wp.float64, device=device),
                 wp.array(tendons, dtype=int, device=device),
-                put(kernels.Bounds, bounds),
+                put(kernels.MotionBounds, bounds),
                 put(kernels.StageNumbers, flags | numbers),
             ],
             outputs=[result],

@@ -44,7 +44,7 @@ def gather(
 
 
 @wp.struct
-class Bounds:
+class MotionBounds:
     """Bounds of positions, speeds and watched coordinates; see `stepping.passage.Conditions`."""
 
     lowest: wp.array2d[wp.float64]
@@ -74,7 +74,7 @@ class StageNumbers:
 
 
 @wp.func
-def diverged(state: wp.array[float], bounds: Bounds, world: int, positions: int, dof: int):
+def diverged(state: wp.array[float], bounds: MotionBounds, world: int, positions: int, dof: int):
     """Return whether positions or velocities are not finite, or a hinge is far beyond its stop."""
     for place in range(positions):
         position = wp.float64(state[1 + place])
@@ -89,7 +89,7 @@ def diverged(state: wp.array[float], bounds: Bounds, world: int, positions: int,
 
 
 @wp.func
-def rests(state: wp.array[float], bounds: Bounds, world: int, positions: int, dof: int):
+def rests(state: wp.array[float], bounds: MotionBounds, world: int, positions: int, dof: int):
     """Return whether every coordinate is at rest."""
     for place in range(dof):
         speed = wp.abs(wp.float64(state[1 + positions + place]))
@@ -102,7 +102,7 @@ def rests(state: wp.array[float], bounds: Bounds, world: int, positions: int, do
 def within(
     state: wp.array[float],
     lengths: wp.array[float],
-    bounds: Bounds,
+    bounds: MotionBounds,
     weights: wp.array2d[wp.float64],
     tendons: wp.array[int],
     world: int,
@@ -131,7 +131,7 @@ def find_ends(
     lengths: wp.array3d[float],
     weights: wp.array2d[wp.float64],
     tendons: wp.array[int],
-    bounds: Bounds,
+    bounds: MotionBounds,
     stage: StageNumbers,
     passage: wp.array2d[wp.int64],
 ):

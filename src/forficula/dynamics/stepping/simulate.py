@@ -110,7 +110,7 @@ def _records(
     quasi_static = QuasiStaticStages(models, solver)
     recorders = [Recorder(model, sparse) for model in models]
     starts = [stepper.state(row) for row in range(len(models))]
-    trials = _Trials(models if reached is not None else ())
+    trials = _TrialChains(models if reached is not None else ())
     held = trials.held
     waiting = followers(models, held)
     moving = np.array([row not in waiting and row not in held for row in range(len(models))])
@@ -156,7 +156,7 @@ def _records(
                 moving[following] = following not in waiting
 
 
-class _Trials:
+class _TrialChains:
     """Structures that run one after another because the result of one can make others needless.
 
     Attributes:

@@ -33,7 +33,7 @@ _LEAST_RATIO = 10
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Axis:
+class _BinAxis:
     """Bins along a factor.
 
     Attributes:
@@ -209,17 +209,17 @@ def _fitting(points: int, axes: int) -> int:
     return max(1, int((points / _POINTS_PER_BIN) ** (1 / axes)))
 
 
-def _axis(view: MapView, factor: DataArray, most: int) -> _Axis:
+def _axis(view: MapView, factor: DataArray, most: int) -> _BinAxis:
     """Return at most a number of bins of equal widths, or of equal ratios if the values are spread over decades."""
     values = factor.values
     if not view.sampled:
         count = min(values.size, most)
         index = np.arange(values.size) * count // values.size
         middle_places = [int(np.flatnonzero(index == number).mean()) for number in range(count)]
-        return _Axis(index=index, values=values[middle_places], edges=None)
+        return _BinAxis(index=index, values=values[middle_places], edges=None)
     if values.dtype.kind not in "iuf":
         codes, names = word_codes(values.astype(object))
-        return _Axis(index=codes, values=np.array(names, dtype=object), edges=None)
+        return _BinAxis(index=codes, values=np.array(names, dtype=object), edges=None)
     numbers = values.astype(float)
     is_log = _is_logarithmic(numbers)
     along = np.log(numbers) if is_log else numbers
@@ -228,8 +228,8 @@ def _axis(view: MapView, factor: DataArray, most: int) -> _Axis:
     index = np.clip(np.searchsorted(edges, along, side="right") - 1, 0, len(edges) - 2)
     middles = (edges[1:] + edges[:-1]) / 2
     if is_log:
-        return _Axis(index=index, values=np.exp(middles), edges=np.exp(edges))
-    return _Axis(index=index, values=middles, edges=edges)
+        return _BinAxis(index=index, values=np.exp(middles), edges=np.exp(edges))
+    return _BinAxis(index=index, values=middles, edges=edges)
 
 
 def _is_logarithmic(values: Array) -> bool:

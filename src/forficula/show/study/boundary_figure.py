@@ -33,8 +33,8 @@ from forficula.show.style import (
     letter_panels,
 )
 from forficula.study.refine.boundary_plan import LatticeAxis
-from forficula.study.refine.cells import Cell, region_parts
-from forficula.study.refine.planes import Surface
+from forficula.study.refine.cells import RegionCell, region_parts
+from forficula.study.refine.planes import BoundaryPlane
 from forficula.study.refine.summary import BoundaryMap, boundary_map
 
 if TYPE_CHECKING:
@@ -67,7 +67,7 @@ class _Plane:
     z: int | None = None
     place: int = 0
 
-    def contains(self, cell: Cell, last: int) -> bool:
+    def contains(self, cell: RegionCell, last: int) -> bool:
         """Return whether the cell has a part in the plane; `last` is the last place of the third factor."""
         if self.z is None:
             return True
@@ -202,7 +202,7 @@ def _draw_points(
             axes.scatter(places[:, 0], places[:, 1], s=size, color=look.face, ec=INK, lw=0.35, zorder=3, clip_on=False)
 
 
-def _parts(cell: Cell, plane: _Plane) -> Iterator[tuple[str, Corners]]:
+def _parts(cell: RegionCell, plane: _Plane) -> Iterator[tuple[str, Corners]]:
     """Yield the parts of a cell in a plane by label, as polygons of places."""
     if not cell.surfaces:
         for label, sides in region_parts(cell):
@@ -218,7 +218,7 @@ def _parts(cell: Cell, plane: _Plane) -> Iterator[tuple[str, Corners]]:
         yield cell.surfaces[-1].labels[1], rest
 
 
-def _clipped(polygon: Corners, surface: Surface, plane: _Plane, sign: int) -> Corners:
+def _clipped(polygon: Corners, surface: BoundaryPlane, plane: _Plane, sign: int) -> Corners:
     """Return the part of a polygon above (sign 1) or below (-1) a surface (Sutherland and Hodgman 1974)."""
     axes = len(surface.centre)
     distances = [sign * surface.distance(plane.position(x, y, axes)) for x, y in polygon]
@@ -247,7 +247,7 @@ def _rounded(corner: tuple[float, float]) -> tuple[float, float]:
     return round(corner[0], 6), round(corner[1], 6)
 
 
-def _sides(cell: Cell) -> list[tuple[float, float]]:
+def _sides(cell: RegionCell) -> list[tuple[float, float]]:
     return [(float(low), float(high)) for low, high in zip(cell.low, cell.high, strict=True)]
 
 

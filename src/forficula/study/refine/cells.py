@@ -17,14 +17,20 @@ import scipy
 
 from forficula.arrays import Array
 from forficula.study.refine.boundary_plan import BoundaryPlan, Position
-from forficula.study.refine.planes import Crossing, Surface, fitted_plane, labels_between, separating_planes
+from forficula.study.refine.planes import (
+    BoundaryCrossing,
+    BoundaryPlane,
+    fitted_plane,
+    labels_between,
+    separating_planes,
+)
 
 # [chosen] a margin at one end of an edge is close to 0 below this share of the margin at the other end
 _NEAR_ZERO = 0.25
 
 
 @dataclass(frozen=True, kw_only=True)
-class Cell:
+class RegionCell:
     """A box between two positions.
 
     Attributes:
@@ -43,13 +49,13 @@ class Cell:
     high: Position
     corners: tuple[str, ...]
     labels: tuple[str, ...]
-    surfaces: tuple[Surface, ...] = ()
-    crossings: tuple[Crossing, ...] = ()
+    surfaces: tuple[BoundaryPlane, ...] = ()
+    crossings: tuple[BoundaryCrossing, ...] = ()
     located: bool = True
 
 
 @dataclass(frozen=True, kw_only=True)
-class Located:
+class LocatedBoundaries:
     """Result of one round.
 
     Attributes:
@@ -58,12 +64,12 @@ class Located:
     """
 
     wanted: tuple[Position, ...]
-    cells: tuple[Cell, ...]
+    cells: tuple[RegionCell, ...]
 
 
 def locate(
     plan: BoundaryPlan, labels: Mapping[Position, str], margins: Mapping[Position, Sequence[float]] | None = None
-) -> Located:
+) -> LocatedBoundaries:
     """Find the points that are needed to locate all boundaries, as far as the known labels show.
 
     1. Every edge of a cell whose ends differ is halved until the boundary on the edge lies between two neighbouring
@@ -92,17 +98,17 @@ class _Locator:
     ) -> None:
         self._plan, self._labels, self._margins = plan, labels, margins
         self._wanted: dict[Position, None] = {}
-        self._cells: list[Cell] = []
+        self._cells: list[RegionCell] = []
         # places of known labels on every line along an axis
         self._lines: dict[tuple[int, Position], list[int]] = {}
         for position in labels:
             for axis, place in enumerate(position):
                 insort(self._lines.setdefault((axis, _without(position, axis)), []), place)
 
-    def result(self) -> Located:
+    def result(self) -> LocatedBoundaries:
         """Examine all cells of the initial grid."""
         if missing := [position for position in self._plan.initial_grid if position not in self._labels]:
-            return Located(wanted=tuple(missing), cells=())
+            return LocatedBoundaries(wanted=tuple(missing), cells=())
         known = np.array(list(self._labels))
         shares = _probe_shares(len(self._plan.axes), self._plan.probes)
         intervals = [list(itertools.pairwise(axis.grid_places)) for axis in self._plan.axes]
@@ -114,7 +120,7 @@ class _Locator:
                 self._want(probe)
             corners = {corner: self._labels[corner] for corner in itertools.product(*sides)}
             self._examine(low, high, corners, [tuple(position) for position in inside.tolist()])
-        return Located(wanted=tuple(self._wanted), cells=tuple(self._cells))
+        return LocatedBoundaries(wanted=tuple(self._wanted), cells=tuple(self._cells))
 
     def _want(self, position: Position) -> bool:
         """Note that a point is needed, unless its label is known; return whether the label is known."""
@@ -142,7 +148,7 @@ class _Locator:
         ]
         crossings = tuple(crossing for edge in edges for crossing in edge or ())
         present = {*corners.values(), *(self._labels[position] for position in inside)}
-        cell = Cell(
+        cell = RegionCell(
             low=low,
             high=high,
             corners=tuple(corners.values()),
@@ -150,7 +156,7 @@ class _Locator:
             crossings=crossings,
             located=all(edge is not None for edge in edges),
         )
-        surfaces: tuple[Surface, ...] = ()
+        surfaces: tuple[BoundaryPlane, ...] = ()
         tested: bool | None = False
         split = cell.located and len(present) > 1 and any(b - a > 1 for a, b in zip(low, high, strict=True))
         if split:
@@ -168,7 +174,9 @@ class _Locator:
             cell = replace(cell, surfaces=surfaces, located=tested is not None)
         self._cells.append(cell)
 
-    def _edge(self, start: Position, axis: int, end: int, start_label: str, end_label: str) -> list[Crossing] | None:
+    def _edge(
+        self, start: Position, axis: int, end: int, start_label: str, end_label: str
+    ) -> list[BoundaryCrossing] | None:
         """Return the boundaries on an edge; None as long as more points are needed."""
         line = self._lines.get((axis, _without(start, axis)), [])
         between = line[bisect_right(line, start[axis]) : bisect_left(line, end)]
@@ -186,7 +194,7 @@ class _Locator:
             # labels of ends without points are confirmed before they count
             known = [self._want(position) for position in ends]
             if all(known):
-                crossings.append(Crossing(low=ends[0], axis=axis, labels=(labels[index], labels[index + 1])))
+                crossings.append(BoundaryCrossing(low=ends[0], axis=axis, labels=(labels[index], labels[index + 1])))
             else:
                 complete = False
         return crossings if complete else None
@@ -215,12 +223,12 @@ class _Locator:
 
     def _fitted(
         self,
-        edges: Sequence[Sequence[Crossing]],
+        edges: Sequence[Sequence[BoundaryCrossing]],
         count: int,
-        cell: Cell,
+        cell: RegionCell,
         corners: Mapping[Position, str],
         inside: Sequence[Position],
-    ) -> tuple[Surface, ...]:
+    ) -> tuple[BoundaryPlane, ...]:
         """Return planes through the boundaries on the edges, from low to high; none if known labels contradict them.
 
         Args:
@@ -260,7 +268,7 @@ class _Locator:
         return surfaces
 
     def _test(
-        self, surfaces: Sequence[Surface], low: Position, high: Position, corners: Mapping[Position, str]
+        self, surfaces: Sequence[BoundaryPlane], low: Position, high: Position, corners: Mapping[Position, str]
     ) -> bool | None:
         """Return whether each boundary is next to its plane at its centre; None as long as this is unknown."""
         labels, complete = labels_between(surfaces), True
@@ -291,7 +299,7 @@ class _Locator:
                 return False
         return True if complete else None
 
-    def _split(self, cell: Cell, corners: Mapping[Position, str], inside: Sequence[Position]) -> bool:
+    def _split(self, cell: RegionCell, corners: Mapping[Position, str], inside: Sequence[Position]) -> bool:
         """Split a cell and examine its parts; return False as long as labels of new corners are missing."""
         # an island is outlined from the point that reveals the island
         strangers = [position for position in inside if self._labels[position] not in cell.corners]
@@ -324,7 +332,7 @@ class _Locator:
             self._examine(low, high, {corner: labels[corner] for corner in itertools.product(*part)}, within)
         return True
 
-    def _label_on_edge(self, vertex: Position, axis: int, cell: Cell, corners: Mapping[Position, str]) -> str:
+    def _label_on_edge(self, vertex: Position, axis: int, cell: RegionCell, corners: Mapping[Position, str]) -> str:
         """Return the label of a position without a point on an edge whose boundaries are known."""
         line = self._lines.get((axis, _without(vertex, axis)), [])
         index = bisect_left(line, vertex[axis])
@@ -350,7 +358,7 @@ def _probe_shares(axes: int, probes: int) -> Array:
     return np.asarray(scipy.stats.qmc.Sobol(axes, scramble=False).random_base2(power)[1 : probes + 1])
 
 
-def region_parts(cell: Cell) -> Iterator[tuple[str, list[tuple[float, float]]]]:
+def region_parts(cell: RegionCell) -> Iterator[tuple[str, list[tuple[float, float]]]]:
     """Yield the parts of a cell by label, each as the ends of its sides on all axes, split at the middle of the cell.
 
     For cells without a plane.

@@ -12,7 +12,7 @@ from forficula.study.refine.boundary_plan import Position
 
 
 @dataclass(frozen=True, kw_only=True)
-class Crossing:
+class BoundaryCrossing:
     """A boundary between two neighbouring positions.
 
     Attributes:
@@ -32,7 +32,7 @@ class Crossing:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Surface:
+class BoundaryPlane:
     """Plane that approximates a boundary in a cell.
 
     Attributes:
@@ -62,12 +62,12 @@ class Surface:
         return max(1.0, *map(abs, self.slopes))
 
 
-def labels_between(surfaces: Sequence[Surface]) -> list[str]:
+def labels_between(surfaces: Sequence[BoundaryPlane]) -> list[str]:
     """Return the labels between surfaces, from low to high."""
     return [surfaces[0].labels[0], *(surface.labels[1] for surface in surfaces)]
 
 
-def fitted_plane(crossings: Sequence[Crossing]) -> Surface | None:
+def fitted_plane(crossings: Sequence[BoundaryCrossing]) -> BoundaryPlane | None:
     """Return the plane through boundaries with the same labels; None if their order of labels differs."""
     middles = np.array([crossing.middle for crossing in crossings])
     counts = np.bincount([crossing.axis for crossing in crossings], minlength=middles.shape[1])
@@ -79,7 +79,7 @@ def fitted_plane(crossings: Sequence[Crossing]) -> Surface | None:
     centre = middles.mean(axis=0)
     offsets = middles - centre
     slopes = np.linalg.lstsq(np.delete(offsets, axis, axis=1), offsets[:, axis], rcond=None)[0]
-    return Surface(
+    return BoundaryPlane(
         axis=axis,
         centre=tuple(centre.tolist()),
         slopes=tuple(np.insert(slopes, axis, 0.0).tolist()),
@@ -87,7 +87,7 @@ def fitted_plane(crossings: Sequence[Crossing]) -> Surface | None:
     )
 
 
-def separating_planes(surfaces: tuple[Surface, ...], known: Mapping[Position, str]) -> tuple[Surface, ...]:
+def separating_planes(surfaces: tuple[BoundaryPlane, ...], known: Mapping[Position, str]) -> tuple[BoundaryPlane, ...]:
     """Return planes with all known labels on their right sides, if there are any close to some tested planes.
 
     Tested planes may have known labels on the wrong side, because boundaries on edges are known to half a step.

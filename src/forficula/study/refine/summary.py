@@ -14,7 +14,7 @@ from forficula.arrays import Array
 from forficula.names import counted, listed
 from forficula.quantities import Unit, show_quantity
 from forficula.study.refine.boundary_plan import BoundaryPlan, LatticeAxis, Position, positions_of, read_plan
-from forficula.study.refine.cells import Located, locate
+from forficula.study.refine.cells import LocatedBoundaries, locate
 from forficula.study.refine.rounds import point_labels
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ class BoundaryMap:
 
     plan: BoundaryPlan
     labels: Mapping[Position, str]
-    located: Located
+    located: LocatedBoundaries
 
     @property
     def words(self) -> list[str]:

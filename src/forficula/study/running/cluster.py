@@ -8,7 +8,7 @@ import re
 import shlex
 import time
 from collections import deque
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
@@ -157,16 +157,31 @@ def _result(client: Any, address: str, future: Any) -> dict[str, Any] | None:
     if error is not None:
         raise InputError(f"--dask: a worker cannot run forficula: {type(error).__name__}: {error}")
     done: dict[str, Any] = future.result()
-    if done["versions"] != versions():
-        raise InputError(f"--dask: a worker has other versions: {done['versions']}, but this process has {versions()}")
+    _check_versions(done["versions"])
     return done
+
+
+def _check_versions(of_worker: Mapping[str | None, Mapping[str, str]]) -> None:
+    """Refuse rows of a worker whose packages have other versions than those of this process.
+
+    Args:
+        of_worker: versions of the packages by device; None for the processor.
+
+    Raises:
+        InputError: a version differs.
+    """
+    for device, names in of_worker.items():
+        if names != (current := versions(device)):
+            raise InputError(f"--dask: a worker has other versions: {names}, but this process has {current}")
 
 
 def _run_chunk(texts: Iterable[str], until_last: bool) -> dict[str, Any]:
     """Run designs on one thread, in a worker."""
     start = time.perf_counter()
-    rows = list(evaluate([design_from_text(text) for text in texts], threads=1, until_last=until_last))
-    return {"rows": rows, "seconds": time.perf_counter() - start, "versions": versions()}
+    designs = [design_from_text(text) for text in texts]
+    rows = list(evaluate(designs, threads=1, until_last=until_last))
+    of_devices = {device: versions(device) for device in {design.protocol.device for design in designs}}
+    return {"rows": rows, "seconds": time.perf_counter() - start, "versions": of_devices}
 
 
 def slurm_script(study: str, out: str, shards: int) -> str:

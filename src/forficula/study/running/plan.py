@@ -26,7 +26,7 @@ _TRIED = 6
 _MARK = re.compile(r'"<factor ([0-9]+)>"')
 
 
-class Plan(Mapping[int, "Design | str"]):
+class StudyPlan(Mapping[int, "Design | str"]):
     """The design at every point of a study by index, or the reason why there is none.
 
     A design is built when it is needed, which takes about 0.3 ms. In a study of many points, the key of a row follows
@@ -109,7 +109,7 @@ class _Pattern:
         return key_of_hash(hashlib.sha256("".join(parts).encode()).hexdigest()[:16])
 
 
-def _pattern(plan: Plan) -> _Pattern | None:
+def _pattern(plan: StudyPlan) -> _Pattern | None:
     """Return the pattern of the designs of a plan; None if they differ in more than the values of the factors.
 
     The pattern is derived from a few designs in which every factor varies, and compared with the hash of another one.

@@ -15,7 +15,7 @@ from forficula.study.refine.rounds import refined_study
 from forficula.study.running.attempt_writer import attempt
 from forficula.study.running.evaluate import evaluate, row_key
 from forficula.study.running.journal import Row, are_others_complete, open_journal, stored_rows
-from forficula.study.running.plan import Plan
+from forficula.study.running.plan import StudyPlan
 from forficula.study.running.stored_rows import StoredRows
 from forficula.study.search import most_runs, needless_runs, search_designs
 from forficula.study.study import Study
@@ -126,7 +126,7 @@ def _run_points(
 ) -> xarray.Dataset | None:
     """Do the missing runs of fixed points; see `run_study`."""
     folder = Path(out)
-    rows, plan = stored_rows(folder, study.base, shard), Plan(study)
+    rows, plan = stored_rows(folder, study.base, shard), StudyPlan(study)
     points_of_shard = range(shard[0] - 1, len(plan), shard[1])
     count = RunCount(0, len(points_of_shard))
     with open_journal(folder, study.base, shard) as journal, attempt(journal, study) as writer:
@@ -181,7 +181,7 @@ def collect(study: Study, out: str | Path, building: Building | None = None) -> 
 def collect_points(study: Study, out: str | Path, building: Building | None = None) -> xarray.Dataset:
     """Build the table of fixed points from the rows in a folder; see `collect`."""
     folder = Path(out)
-    rows, plan = stored_rows(folder, study.base), Plan(study)
+    rows, plan = stored_rows(folder, study.base), StudyPlan(study)
     keys: set[str] = set()
     for point in _missing(plan, rows, building):
         keys |= point.keys()
@@ -210,7 +210,7 @@ def estimate(
         building: see `run_study`.
         shard: see `run_study`.
     """
-    rows, plan = stored_rows(Path(out), study.base, shard), Plan(study)
+    rows, plan = stored_rows(Path(out), study.base, shard), StudyPlan(study)
     points_of_shard = range(shard[0] - 1, len(plan), shard[1])
     most = len(points_of_shard) * (1 if study.search is None else most_runs(study.search))
     left = _number_left(plan, points_of_shard, rows, building)
@@ -226,7 +226,7 @@ def estimate(
     return most, left, (time.perf_counter() - start) * left / count
 
 
-def _split(plan: Plan, numbers: range, rows: Mapping[str, Row]) -> tuple[set[str], dict[int, Design | str]]:
+def _split(plan: StudyPlan, numbers: range, rows: Mapping[str, Row]) -> tuple[set[str], dict[int, Design | str]]:
     """Return the keys of rows that some points need and have, and the designs of all other points."""
     keys = dict(zip(numbers, plan.keys_without_designs(numbers), strict=True))
     done = {number: key for number, key in keys.items() if key is not None and key in rows}
@@ -234,7 +234,7 @@ def _split(plan: Plan, numbers: range, rows: Mapping[str, Row]) -> tuple[set[str
 
 
 def _missing(
-    plan: Plan, rows: Mapping[str, Row], building: Building | None, numbers: range | None = None
+    plan: StudyPlan, rows: Mapping[str, Row], building: Building | None, numbers: range | None = None
 ) -> Iterator[dict[str, Design]]:
     """Yield the missing runs of every incomplete point, by default of all points; see `_missing_by_point`."""
     numbers = range(len(plan)) if numbers is None else numbers
@@ -246,7 +246,7 @@ def _missing(
             building(first + len(window), len(numbers))
 
 
-def _number_left(plan: Plan, numbers: range, rows: StoredRows, building: Building | None) -> int:
+def _number_left(plan: StudyPlan, numbers: range, rows: StoredRows, building: Building | None) -> int:
     """Return the number of incomplete points among those with these numbers.
 
     Of more than 10 000 points, those without a valid design count too, because their designs are not built.

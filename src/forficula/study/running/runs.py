@@ -28,7 +28,7 @@ from forficula.dynamics import (
     tried_transition,
     with_timestep,
 )
-from forficula.dynamics.engine.trials import Trial
+from forficula.dynamics.engine.trials import DriveTrial
 from forficula.dynamics.stepping.simulate import Progress
 from forficula.errors import InputError
 from forficula.quantities import show_duration, show_value
@@ -343,7 +343,7 @@ class _Needless:
 
     def __init__(self, designs: Sequence[Design]) -> None:
         self._designs = designs
-        self._trials: list[Trial | None] = []
+        self._trials: list[DriveTrial | None] = []
         self._chains: dict[int, list[int]] = {}
 
     def after(self, number: int, record: Record) -> list[int]:

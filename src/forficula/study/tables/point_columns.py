@@ -17,7 +17,7 @@ from forficula.design import Design
 from forficula.structure import structure_of
 from forficula.study.running.evaluate import ending_row, row_key
 from forficula.study.running.journal import Row
-from forficula.study.running.plan import Plan
+from forficula.study.running.plan import StudyPlan
 from forficula.study.search import search_result
 from forficula.study.study import Study
 from forficula.study.tables.redundancy import MARGIN
@@ -125,7 +125,7 @@ def _results(
     for number in range(len(study.points)):
         if number % POINTS_TOGETHER == 0:
             block = range(number, min(number + POINTS_TOGETHER, len(study.points)))
-            keys = designs.keys_without_designs(block) if isinstance(designs, Plan) else [None] * len(block)
+            keys = designs.keys_without_designs(block) if isinstance(designs, StudyPlan) else [None] * len(block)
         key = keys[number % POINTS_TOGETHER]
         if key is not None and (row := rows.get(key)) is not None:
             # such a design has the timestep of the base, or a number
