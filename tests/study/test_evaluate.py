@@ -42,12 +42,12 @@ def test_torques_above_the_least_that_opens_do_not_run_and_the_others_keep_their
     assert bracket == {key: every[key] for key in keys[:2]}
 
 
-@pytest.mark.parametrize(("torques", "above"), [((0.8, 0.4, 0.6), [0]), ((0.8, 0.6, 0.4), []), ((0.4, 0.6, 0.8), [])])
-def test_falling_torques_all_count_although_a_smaller_one_succeeds(monkeypatch, torques, above):
+@pytest.mark.parametrize(("torques", "surplus"), [((0.8, 0.4, 0.6), [0]), ((0.8, 0.6, 0.4), []), ((0.4, 0.6, 0.8), [])])
+def test_falling_torques_all_count_although_a_smaller_one_succeeds(monkeypatch, torques, surplus):
     monkeypatch.setattr("forficula.study.running.runs.reached_goal", lambda _: True)
     designs = [with_values(SHORT, {"protocol.unfold_torque": torque}) for torque in torques]
     record = SimpleNamespace(structure=structure_of(SHORT))
-    assert Needless(designs).above(2, record) == above
+    assert Needless(designs).surplus(2, record) == surplus
 
 
 def test_tendons_with_and_without_branches_and_yield_are_evaluated_side_by_side():

@@ -59,7 +59,7 @@ def evaluate(
     """
     keys = [row_key(design, whole=whole) for design in designs]
     doubtful: dict[int, tuple[Row, Outcome, Design]] = {}
-    needless, above = Needless(designs), set[int]()
+    needless, surplus = Needless(designs), set[int]()
     for number, result in run_each(designs, threads, sparse=not whole, until_last=until_last):
         if isinstance(result, InputError):
             yield {"key": keys[number], **ending_row(Ending(verdict=Verdict.NOT_BUILT, why=str(result)))}
@@ -68,14 +68,14 @@ def evaluate(
         more = whole_row(result, outcome) if whole else {}
         margins = transition_margins(result, outcome)
         if until_last:
-            above.update(needless.above(number, result))
+            surplus.update(needless.surplus(number, result))
         row = {"key": keys[number], **_row(result, outcome, margins), **more}
         if needs_confirmation(result, outcome, margins):
             close = result.design.protocol.device is not None and _is_close(margins)
             doubtful[number] = row, outcome, in_double_precision(result.design) if close else result.design
         else:
             yield row
-    repeated = [item for number, item in doubtful.items() if number not in above]
+    repeated = [item for number, item in doubtful.items() if number not in surplus]
     halves = [half_step(design) for _, _, design in repeated]
     for number, result in run_each(halves, threads, sparse=True):
         row, outcome, design = repeated[number]

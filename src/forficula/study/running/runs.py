@@ -351,7 +351,7 @@ class Needless:
         chain = self._chain(number, record)
         return needless_trials(self._trials, chain, number, reached=reached_goal(record)) if chain else []
 
-    def above(self, number: int, record: Record) -> list[int]:
+    def surplus(self, number: int, record: Record) -> list[int]:
         """Return the numbers of the designs whose results do not count if one of them reached its state.
 
         They have larger strengths. If all strengths of a chain fall, every result counts, see `trial_chains`.
