@@ -126,16 +126,17 @@ def _steps_by_purpose(
 ) -> list[dict[str, Any]]:
     """Steps by what they were for, most first: the transition that a run tries, its value, its outcome, and the stage.
 
-    Repetitions at half the timestep have the outcome of the run that they repeat, and "again" before their stage.
+    Repetitions at half the timestep have the outcome of the run that they repeat, and "again" before their stage. The
+    outcome of a run without a row is unknown, because it does not count.
     """
     steps = _search(study).steps
     outcomes = {row["key"]: row["outcome"] for row in rows}
     total: Counter[tuple[str, float, str, str]] = Counter()
     for (name, stage), count in counts.items():
         design, again = designs[name], ""
-        if row_key(design) not in outcomes:
-            protocol = design.protocol.model_copy(update={"timestep": 2 * float(design.protocol.timestep)})
-            design, again = design.model_copy(update={"protocol": protocol}), "again: "
+        protocol = design.protocol.model_copy(update={"timestep": 2 * float(design.protocol.timestep)})
+        if row_key(repeated := design.model_copy(update={"protocol": protocol})) in outcomes:
+            design, again = repeated, "again: "
         driven = {drive for section in design.protocol.stages for drive in stage_drives(section)}
         step = next((step for step in reversed(steps) if step.drive in driven), steps[0])
         value = abs(float(str(key_value(design, step.key))))

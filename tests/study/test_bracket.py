@@ -136,6 +136,23 @@ def test_a_success_below_a_torque_that_stays_short_is_reported_and_all_torques_a
     assert len([design for design in run if design.protocol.fold_torque == GRID.reference]) < 6
 
 
+@pytest.mark.usefixtures("unchecked")
+def test_torques_above_one_whose_result_is_unknown_are_not_needed():
+    search = replace(BRACKET, second=replace(GRID.second, values=(0.1, 0.2, 0.3, 0.4, 0.5, 0.6)))
+    rows = {}
+
+    def add_rows(unfold_torques):
+        for key, run in search_designs(DESIGN, search, rows).items():
+            if run.protocol.fold_torque != GRID.reference or run.protocol.unfold_torque in unfold_torques:
+                rows[key] = {"key": key, **planted_row(run, above(0.0), above(0.3), (), (0.3,))}
+
+    add_rows(())
+    add_rows((0.2, 0.3))
+    assert search_designs(DESIGN, search, rows).keys() == rows.keys()
+    result = search_result(DESIGN, search, rows)
+    assert (result["least_unfold_torque"], result["verdict"]) == (None, "untrusted")
+
+
 @pytest.mark.usefixtures("checked")
 def test_a_checked_point_finds_a_success_below_a_torque_that_stays_short():
     result, _ = search_with(BRACKET, above(0.0), lambda torque: torque == 0.2)

@@ -4,6 +4,7 @@ import json
 import math
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import mujoco
 import pytest
@@ -15,7 +16,9 @@ from forficula.analysis.margin import transition_margins
 from forficula.design import with_values
 from forficula.dynamics import compile_model
 from forficula.errors import InputError
+from forficula.structure import structure_of
 from forficula.study.running.evaluate import evaluate, outcome_row, row_key
+from forficula.study.running.runs import Needless
 
 
 def test_torques_above_the_least_that_opens_do_not_run_and_the_others_keep_their_bits():
@@ -32,6 +35,19 @@ def test_torques_above_the_least_that_opens_do_not_run_and_the_others_keep_their
     assert [bool(row["opened"]) for row in tried] == [False, True]
     assert all(row == every[row["key"]] for row in tried)
     assert len(every) == 3
+    # a bracket begins with the largest torque: its verdict would be repeated at half the timestep, but decides nothing
+    keys = [row_key(design) for design in designs]
+    assert every[keys[2]]["confirmed"]
+    bracket = {row["key"]: row for row in evaluate([designs[2], *designs[:2]], until_last=True)}
+    assert bracket == {key: every[key] for key in keys[:2]}
+
+
+@pytest.mark.parametrize(("torques", "surplus"), [((0.8, 0.4, 0.6), [0]), ((0.8, 0.6, 0.4), []), ((0.4, 0.6, 0.8), [])])
+def test_falling_torques_all_count_although_a_smaller_one_succeeds(monkeypatch, torques, surplus):
+    monkeypatch.setattr("forficula.study.running.runs.reached_goal", lambda _: True)
+    designs = [with_values(SHORT, {"protocol.unfold_torque": torque}) for torque in torques]
+    record = SimpleNamespace(structure=structure_of(SHORT))
+    assert Needless(designs).surplus(2, record) == surplus
 
 
 def test_tendons_with_and_without_branches_and_yield_are_evaluated_side_by_side():

@@ -129,11 +129,14 @@ def _decided(tried: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
     or an empty row if nothing was tried.
     """
     for value, row in tried.items():
-        if not Verdict(row["verdict"]).conclusive and row.get(goal) is None:
-            return None, row
-        if row.get(goal):
-            return value, row
+        if _ends(row, goal):
+            return value if row.get(goal) else None, row
     return None, list(tried.values())[-1] if tried else {}
+
+
+def _ends(row: Row, goal: str) -> bool:
+    """Return whether a row decides a search from below: it reached the goal, or it is unknown whether it did."""
+    return bool(row.get(goal)) or (not Verdict(row["verdict"]).conclusive and row.get(goal) is None)
 
 
 def _reference(search: Search, row: Row) -> str:
@@ -318,11 +321,12 @@ def _needed(design: Design, search: Search, trials: _Trials) -> list[float]:
     A full scan tries every value of the first transition, because tables contain all of its outcomes, and rising values
     of the second one until one succeeds. A bracket tries falling values of the first transition until one stays short
     of its goal. Of the second transition it tries the largest value, and then halves the interval between the largest
-    value that stays short of its goal and the least one that succeeds. It tries all values of a point that is checked,
-    and of one where a value succeeded although a larger one stayed short.
+    value that stays short of its goal and the least one that succeeds or has an unknown result, which ends the search.
+    It tries all values of a point that is checked, and of one where a value succeeded although a larger one stayed
+    short.
     """
-    values, rows, first = trials.values, trials.rows, trials.step is search.first
-    success = next((place for place, value in enumerate(values) if rows.get(value, {}).get(trials.step.state)), None)
+    values, rows, first, goal = trials.values, trials.rows, trials.step is search.first, trials.step.state
+    success = next((place for place, value in enumerate(values) if rows.get(value, {}).get(goal)), None)
     checked = is_checked(design)
     if search.scan == "full" or checked or trials.violated:
         if first:
@@ -339,7 +343,8 @@ def _needed(design: Design, search: Search, trials: _Trials) -> list[float]:
         passed = any(_fails(rows[value], trials.step) for value in left[any(plain) :] if value in rows)
         return left if passed else left[::-1]
     failures = trials.failures
-    between = range(failures, len(values) if success is None else success)
+    end = next((place for place, value in enumerate(values) if value in rows and _ends(rows[value], goal)), len(values))
+    between = range(failures, end)
     unknown = [place for place in between if values[place] not in rows]
     if not any(_fails(rows[values[place]], trials.step) for place in between if values[place] in rows):
         largest = [place for place in unknown[-1:] if place == len(values) - 1]

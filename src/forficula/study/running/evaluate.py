@@ -25,7 +25,7 @@ from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.study.running.journal import SCHEMA, Row
-from forficula.study.running.runs import check_of, half_step, in_double_precision, reached_goal, run_each
+from forficula.study.running.runs import Needless, check_of, half_step, in_double_precision, reached_goal, run_each
 
 
 def row_key(design: Design, *, whole: bool = False) -> str:
@@ -48,14 +48,18 @@ def evaluate(
     by a small margin is repeated in double precision, too. `confirmed` is whether the verdicts agree; None if the run
     was not repeated. If they differ, the verdict is "undecided", and each margin is the smaller one.
 
+    If designs are tried one after another, a run that would have to be repeated has no row if a smaller strength of the
+    drive also reached the state: it does not decide the least strength.
+
     Args:
         designs: designs to run.
         threads: number of threads; 0 for one per core.
-        until_last: see `run_each`.
+        until_last: see `run_each`; designs that the result of another one makes needless have no rows.
         whole: whether to keep whole records, which the columns of `whole_row` need.
     """
     keys = [row_key(design, whole=whole) for design in designs]
-    doubtful: list[tuple[Row, Outcome, Design]] = []
+    doubtful: dict[int, tuple[Row, Outcome, Design]] = {}
+    needless, surplus = Needless(designs), set[int]()
     for number, result in run_each(designs, threads, sparse=not whole, until_last=until_last):
         if isinstance(result, InputError):
             yield {"key": keys[number], **ending_row(Ending(verdict=Verdict.NOT_BUILT, why=str(result)))}
@@ -63,15 +67,18 @@ def evaluate(
         outcome = measure(result)
         more = whole_row(result, outcome) if whole else {}
         margins = transition_margins(result, outcome)
+        if until_last:
+            surplus.update(needless.surplus(number, result))
         row = {"key": keys[number], **_row(result, outcome, margins), **more}
         if needs_confirmation(result, outcome, margins):
             close = result.design.protocol.device is not None and _is_close(margins)
-            doubtful.append((row, outcome, in_double_precision(result.design) if close else result.design))
+            doubtful[number] = row, outcome, in_double_precision(result.design) if close else result.design
         else:
             yield row
-    halves = [half_step(design) for _, _, design in doubtful]
+    repeated = [item for number, item in doubtful.items() if number not in surplus]
+    halves = [half_step(design) for _, _, design in repeated]
     for number, result in run_each(halves, threads, sparse=True):
-        row, outcome, design = doubtful[number]
+        row, outcome, design = repeated[number]
         yield row if isinstance(result, InputError) else _confirmed(row, outcome, design, result)
 
 

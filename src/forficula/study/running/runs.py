@@ -194,7 +194,7 @@ def run_each(
         _Attempt(number=number, design=design, halvings=0 if design.protocol.timestep == "auto" else None)
         for number, design in enumerate(designs)
     ]
-    needless = _Needless(designs)
+    needless = Needless(designs)
     while attempts:
         start = time.perf_counter()
         left = {attempt.number: attempt for attempt in attempts}
@@ -338,7 +338,7 @@ def _same_ending(before: Outcome, after: Outcome) -> bool:
     return same_ending(after.ending, check_of("", 0.0, before))
 
 
-class _Needless:
+class Needless:
     """Designs that the results of others make needless."""
 
     def __init__(self, designs: Sequence[Design]) -> None:
@@ -348,12 +348,26 @@ class _Needless:
 
     def after(self, number: int, record: Record) -> list[int]:
         """Return the numbers of the designs that the record of one of them makes needless."""
+        chain = self._chain(number, record)
+        return needless_trials(self._trials, chain, number, reached=reached_goal(record)) if chain else []
+
+    def surplus(self, number: int, record: Record) -> list[int]:
+        """Return the numbers of the designs whose results do not count if one of them reached its state.
+
+        They have larger strengths. If all strengths of a chain fall, every result counts, see `trial_chains`.
+        """
+        chain = self._chain(number, record)
+        strengths = [trial.strength for row in chain if (trial := self._trials[row]) is not None]
+        if strengths == sorted(strengths, reverse=True) or not reached_goal(record):
+            return []
+        return needless_trials(self._trials, chain, number, reached=True)
+
+    def _chain(self, number: int, record: Record) -> Sequence[int]:
+        """Return the chain of a design; empty if it does not belong to one."""
         if not self._trials:
             self._trials = [design_trial(design, record.structure) for design in self._designs]
             self._chains = {row: chain for chain in trial_chains(self._trials) for row in chain}
-        if number not in self._chains:
-            return []
-        return needless_trials(self._trials, self._chains[number], number, reached=reached_goal(record))
+        return self._chains.get(number, ())
 
 
 def reached_goal(record: Record) -> bool | None:
