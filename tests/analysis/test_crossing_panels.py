@@ -134,3 +134,12 @@ def test_the_deepest_crossing_is_found_between_the_rows_of_the_first_search(refe
     assert result.depth == panel_crossing(reference_run, near.tolist()).depth
     # docs/model/findings.md
     assert result.depth == pytest.approx(0.0237, abs=5e-4)
+
+
+def test_the_deepest_crossing_of_a_record_is_computed_once(reference_run, monkeypatch):
+    record = replace(reference_run)
+    first = panel_crossing(record)
+    monkeypatch.setattr("forficula.analysis.crossing_panels.crossing_depths", None)
+    assert panel_crossing(record) is first
+    with pytest.raises(TypeError):  # another record is searched
+        panel_crossing(replace(reference_run))

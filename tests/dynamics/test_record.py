@@ -1,6 +1,7 @@
 import math
 import subprocess
 import sys
+from dataclasses import replace
 
 import h5netcdf
 import numpy as np
@@ -75,7 +76,8 @@ def test_a_record_of_a_run_is_read_back_whole(tmp_path, short_run):
     save_record(short_run, tmp_path / "record.nc")
     back = load_record(tmp_path / "record.nc")
     xarray.testing.assert_identical(back.data.drop_attrs(deep=False), short_run.data)
-    assert back.stages == short_run.stages
+    # files do not contain whether a missed goal was met at some moment
+    assert back.stages == tuple(replace(end, met=None) for end in short_run.stages)
     assert ff.measure(back).energy_balance == ff.measure(short_run).energy_balance
 
 

@@ -1,9 +1,11 @@
 """Figures as files: acceptable to journals, the same bytes each time, with a description."""
 
+import io
 import os
 import re
 import subprocess
 import sys
+import zlib
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -12,6 +14,7 @@ import pytest
 from matplotlib import rc_context
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
+from matplotlib.font_manager import findfont
 from PIL import Image
 
 from forficula.errors import InputError
@@ -82,6 +85,24 @@ def test_a_pdf_embeds_its_fonts_as_truetype_and_has_the_text(tmp_path):
     box = re.search(rb"/MediaBox \[([^\]]*)\]", content)
     assert box is not None
     assert [float(side) for side in box[1].split()] == pytest.approx([0, 0, 72 * COLUMN_WIDTH, 144])
+
+
+def test_a_pdf_embeds_only_tables_that_draw_letters(tmp_path):
+    from fontTools.ttLib import TTFont
+
+    save_figure(drawn(), tmp_path / "a.pdf")
+    content = (tmp_path / "a.pdf").read_bytes()
+    streams = (zlib.decompress(part) for part in re.findall(rb"stream\n(.*?)\nendstream", content, re.DOTALL))
+    fonts = [TTFont(io.BytesIO(stream)) for stream in streams if stream.startswith(b"\x00\x01\x00\x00")]
+    # the minus sign is in a font of its own, because a simple font of a PDF has 256 letters
+    assert len(fonts) == 2
+    for font in fonts:
+        assert {"glyf", "hmtx", "loca"} <= set(font.keys())
+        assert not {"GDEF", "GPOS", "GSUB", "MATH", "kern"} & set(font.keys())
+    # the kept letters have the outlines of the whole font
+    with TTFont(findfont("DejaVu Sans")) as whole:
+        for name in ("a", "n", "g", "l", "e", "one"):
+            assert max(fonts, key=lambda font: len(font.getGlyphOrder()))["glyf"][name] == whole["glyf"][name]
 
 
 def test_an_svg_is_as_wide_as_a_column_and_says_what_it_shows(tmp_path):

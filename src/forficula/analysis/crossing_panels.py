@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 from typing import Annotated
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -20,6 +21,8 @@ from forficula.structure import Structure
 # rows examined per driven stage and per other stage, and then on both sides of the deepest crossing
 _DRIVEN, _OTHERS, _CLOSER = 32, 4, 16
 _TOGETHER = 64  # rows that are computed at once
+# deepest crossings of records in use: warnings, summary and page of a run all need them
+_KNOWN = WeakKeyDictionary["Record", "PanelCrossing | None"]()
 _SLIGHT, _ROUNDING = 1e-6, 1e-9  # shares of an edge's length below which panels only touch, and of numbers
 
 
@@ -82,6 +85,15 @@ def panel_crossing(record: Record, rows: Sequence[int] | None = None) -> PanelCr
     Returns:
         None for a structure without panels, a sparse record, and a run that diverged.
     """
+    if rows is not None:
+        return _crossing(record, rows)
+    if record not in _KNOWN:
+        _KNOWN[record] = _crossing(record, None)
+    return _KNOWN[record]
+
+
+def _crossing(record: Record, rows: Sequence[int] | None) -> PanelCrossing | None:
+    """Find the deepest crossing of panels; see `panel_crossing`."""
     if record.diverged_at is not None or "membrane_position" not in record.series:
         return None
     meshes = panel_meshes(record.structure)

@@ -144,7 +144,7 @@ class NumericalCheck:
     values: Annotated[Mapping[str, tuple[float, ...]], Written.NEVER]
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Record(Displayed):
     """Record of a run.
 

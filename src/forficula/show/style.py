@@ -35,6 +35,7 @@ _PLACES = 9  # decimals of a position in a figure, as a share of its size
 _LEAST_LETTERS = 8  # least letters per line of a legend
 _FILLED = 0.96  # share of the width that a legend may fill: at another resolution letters are slightly wider
 PICTURE_RESOLUTION = 400  # dots per inch, of pictures among lines: journals require 300 or more
+_LAYOUT_TABLES = ("GDEF", "GPOS", "GSUB", "MATH", "kern")  # of a font, as named by OpenType
 COPY_ENDINGS = (".svg", ".pdf")
 ENDINGS = (".png", *COPY_ENDINGS)
 # sub-folder of a folder of results that contains copies for papers
@@ -240,13 +241,34 @@ def save_figure(figure: Figure, path: Path) -> None:
                 from matplotlib.backends.backend_pdf import FigureCanvasPdf
 
                 metadata |= {"Subject": text, "Creator": "forficula", "CreationDate": None}
-                FigureCanvasPdf(figure).print_pdf(content, metadata=metadata)  # type: ignore[no-untyped-call]
+                with _fonts_without_layout():
+                    FigureCanvasPdf(figure).print_pdf(content, metadata=metadata)  # type: ignore[no-untyped-call]
     written = content.getvalue()
     if path.suffix == ".svg":
         # screen readers take the text from the root element; matplotlib writes it only into the metadata
         tags = f"</title>\n <desc>{escape(text, quote=False)}</desc>".encode()
         written = written.replace(b"<svg ", b'<svg role="img" ', 1).replace(b"</title>", tags, 1)
     write_bytes(path, written)
+
+
+@contextmanager
+def _fonts_without_layout() -> Iterator[None]:
+    """Embed fonts without their tables of ligatures, kerning and formulas, which took most of the time of a PDF file.
+
+    A PDF file has the position of every glyph, so that no viewer reads these tables.
+    """
+    from fontTools import subset
+
+    class Options(subset.Options):  # type: ignore[misc]
+        def __init__(self, **options: object) -> None:
+            super().__init__(**options)
+            self.drop_tables: list[str] = [*self.drop_tables, *_LAYOUT_TABLES]
+
+    usual, subset.Options = subset.Options, Options
+    try:
+        yield
+    finally:
+        subset.Options = usual
 
 
 def _lay_out(figure: Figure) -> None:
