@@ -88,11 +88,13 @@ def boundary_sentences(table: Dataset) -> list[str]:
         )
         pairs = [f"{first} | {second} ({count})" for (first, second), count in regions.boundaries.most_common()]
         sentences.append(f"Boundaries, with the number of their positions on edges: {', '.join(pairs)}.")
-    if regions.open_cells:
-        sentences.append(
-            f"Refinement stopped at {points} points (sampling.most_points). Boundaries in"
-            f" {counted(regions.open_cells, 'cell')} are not located to this width."
+    if regions.located.wanted:
+        consequence = (
+            f"Boundaries in {counted(regions.open_cells, 'cell')} are not located to this width."
+            if regions.open_cells
+            else "Some cells of the initial grid lack the points inside that reveal islands."
         )
+        sentences.append(f"Refinement stopped at {points} points (sampling.most_points). {consequence}")
     extents = largest_gap(plan, list(regions.labels))
     sizes = [_extent_text(extent, axis, table[axis.dimension]) for extent, axis in zip(extents, plan.axes, strict=True)]
     shape = {1: "interval", 2: "ellipse", 3: "ellipsoid"}[len(plan.axes)]

@@ -4,20 +4,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from itertools import groupby
 from pathlib import Path
 from statistics import median
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from forficula.errors import InputError
 from forficula.quantities import Unit, show_duration
 from forficula.serial import Seconds, Written
+from forficula.study.refine.rounds import refined_study
 from forficula.study.running.attempt_writer import study_mark
 from forficula.study.running.attempts import STALE, Attempt, attempts_in, file_clock
 from forficula.study.running.journal import journals, read_journal, shard_of
+from forficula.study.running.run_study import collect_points
 from forficula.study.study import Study
+
+if TYPE_CHECKING:
+    from xarray import Dataset
 
 PerSecond = Annotated[float, Unit("1/s")]
 
@@ -124,7 +130,8 @@ class StudyStatus:
 def study_status(study: Study, out: str | Path) -> StudyStatus:
     """Return the status of a study from the journals in a folder. The folder is not changed.
 
-    If the study was divided in several ways, the status is that of the division whose journals changed last.
+    If the study was divided in several ways, the status is that of the division whose journals changed last. That of a
+    study that locates boundaries counts the points whose positions follow from the stored rows.
 
     Args:
         study: the study.
@@ -133,7 +140,42 @@ def study_status(study: Study, out: str | Path) -> StudyStatus:
     Raises:
         InputError: the folder cannot be read.
     """
-    folder, mark = Path(out), study_mark(study)
+    folder = Path(out)
+    if study.boundaries is None:
+        return _status(study, folder)
+    done, study = _last_round(study, folder)
+    status = _status(study, folder)
+    shards = status.shards
+    if done and not shards:
+        points = len(study.points)
+        why = "no process has started the points that follow from those that are complete"
+        shards = (ShardStatus(number=1, state=ShardState.MISSING, points=points, why=why),)
+    # rounds are not divided into shards, apart from the first one
+    if len(shards) == 1:
+        (shard,) = shards
+        shards = (replace(shard, points=done + shard.points, points_done=done + shard.points_done),)
+    return replace(status, points=done + len(study.points), shards=shards)
+
+
+def _last_round(study: Study, folder: Path) -> tuple[int, Study]:
+    """Return the number of points of the complete rounds of a study that locates boundaries, and the round after them.
+
+    If all rounds are complete, the last one is returned.
+    """
+    rounds: list[Study] = []
+
+    def collected(part: Study) -> Dataset:
+        rounds.append(part)
+        return collect_points(part, folder)
+
+    with suppress(InputError):  # of the rows that are missing
+        refined_study(study, collected)
+    return sum(len(part.points) for part in rounds[:-1]), rounds[-1]
+
+
+def _status(study: Study, folder: Path) -> StudyStatus:
+    """Return the status of a study of fixed points; see `study_status`."""
+    mark = study_mark(study)
     paths: dict[tuple[int, int], list[_JournalFacts]] = {}
     for path in journals(folder):
         shard = shard_of(path)
