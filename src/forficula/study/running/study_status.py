@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated
 from forficula.errors import InputError
 from forficula.quantities import Unit, show_duration
 from forficula.serial import Seconds, Written
+from forficula.study.factors import MOST_VALUES
 from forficula.study.refine.rounds import refined_study
 from forficula.study.running.attempt_writer import study_mark
 from forficula.study.running.attempts import STALE, Attempt, attempts_in, file_clock
@@ -179,7 +180,7 @@ def _status(study: Study, folder: Path) -> StudyStatus:
     paths: dict[tuple[int, int], list[_JournalFacts]] = {}
     for path in journals(folder):
         shard = shard_of(path)
-        if shard is not None:
+        if shard is not None and 1 <= shard[0] <= shard[1] <= MOST_VALUES:
             paths.setdefault(shard, []).append(_facts(study, path, mark))
     latest = max(
         ((facts.changed, shard[1]) for shard, files in paths.items() for facts in files if facts.is_of_study),
