@@ -325,6 +325,8 @@ def test_the_status_counts_the_points_of_all_rounds(tmp_path, study_file, plante
     status = study_status(planted, tmp_path)
     assert (status.complete, status.points_done, status.points) == (False, 60, 118)
     assert "no process has started the points that follow" in status.shards[0].why
+    with pytest.raises(InputError, match="58 runs are missing; run the study without --collect"):
+        collect(planted, tmp_path)
     count = len(run_study(planted, tmp_path, cluster=rows).study.points)
     status = study_status(planted, tmp_path)
     assert (status.complete, status.points_done, status.points) == (True, count, count)

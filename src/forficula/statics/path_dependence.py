@@ -28,4 +28,4 @@ def refuse_path_dependence(structure: Structure, results: str) -> None:
         InputError: the rest states depend on what happened before.
     """
     if reason := path_dependence(structure):
-        raise InputError(f"{structure.name}: has no {results}, because {reason}; a run shows it")
+        raise InputError(f"{structure.name}: has no {results}, because {reason}; a run follows permanent folds")
