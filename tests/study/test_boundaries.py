@@ -319,6 +319,21 @@ def test_refinement_that_stops_before_the_points_inside_cells_says_so(tmp_path, 
     assert "Refinement stopped at 60 points (sampling.most_points). Some cells of the initial grid lack" in text
 
 
+def test_two_results_without_a_located_boundary_are_not_called_the_same(tmp_path, study_file):
+    tail = f"{REFINE}most_points = 2\nprobes = 0"
+    study = load_study(study_file('"tendon.stiffness" = ["1 N/cm", "600 N/cm"]', tail=tail))
+    text = " ".join(boundary_sentences(run_study(study, tmp_path, cluster=folds_if(soft)[0])))
+    assert "No boundary is located between the results of the points" in text
+    assert "the same result" not in text
+
+
+def test_a_grid_that_ran_in_shards_runs_again_as_a_whole(tmp_path, study_file, planted):
+    run_study(load_study(study_file(GRID)), tmp_path, shard=(1, 3), cluster=folds_if(soft)[0])
+    status = study_status(planted, tmp_path)
+    assert (len(status.shards), status.points_done, status.points) == (1, 20, 60)
+    assert (status.shards[0].state.value, status.run_again) == ("missing", "1")
+
+
 def test_the_status_counts_the_points_of_all_rounds(tmp_path, study_file, planted):
     rows, _ = folds_if(soft)
     run_study(load_study(study_file(GRID)), tmp_path, cluster=rows)

@@ -75,7 +75,9 @@ def boundary_sentences(table: Dataset) -> list[str]:
     if points > len(plan.initial_grid):
         counts.append(f"refinement placed {points - len(plan.initial_grid)}")
     sentences = [f"{points} points with {runs} runs locate the boundaries: {share}. {' and '.join(counts)}."]
-    if not regions.boundaries:
+    if not regions.boundaries and len(regions.words) > 1:
+        sentences.append(f"No boundary is located between the results of the points ({listed(regions.words)}).")
+    elif not regions.boundaries:
         sentences.append(f"No boundary was found: every point has the same result ({regions.words[0]}).")
     else:
         widths = listed([_width_text(axis, table[axis.dimension]) for axis in plan.axes], "or")

@@ -151,11 +151,26 @@ def study_status(study: Study, out: str | Path) -> StudyStatus:
         points = len(study.points)
         why = "no process has started the points that follow from those that are complete"
         shards = (ShardStatus(number=1, state=ShardState.MISSING, points=points, why=why),)
-    # rounds are not divided into shards, apart from the first one
-    if len(shards) == 1:
-        (shard,) = shards
-        shards = (replace(shard, points=done + shard.points, points_done=done + shard.points_done),)
+    if shards:
+        shards = (_undivided(shards, done),)
     return replace(status, points=done + len(study.points), shards=shards)
+
+
+def _undivided(shards: Sequence[ShardStatus], done: int) -> ShardStatus:
+    """Return the status of a round as that of one shard, although its points may have been those of several shards.
+
+    Args:
+        shards: status of every shard.
+        done: number of points of earlier rounds.
+    """
+    unfinished = [shard for shard in shards if shard.state is not ShardState.DONE]
+    running = [shard for shard in unfinished if shard.state is ShardState.RUNNING]
+    return replace(
+        (running or unfinished or shards)[0],
+        number=1,
+        points=done + sum(shard.points for shard in shards),
+        points_done=done + sum(shard.points_done for shard in shards),
+    )
 
 
 def _last_round(study: Study, folder: Path) -> tuple[int, Study]:
