@@ -12,12 +12,17 @@ import pytest
 
 import forficula as ff
 from forficula.analysis.strength import permanent_fold
-from forficula.design import design_from_text, with_values
+from forficula.design import design_from_text, load_design, with_values
 from forficula.dynamics import energy_balance, simulate
 from forficula.dynamics.engine.model import compile_model
 from forficula.errors import InputError
+from forficula.goals.outcome_quantity import quantity_of
+from forficula.goals.static_values import static_values
 from forficula.show.run.strength_rows import strength_rows
-from forficula.statics import quasi_static_path
+from forficula.statics import quasi_static_path, start_drag
+from forficula.statics.slow_margin import least_slow_torques
+from forficula.study.landscape_and_run import landscape_and_run
+from forficula.study.tables.static_map import map_study
 
 WIDTH = 0.02
 STIFFNESS, HARDENING, YIELD = 1.0 * WIDTH, 0.4 * WIDTH, 0.5 * WIDTH
@@ -141,6 +146,32 @@ def test_a_structure_whose_rest_depends_on_its_past_has_no_landscape():
         ff.landscape(strip("nodes"))
     with pytest.raises(InputError, match="strip: has no quasi-static path, because crease 0 folds permanently"):
         ff.quasi_static_path(strip("plates"))
+
+
+def folding_letter():
+    return with_values(load_design("letter-fold"), {"crease.yield_moment": 0.005})
+
+
+STATICS = {
+    "map": lambda design: map_study(design, {"crease.stiffness": ["1 N m/rad/m", "2 N m/rad/m"]}),
+    "least slow drives": lambda design: static_values(design, ["slow"]),
+    "least slow torques": lambda design: least_slow_torques([design]),
+    "quantities of statics": lambda _: quantity_of(folding_letter(), "slow_close"),
+    "point that can be dragged": lambda design: start_drag(design, 0),
+    "energy landscape": lambda design: landscape_and_run(design, simulation=True),
+}
+
+
+@pytest.mark.parametrize("result", STATICS)
+def test_statics_that_ignore_permanent_folds_are_refused(result):
+    with pytest.raises(InputError, match=f": has no {result}.*, because crease 0 folds permanently"):
+        STATICS[result](strip("plates"))
+
+
+def test_a_factor_that_lets_creases_fold_permanently_has_no_static_map():
+    design = with_values(strip("plates"), {"crease.yield_moment": None, "crease.hardening": None})
+    with pytest.raises(InputError, match="strip: has no map of slowly growing torques, because crease 0 folds perm"):
+        map_study(design, {"crease.yield_moment": ["0.1 N m/m", "0.2 N m/m"]})
 
 
 @pytest.mark.parametrize(

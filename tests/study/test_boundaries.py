@@ -15,6 +15,7 @@ from forficula.study.refine.boundary_plan import BoundaryPlan, LatticeAxis, read
 from forficula.study.refine.cells import locate
 from forficula.study.refine.planes import labels_between
 from forficula.study.refine.summary import boundary_map, boundary_sentences, largest_gap
+from forficula.study.running.study_status import study_status
 from tests.planted import folds_if, soft
 
 REFINE = '[sampling]\nmethod = "refine"\n'
@@ -312,6 +313,41 @@ def test_refinement_stops_at_the_largest_number_of_points_and_says_so(tmp_path, 
     assert "Refinement stopped at 80 points (sampling.most_points)" in " ".join(boundary_sentences(table))
 
 
+def test_refinement_that_stops_before_the_points_inside_cells_says_so(tmp_path, study_file):
+    study = load_study(study_file(GRID, tail=f"{REFINE}most_points = 60"))
+    table = run_study(study, tmp_path, cluster=folds_if(lambda *_: True)[0])
+    text = " ".join(boundary_sentences(table))
+    assert "Refinement stopped at 60 points (sampling.most_points). Some cells of the initial grid lack" in text
+
+
+def test_two_results_without_a_located_boundary_are_not_called_the_same(tmp_path, study_file):
+    tail = f"{REFINE}most_points = 2\nprobes = 0"
+    study = load_study(study_file('"tendon.stiffness" = ["1 N/cm", "600 N/cm"]', tail=tail))
+    text = " ".join(boundary_sentences(run_study(study, tmp_path, cluster=folds_if(soft)[0])))
+    assert "No boundary is located between the results of the points" in text
+    assert "the same result" not in text
+
+
+def test_a_grid_that_ran_in_shards_runs_again_as_a_whole(tmp_path, study_file, planted):
+    run_study(load_study(study_file(GRID)), tmp_path, shard=(1, 3), cluster=folds_if(soft)[0])
+    status = study_status(planted, tmp_path)
+    assert (len(status.shards), status.points_done, status.points) == (1, 20, 60)
+    assert (status.shards[0].state.value, status.run_again) == ("missing", "1")
+
+
+def test_the_status_counts_the_points_of_all_rounds(tmp_path, study_file, planted):
+    rows, _ = folds_if(soft)
+    run_study(load_study(study_file(GRID)), tmp_path, cluster=rows)
+    status = study_status(planted, tmp_path)
+    assert (status.complete, status.points_done, status.points) == (False, 60, 118)
+    assert "no process has started the points that follow" in status.shards[0].why
+    with pytest.raises(InputError, match="58 runs are missing; run the study without --collect"):
+        collect(planted, tmp_path)
+    count = len(run_study(planted, tmp_path, cluster=rows).study.points)
+    status = study_status(planted, tmp_path)
+    assert (status.complete, status.points_done, status.points) == (True, count, count)
+
+
 def test_without_a_boundary_only_the_grid_and_probes_run(tmp_path, planted):
     table = run_study(planted, tmp_path, cluster=folds_if(lambda *_: True)[0])
     assert len(table.study.points) == 60 + 45
@@ -336,6 +372,13 @@ def test_shards_of_a_study_of_boundaries_are_refused_with_the_remedy(tmp_path, p
         (GRID, 'width = { "tendon.stiffness" = "0 N/cm" }', "sampling.width.tendon.stiffness: need > 0"),
         (GRID, 'width = { "vein.diameter" = "1 mm" }', "sampling.width: need a key under [factors]"),
         (GRID, 'width = { "tendon.stiffness" = "1e-9 N/cm" }', "need at most 100000 values"),
+        (GRID, 'width = { "tendon.stiffness" = "1e-322 N/cm" }', "tendon.stiffness, got more than 1000000000"),
+        (
+            GRID,
+            f'logarithmic = ["tendon.stiffness"]\nwidth = {{ "tendon.stiffness" = "0.{16 * "0"}1 %" }}',
+            "sampling.width.tendon.stiffness: need at most 100000 values",
+        ),
+        (GRID, "divisions = 50000", "sampling.divisions: need at most 100000 values of tendon.stiffness, got 250001"),
         (GRID, 'logarithmic = ["tendon.rest_length"]', "sampling.logarithmic: needs values > 0"),
         (
             GRID,

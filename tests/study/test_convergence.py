@@ -130,6 +130,13 @@ def test_progress_counts_the_runs_whatever_meshes_they_have(short):
     assert seen == [(number, 2, {"verdict": Verdict.REACHED, "outcome": "folded"}) for number in (1, 2)]
 
 
+def test_a_device_that_this_computer_lacks_is_refused_in_one_line(monkeypatch, short):
+    monkeypatch.setattr("forficula.dynamics.gpu.device.find_spec", lambda _: object())
+    monkeypatch.setattr("forficula.dynamics.gpu.device._has_driver", lambda: False)
+    with pytest.raises(InputError, match=r'^protocol.device: need "cpu" on this computer.*, got "gpu"$'):
+        converge(with_values(short, {"protocol.device": "gpu"}), TIMESTEP, [1e-4, 2e-4])
+
+
 def test_a_timestep_that_diverges_is_too_long(short):
     result = converge(with_values(short, {"protocol.timestep": 5e-3}), TIMESTEP, [5e-3, 2e-4])
     assert result.fine is False

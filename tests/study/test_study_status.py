@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -115,6 +116,20 @@ def test_a_damaged_shard_is_listed_runs_again_and_the_table_is_complete(study, o
     assert study_status(study, out).complete
     assert collect(study, out).identical(table)
     capsys.readouterr()
+
+
+@pytest.mark.parametrize("value", ['"many"', "null", "-4", "1e400", "true"])
+def test_damaged_numbers_of_a_process_are_ignored(study, out, value):
+    text = journal(out, 1).read_text()
+    journal(out, 1).write_text(re.sub(r'"(seconds|points|stored)": [\d.]+', rf'"\1": {value}', text))
+    shard = study_status(study, out).shards[0]
+    assert (shard.state.value, shard.points_done, shard.rate) == ("failed", 0, None)
+
+
+@pytest.mark.parametrize("name", ["journal-0-of-0.jsonl", "journal-5-of-3.jsonl", "journal-1-of-1000000000.jsonl"])
+def test_journals_of_impossible_shards_are_ignored(study, out, name):
+    (out / name).write_bytes(journal(out, 1).read_bytes())
+    assert states(study, out) == ["done", "done", "done"]
 
 
 def test_rows_that_were_written_twice_count_once(study, out):

@@ -17,6 +17,7 @@ from forficula.design import Design, FanDesign, JointDesign, SheetDesign, stage_
 from forficula.dynamics import Record
 from forficula.quantities import show_value
 from forficula.statics.net.net_of import is_net
+from forficula.statics.path_dependence import path_dependence
 from forficula.statics.slow_margin import LARGEST_TORQUE_FACTOR, least_slow_torques
 from forficula.structure import (
     Structure,
@@ -204,15 +205,18 @@ def least_torque(design: Design, structure: Structure, transition: Transition) -
 
     Returns:
         nan if no such torque makes it; None if the drive is not a torque, if the hinges do not form a tree, or if
-        hinges have dry friction.
+        hinges have dry friction or fold permanently.
     """
     return _least_torques([design], transition)[0] if _turned_slowly(structure, transition) else None
 
 
 def _turned_slowly(structure: Structure, transition: Transition) -> bool:
-    """Return whether statics can compute the least torque of a transition: torques on a tree without dry friction."""
+    """Return whether statics can compute the least torque of a transition.
+
+    It can for torques on a tree without dry friction and permanent folds.
+    """
     drive = drive_of(structure, transition.drive)
-    if any(hinge.friction for hinge in structure.hinges):
+    if any(hinge.friction for hinge in structure.hinges) or path_dependence(structure):
         return False
     return not is_net(structure) and drive_unit(structure, drive) == "N m" and bool(drive.strength)
 

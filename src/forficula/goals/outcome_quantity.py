@@ -8,10 +8,11 @@ from typing import Literal
 
 from forficula.design import Design, key_quantity, key_value
 from forficula.design.section import LENGTH, MASS, TIME, TORQUE
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.names import near_name
 from forficula.quantities import Unit
 from forficula.serial import unit_suffix
+from forficula.statics.path_dependence import refuse_path_dependence
 from forficula.structure import Structure, Transition, distances_of, drive_of, drive_unit, first_state, structure_of
 from forficula.study.files.search_file import read_search
 
@@ -109,10 +110,13 @@ def quantity_of(design: Design, name: str) -> OutcomeQuantity:
     """Return a quantity of a design by its name, or by a key of the design whose value has a unit.
 
     Raises:
-        InputError: unknown name; the message has a similar one.
+        InputError: unknown name; the message has a similar one. Or statics cannot compute the quantity of this design.
     """
     known = quantities_of(design)
     if name in known:
+        if known[name].source in ("hinges", "fold", "slow"):
+            with error_prefix(f"{name}: "):
+                refuse_path_dependence(structure_of(design), "quantities of statics")
         return known[name]
     if "." in name:
         key_unit = key_quantity(name, type(design))

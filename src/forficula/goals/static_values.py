@@ -7,6 +7,7 @@ from collections.abc import Collection
 from forficula.analysis.package import flat_package
 from forficula.design import Design
 from forficula.goals.outcome_quantity import Source
+from forficula.statics.path_dependence import refuse_path_dependence
 from forficula.statics.survey import slow_drives
 from forficula.statics.tree.equilibrium import barrier_between
 from forficula.statics.tree.fold_path import fold_path
@@ -31,7 +32,7 @@ def static_values(design: Design, sources: Collection[Source]) -> Values:
         None for a value that does not exist, such as the barrier without a second stable state.
 
     Raises:
-        InputError: the design cannot be built.
+        InputError: the design cannot be built, or a crease folds permanently and a source depends on rest states.
     """
     structure, values = structure_of(design), Values()
     if "parts" in sources:
@@ -40,6 +41,8 @@ def static_values(design: Design, sources: Collection[Source]) -> Values:
         folded = flat_package(structure)
         values["folding_ratio"] = None if folded is None else folded.folding_ratio
         values["folded_height"] = None if folded is None else folded.height
+    if "hinges" in sources or "fold" in sources:
+        refuse_path_dependence(structure, "barriers and holding torques")
     if "hinges" in sources:
         values |= _hinges(structure)
     if "fold" in sources and structure.rigid_fold is not None:

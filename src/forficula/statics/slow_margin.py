@@ -8,6 +8,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.design import Design
+from forficula.statics.path_dependence import refuse_path_dependence
 from forficula.statics.tree.potential import Ensemble, ensemble_of
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
@@ -35,8 +36,12 @@ def least_slow_torques(designs: Sequence[Design], names: Collection[str] | None 
     Returns:
         Torques by transition, each from the state to which the one before leads, N m, (design,); nan if no torque makes
         the transition, or if the protocol does not drive it or it is not requested.
+
+    Raises:
+        InputError: a crease folds permanently.
     """
     structures = ensemble_of(designs)
+    refuse_path_dependence(structures.structure, "least slow torques")
     transitions = structures.structure.transitions
     start = start_state(structures).position
     wanted = [

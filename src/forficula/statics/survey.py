@@ -16,6 +16,7 @@ from forficula.statics.net.driven.net_path import net_path
 from forficula.statics.net.driven.net_rest import net_rest_path
 from forficula.statics.net.net_landscape import Progress, net_landscape, slow_courses
 from forficula.statics.net.net_of import is_net
+from forficula.statics.path_dependence import path_dependence, refuse_path_dependence
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
 from forficula.statics.tree.potential import ensemble
 from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
@@ -67,10 +68,7 @@ def energy_landscape(design: AnyDesign, points: int = 181, progress: Progress = 
     """
     design = as_design(design)
     structure = structure_of(design)
-    if reason := _history(structure):
-        raise InputError(
-            f"{structure.name}: has no energy landscape, because {reason}; a run, or its fold path, shows it"
-        )
+    refuse_path_dependence(structure, "energy landscape")
     if is_net(structure):
         return net_landscape(design, structure, progress)
     return tree_landscape(design, structure, points)
@@ -106,7 +104,7 @@ def quasi_static_path(
         raise InputError(f"error: need a number above 0 and up to 1, got {error}")
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
     drive, made = _driven_transition(structure, transition)
-    reason = _history(structure)
+    reason = path_dependence(structure)
     if reason and not is_net(structure):
         raise InputError(f"{structure.name}: has no quasi-static path, because {reason}, and its facets are rigid")
     if reason and any(
@@ -119,15 +117,6 @@ def quasi_static_path(
     if is_net(structure):
         return net_path(structure, drive, made, error=error, near=near, follow=follow)
     return tree_path(structure, drive, made, error=error, near=near, follow=follow)
-
-
-def _history(structure: Structure) -> str:
-    """Return why the rest states of a structure depend on what happened before, as a clause; empty if they do not."""
-    yielding = next((hinge for hinge in structure.hinges if math.isfinite(hinge.yield_angle)), None)
-    if yielding is None:
-        return ""
-    name = yielding.label or yielding.name
-    return f"{name} folds permanently, so that where it rests depends on how it was folded before"
 
 
 def stage_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) -> RestPath:
@@ -168,7 +157,7 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
         return "the law of a tendon has Maxwell branches, whose force depends on time"
     if any(law.yield_extension is not None for law in laws):
         return "a tendon yields, and statics ignores permanent extensions"
-    if reason := _history(structure):
+    if reason := path_dependence(structure):
         return reason
     if structure.contact is not None:
         return "statics ignores contact"
@@ -201,9 +190,11 @@ def start_drag(
         transition: name of the transition whose drive acts; as for `quasi_static_path`.
 
     Raises:
-        InputError: the design cannot be built, there is no such transition or place, or the point cannot move.
+        InputError: the design cannot be built, there is no such transition or place, the point cannot move, or a crease
+            folds permanently.
     """
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
+    refuse_path_dependence(structure, "point that can be dragged")
     if transition is None and not any(any(drive.strengths) for drive in structure.drives):
         shares = tuple(0.0 for _ in structure.motors)
         drive, made = Drive(name="none", shares=shares, rise=0.0, key="", strength=0.0), None
@@ -229,7 +220,12 @@ def _driven_transition(structure: Structure, name: str | None) -> tuple[Drive, T
 
 
 def slow_drives(structure: Structure) -> dict[str, SlowDrive]:
-    """Compute the least slowly growing drive of every transition, by name, each from the end of the one before."""
+    """Compute the least slowly growing drive of every transition, by name, each from the end of the one before.
+
+    Raises:
+        InputError: a crease folds permanently.
+    """
+    refuse_path_dependence(structure, "least slow drives")
     if is_net(structure):
         courses = {course.name: course for course in slow_courses(structure)}
         return {

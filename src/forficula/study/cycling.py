@@ -13,6 +13,7 @@ from forficula.errors import InputError
 from forficula.material.law.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
 from forficula.material.law.material_law import MaterialLaw
 from forficula.results import Result, pandas_module
+from forficula.statics.path_dependence import refuse_path_dependence
 from forficula.statics.slow_margin import least_slow_torques, margin
 from forficula.structure import Structure, Transition, built_strains, drive_of, structure_of
 from forficula.study.running.evaluate import evaluate, row_key
@@ -201,10 +202,12 @@ def check_cycles(design: Design, last: int) -> None:
     """Reject a design that cannot be cycled, before runs that take a while.
 
     Raises:
-        InputError: the protocol drives no transition, the last cycle is not >= 1, or tendons have several materials.
+        InputError: the protocol drives no transition, the last cycle is not >= 1, tendons have several materials, or a
+            crease folds permanently.
     """
     cycle_counts(last)
     structure = structure_of(design)
+    refuse_path_dependence(structure, "least slow torques")
     if _strained(structure):
         _material(structure)
     if not driven_transitions(structure):

@@ -9,6 +9,8 @@ from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.dynamics.stepping.simulate import Progress
 from forficula.statics import EnergyLandscape, energy_landscape
+from forficula.statics.path_dependence import refuse_path_dependence
+from forficula.structure import structure_of
 from forficula.study.running.runs import run
 
 
@@ -27,5 +29,6 @@ def landscape_and_run(
         progress: progress callback of the run, which comes first.
         steps: called with a text for each step of the survey.
     """
+    refuse_path_dependence(structure_of(design), "energy landscape")  # before the run, which takes longer
     record = run(finely_sampled(design), progress) if simulation else None
     return energy_landscape(design, progress=steps), record

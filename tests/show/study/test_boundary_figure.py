@@ -50,6 +50,14 @@ def test_a_marker_is_drawn_for_every_point_and_none_for_a_position_without_one(t
     assert sorted(drawn.round(6).tolist()) == sorted(points.round(6).tolist())
 
 
+def test_a_map_of_two_points_has_a_region(refined):
+    table = refined('"tendon.stiffness" = ["60 N/cm", "70 N/cm"]', "most_points = 2")
+    (axes,) = draw_boundary_map(table).axes
+    (region,) = collections(axes, PolyCollection)[0].get_paths()
+    assert region.vertices[:, 0].min() == pytest.approx(60)
+    assert region.vertices[:, 0].max() == pytest.approx(70)
+
+
 def test_the_boundary_line_is_where_the_outcome_changes(table):
     (axes,) = draw_boundary_map(table).axes
     (lines,) = collections(axes, LineCollection)

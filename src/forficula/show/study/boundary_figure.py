@@ -272,7 +272,9 @@ def _factor(table: Dataset, regions: BoundaryMap, index: int) -> DataArray:
 
 def _shown(factor: DataArray, axis: LatticeAxis, places: Array) -> Array:
     """Return the values at places in the display unit."""
-    return np.asarray(display_values(factor.copy(data=np.resize(axis.at(places), factor.shape)))[0][: len(places)])
+    from xarray import DataArray
+
+    return np.asarray(display_values(DataArray(axis.at(places), attrs=factor.attrs))[0])
 
 
 def _place_text(factor: DataArray, axis: LatticeAxis, place: int) -> str:

@@ -12,12 +12,12 @@ import numpy as np
 from forficula.analysis import Verdict
 from forficula.arrays import Array, Flags
 from forficula.design import Design, with_values
-from forficula.dynamics import Model, compile_model
+from forficula.dynamics import Model, check_available, check_device, compile_model
 from forficula.dynamics.stepping.simulate import simulate_each
 from forficula.errors import InputError
 from forficula.quantities import as_written
 from forficula.results import Result, pandas_module
-from forficula.statics.survey import stage_rest_path
+from forficula.statics.survey import check_quasi_static, stage_rest_path
 from forficula.study.convergence.observed_order import OrderFit, fit_order
 from forficula.study.convergence.refinement import (
     MESH,
@@ -154,6 +154,11 @@ def compare_models(
     progress: Progress | None = None,
 ) -> Convergence:
     """Do the same as `converge` with compiled models, one for each value, in the order of the values."""
+    for model in models:
+        if model.design.protocol.device is not None:
+            check_available(model.design.protocol.device)
+        check_device(model)
+        check_quasi_static(model.structure, model.design.protocol)
     runs, rows = _run_all(models, hinge, progress), tuple(_row_count(model) for model in models)
     own_index = list(values).index(design_value)
     transitions = models[own_index].structure.transitions

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal
@@ -250,8 +251,10 @@ def _boundaries(file: StudyFile, factors: tuple[Factor, ...], base: Design, sear
     )
     plan = BoundaryPlan(axes=axes, boundary=sampling.boundary, probes=sampling.probes, most_points=sampling.most_points)
     _check_boundary(plan, base, search)
-    if (count := len(plan.initial_grid)) > plan.most_points:
-        raise InputError(f"sampling.most_points: need at least the {count} points of the initial grid")
+    if (count := math.prod(len(axis.grid) for axis in axes)) > plan.most_points:
+        raise InputError(
+            f"sampling.most_points: need at least the {count} points of the initial grid, got {plan.most_points}"
+        )
     return plan
 
 

@@ -18,6 +18,8 @@ from forficula.study.refine.boundary_plan import LatticeAxis, Position
 DIVISIONS = 10
 _MOST_GRID_VALUES = 500
 _MOST_VALUES = 100_000
+# largest number of steps in an interval that is counted
+_MOST_COUNTED = 1_000_000_000
 _TEXT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\D.*?)\s*", re.S)
 
 
@@ -55,13 +57,15 @@ def read_axis(
     if width is None:
         steps = [divisions] * (len(grid) - 1)
     elif logarithmic:
-        ratio = 1 + _share(factor.key, width)
-        steps = [_count(math.log(second / first), math.log(ratio)) for first, second in pairwise(grid)]
+        step = math.log1p(_share(factor.key, width))
+        steps = [_count(math.log(second / first), step) for first, second in pairwise(grid)]
     else:
         step = _step(factor, width)
         steps = [_count(second - first, step) for first, second in pairwise(grid)]
     if sum(steps) >= _MOST_VALUES:
-        raise InputError(f"sampling.width.{factor.key}: need at most {_MOST_VALUES} values, got {sum(steps) + 1}")
+        key = f"width.{factor.key}" if width is not None else "divisions"
+        got = f"{sum(steps) + 1:.0f}" if max(steps) < _MOST_COUNTED else f"more than {_MOST_COUNTED}"
+        raise InputError(f"sampling.{key}: need at most {_MOST_VALUES} values of {factor.key}, got {got}")
     axis = LatticeAxis(dimension=factor.dimension, grid=grid, steps=tuple(steps), logarithmic=logarithmic)
     if _is_whole(factor, base) and any(round(value) != value for value in axis.values.tolist()):
         raise InputError(f"sampling.width: {factor.key} needs steps between whole numbers; give a width of whole steps")
@@ -137,7 +141,7 @@ def _is_whole(factor: Factor, base: Design) -> bool:
 
 def _count(interval: float, step: float) -> int:
     """Return the least number of equal steps in an interval that do not exceed a step."""
-    return max(1, math.ceil(interval / step * (1 - 1e-9)))
+    return max(1, math.ceil(min(interval / step * (1 - 1e-9), _MOST_COUNTED)))
 
 
 def _step(factor: Factor, width: object) -> float:

@@ -75,7 +75,9 @@ def boundary_sentences(table: Dataset) -> list[str]:
     if points > len(plan.initial_grid):
         counts.append(f"refinement placed {points - len(plan.initial_grid)}")
     sentences = [f"{points} points with {runs} runs locate the boundaries: {share}. {' and '.join(counts)}."]
-    if not regions.boundaries:
+    if not regions.boundaries and len(regions.words) > 1:
+        sentences.append(f"No boundary is located between the results of the points ({listed(regions.words)}).")
+    elif not regions.boundaries:
         sentences.append(f"No boundary was found: every point has the same result ({regions.words[0]}).")
     else:
         widths = listed([_width_text(axis, table[axis.dimension]) for axis in plan.axes], "or")
@@ -88,11 +90,13 @@ def boundary_sentences(table: Dataset) -> list[str]:
         )
         pairs = [f"{first} | {second} ({count})" for (first, second), count in regions.boundaries.most_common()]
         sentences.append(f"Boundaries, with the number of their positions on edges: {', '.join(pairs)}.")
-    if regions.open_cells:
-        sentences.append(
-            f"Refinement stopped at {points} points (sampling.most_points). Boundaries in"
-            f" {counted(regions.open_cells, 'cell')} are not located to this width."
+    if regions.located.wanted:
+        consequence = (
+            f"Boundaries in {counted(regions.open_cells, 'cell')} are not located to this width."
+            if regions.open_cells
+            else "Some cells of the initial grid lack the points inside that reveal islands."
         )
+        sentences.append(f"Refinement stopped at {points} points (sampling.most_points). {consequence}")
     extents = largest_gap(plan, list(regions.labels))
     sizes = [_extent_text(extent, axis, table[axis.dimension]) for extent, axis in zip(extents, plan.axes, strict=True)]
     shape = {1: "interval", 2: "ellipse", 3: "ellipsoid"}[len(plan.axes)]

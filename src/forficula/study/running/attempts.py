@@ -7,6 +7,7 @@ of the file system.
 
 from __future__ import annotations
 
+import math
 import os
 import tempfile
 import time
@@ -53,17 +54,27 @@ class Attempt:
 def attempts_in(entries: Iterable[Mapping[str, Any]]) -> list[Attempt]:
     """Return the attempts that entries of a journal describe, in the order of their starts; other entries are ignored.
 
+    Damaged values are ignored, too.
+
     Args:
         entries: lines of a journal. The entries of two processes may be mixed.
     """
-    names = {field.name for field in fields(Attempt)}
+    names = {field.name: field.default for field in fields(Attempt)}
     attempts: dict[str, Attempt] = {}
     for entry in entries:
         facts = entry.get(KEY)
         if isinstance(facts, dict) and isinstance(name := facts.get("name"), str):
-            known = {key: value for key, value in facts.items() if key in names}
+            known = {key: value for key, value in facts.items() if key in names and _is_valid(value, names[key])}
             attempts[name] = replace(attempts.get(name, Attempt()), **known)
     return list(attempts.values())
+
+
+def _is_valid(value: object, default: object) -> bool:
+    """Return whether a value of an entry may be that of a field with a default."""
+    if isinstance(default, bool | str):
+        return isinstance(value, type(default))
+    kinds = int if isinstance(default, int) else int | float
+    return isinstance(value, kinds) and not isinstance(value, bool) and 0 <= value < math.inf
 
 
 def file_clock(folder: Path) -> float:

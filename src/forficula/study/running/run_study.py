@@ -189,7 +189,8 @@ def collect_points(study: Study, out: str | Path, building: Building | None = No
             break
     if keys:
         number = f"more than {_MOST_COUNTED}" if len(keys) > _MOST_COUNTED else len(keys)
-        raise InputError(f"{folder}: {number} runs are missing; run the remaining shards, then collect")
+        remedy = "run the remaining shards" if study.boundaries is None else "run the study without --collect"
+        raise InputError(f"{folder}: {number} runs are missing; {remedy}, then collect")
     table = build_table(study, plan, rows)
     if study.boundaries is not None:
         table.attrs["point_runs"] = len(_known(study, plan, rows))

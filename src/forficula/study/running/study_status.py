@@ -4,20 +4,27 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from itertools import groupby
 from pathlib import Path
 from statistics import median
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from forficula.errors import InputError
 from forficula.quantities import Unit, show_duration
 from forficula.serial import Seconds, Written
+from forficula.study.factors import MOST_VALUES
+from forficula.study.refine.rounds import refined_study
 from forficula.study.running.attempt_writer import study_mark
 from forficula.study.running.attempts import STALE, Attempt, attempts_in, file_clock
 from forficula.study.running.journal import journals, read_journal, shard_of
+from forficula.study.running.run_study import collect_points
 from forficula.study.study import Study
+
+if TYPE_CHECKING:
+    from xarray import Dataset
 
 PerSecond = Annotated[float, Unit("1/s")]
 
@@ -124,7 +131,8 @@ class StudyStatus:
 def study_status(study: Study, out: str | Path) -> StudyStatus:
     """Return the status of a study from the journals in a folder. The folder is not changed.
 
-    If the study was divided in several ways, the status is that of the division whose journals changed last.
+    If the study was divided in several ways, the status is that of the division whose journals changed last. That of a
+    study that locates boundaries counts the points whose positions follow from the stored rows.
 
     Args:
         study: the study.
@@ -133,11 +141,61 @@ def study_status(study: Study, out: str | Path) -> StudyStatus:
     Raises:
         InputError: the folder cannot be read.
     """
-    folder, mark = Path(out), study_mark(study)
+    folder = Path(out)
+    if study.boundaries is None:
+        return _status(study, folder)
+    done, study = _last_round(study, folder)
+    status = _status(study, folder)
+    shards = status.shards
+    if done and not shards:
+        points = len(study.points)
+        why = "no process has started the points that follow from those that are complete"
+        shards = (ShardStatus(number=1, state=ShardState.MISSING, points=points, why=why),)
+    if shards:
+        shards = (_undivided(shards, done),)
+    return replace(status, points=done + len(study.points), shards=shards)
+
+
+def _undivided(shards: Sequence[ShardStatus], done: int) -> ShardStatus:
+    """Return the status of a round as that of one shard, although its points may have been those of several shards.
+
+    Args:
+        shards: status of every shard.
+        done: number of points of earlier rounds.
+    """
+    unfinished = [shard for shard in shards if shard.state is not ShardState.DONE]
+    running = [shard for shard in unfinished if shard.state is ShardState.RUNNING]
+    return replace(
+        (running or unfinished or shards)[0],
+        number=1,
+        points=done + sum(shard.points for shard in shards),
+        points_done=done + sum(shard.points_done for shard in shards),
+    )
+
+
+def _last_round(study: Study, folder: Path) -> tuple[int, Study]:
+    """Return the number of points of the complete rounds of a study that locates boundaries, and the round after them.
+
+    If all rounds are complete, the last one is returned.
+    """
+    rounds: list[Study] = []
+
+    def collected(part: Study) -> Dataset:
+        rounds.append(part)
+        return collect_points(part, folder)
+
+    with suppress(InputError):  # of the rows that are missing
+        refined_study(study, collected)
+    return sum(len(part.points) for part in rounds[:-1]), rounds[-1]
+
+
+def _status(study: Study, folder: Path) -> StudyStatus:
+    """Return the status of a study of fixed points; see `study_status`."""
+    mark = study_mark(study)
     paths: dict[tuple[int, int], list[_JournalFacts]] = {}
     for path in journals(folder):
         shard = shard_of(path)
-        if shard is not None:
+        if shard is not None and 1 <= shard[0] <= shard[1] <= MOST_VALUES:
             paths.setdefault(shard, []).append(_facts(study, path, mark))
     latest = max(
         ((facts.changed, shard[1]) for shard, files in paths.items() for facts in files if facts.is_of_study),

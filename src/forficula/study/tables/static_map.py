@@ -14,6 +14,7 @@ from forficula.design import TORQUE, Design, check_keys_once, key_value
 from forficula.design.section import Section
 from forficula.errors import InputError
 from forficula.statics.net.net_of import is_net
+from forficula.statics.path_dependence import refuse_path_dependence
 from forficula.statics.tree.lines import line_energy
 from forficula.statics.tree.potential import Ensemble, ensemble_of
 from forficula.statics.tree.quasi_static import at_goal, slow_transition, start_state, state_after
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     import xarray
 
 
+_RESULT = "map of slowly growing torques"
 # about 50 ms each
 _MOST_POINTS = 100_000
 # larger batches are hardly faster, but report progress less often
@@ -53,6 +55,7 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
             f"{design.name}: maps of slowly growing torques need bodies on joints in a tree, got points that slide or"
             " plates in loops; a study (forficula study) runs them over any key"
         )
+    refuse_path_dependence(structure_of(design), _RESULT)
     check_keys_once(over, design)
     factors = tuple(read_factor(key, values, type(design)) for key, values in over.items())
     count = math.prod(len(factor.values) for factor in factors)
@@ -67,6 +70,8 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
             )
         if factor.distribution is not None:
             raise InputError(f'{factor.key}: need a list or a range such as "10..60 N/cm step 10", got a distribution')
+    # a factor may let creases fold permanently
+    refuse_path_dependence(structure_of(point_design(design, grid_points(factors)[0])), _RESULT)
     return Study(
         name=f"{design.name}-statics",
         source="",
@@ -162,6 +167,7 @@ def _states(search: Search) -> tuple[str, str]:
 def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | str]]:
     """Return rows of designs that are computed side by side."""
     structures = ensemble_of(designs)
+    refuse_path_dependence(structures.structure, _RESULT)
     transitions = {transition.name: transition for transition in structures.structure.transitions}
     before, after = _states(search)
     position, rests = start_state(structures).position, np.ones(structures.cases, dtype=bool)

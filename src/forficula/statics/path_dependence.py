@@ -1,0 +1,31 @@
+"""Structures whose rest states depend on how they were folded before; most results of statics exclude them."""
+
+from __future__ import annotations
+
+import math
+
+from forficula.errors import InputError
+from forficula.structure import Structure
+
+
+def path_dependence(structure: Structure) -> str:
+    """Return why the rest states of a structure depend on what happened before, as a clause; empty if they do not."""
+    yielding = next((hinge for hinge in structure.hinges if math.isfinite(hinge.yield_angle)), None)
+    if yielding is None:
+        return ""
+    name = yielding.label or yielding.name
+    return f"{name} folds permanently, so that where it rests depends on how it was folded before"
+
+
+def refuse_path_dependence(structure: Structure, results: str) -> None:
+    """Refuse a structure whose rest states depend on what happened before.
+
+    Args:
+        structure: the structure.
+        results: results of statics that such a structure lacks, such as "energy landscape".
+
+    Raises:
+        InputError: the rest states depend on what happened before.
+    """
+    if reason := path_dependence(structure):
+        raise InputError(f"{structure.name}: has no {results}, because {reason}; a run follows permanent folds")
