@@ -45,7 +45,7 @@ def test_the_result_of_falling_values_is_called_the_largest(study_file, values, 
     written = values if values.startswith("[") else f'"{values}"'
     search = f'[search]\nkey = "tendon.stiffness"\nvalues = {written}'
     step = load_study(study_file(LENGTHS, 'ask = "least-value"', search)).search.first
-    assert step.result_name == f"{extreme}_tendon_stiffness".replace("tendon_", "")
+    assert step.result_name == f"{extreme}_stiffness"
 
 
 @pytest.mark.parametrize(
