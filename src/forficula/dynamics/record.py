@@ -8,7 +8,7 @@ import json
 import math
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from functools import cache, cached_property
 from importlib import metadata
 from pathlib import Path
@@ -117,7 +117,7 @@ class StageEnd:
     waited: float = 0.0
     share: float | None = None
     lost: tuple[float, ...] = ()
-    met: bool | None = None
+    met: bool | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, kw_only=True)
