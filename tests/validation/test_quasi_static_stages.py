@@ -54,7 +54,7 @@ def test_a_snap_in_a_slow_stage_dissipates_what_the_torque_and_the_tendon_releas
     end, angle = opened.stages[3], -opened.series["hinge_angle"][:, 0]
     before, after = row_at(opened, end.start), row_at(opened, end.end)
     lost = sum(opened.series[f"{name}_work"] for name in ("hinge_damping", "stop"))
-    # the snap begins slowly, so the excess of the torque over the lost one, 1e-4 at first, doubles until the joint moves
+    # the snap begins slowly: the excess of the torque over the lost one, 1e-4 at first, doubles until the joint moves
     torque, turn, dissipated = end.share * STRENGTH, peak() - angle[after], lost[before] - lost[after]
     assert 0 < torque / moment(peak()) - 1 < 1e-3
     # in the simulation, the stop yields by 0.07 deg
