@@ -84,7 +84,7 @@ def test_a_stage_with_a_list_of_drives_says_all_of_them():
     fold = record.stages[1].stage.model_copy(update={"drive": ("fold", "unfold")})
     both = replace(record, stages=(record.stages[0], replace(record.stages[1], stage=fold), *record.stages[2:]))
     outcome = measure(both)
-    assert outcome.stages[1].drive == ("fold", "unfold")
+    assert outcome.stages[1].drive == outcome.transitions["fold"].drives == ("fold", "unfold")
     assert summary(both, outcome, {})["stages"]["fold"]["drive"] == ["fold", "unfold"]
 
 

@@ -339,6 +339,12 @@ def test_least_torques_of_changed_designs_are_searched(tmp_path):
     assert table["least_close_value"].values.tolist() == [0.01, 0.03]
     assert change_rows(table)[0] == ["change", "least close value (N cm)", "outcome"]
     assert study_drawings(table)["changes"](COLUMN_WIDTH).axes[0].get_xlabel() == "least close value (N cm)"
+    # least values of a drive in the negative sense
+    axes = study_drawings(table.assign(least_close_value=-table["least_close_value"]))["changes"](PAGE_WIDTH).axes[0]
+    start, end = axes.get_xlim()
+    assert (start, end) == (0, pytest.approx(1.15 * -3))
+    assert [bar.get_width() for bar in axes.patches] == pytest.approx([-1, -3])
+    assert [text.get_text() for text in axes.texts] == ["−1", "−3"]
 
 
 def test_a_run_without_a_reliable_result_has_no_margin(clasp):

@@ -40,6 +40,14 @@ def first_that_works(study, point, key, values, state):
     return math.nan, None
 
 
+@pytest.mark.parametrize(("values", "extreme"), [("2..20 N/cm step 6", "least"), ('["20 N/cm", "2 N/cm"]', "largest")])
+def test_the_result_of_falling_values_is_called_the_largest(study_file, values, extreme):
+    written = values if values.startswith("[") else f'"{values}"'
+    search = f'[search]\nkey = "tendon.stiffness"\nvalues = {written}'
+    step = load_study(study_file(LENGTHS, 'ask = "least-value"', search)).search.first
+    assert step.result_name == f"{extreme}_stiffness"
+
+
 @pytest.mark.parametrize(
     ("key", "values", "state", "transition", "factors"),
     [
@@ -58,7 +66,7 @@ def test_the_least_value_is_the_first_whose_run_alone_reaches_the_state(
     step = study.search.first
     assert (step.key, step.state, study.search.second) == (key, state, None)
     name = f"least_{'_'.join(key.split('.')[1:])}"
-    assert step.least_name == name
+    assert step.result_name == name
     for point in range(len(study.points)):
         value, outcome = first_that_works(study, point, key, step.values, state)
         row = table.isel(tendon_rest_length=point)

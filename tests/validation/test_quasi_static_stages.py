@@ -54,11 +54,13 @@ def test_a_snap_in_a_slow_stage_dissipates_what_the_torque_and_the_tendon_releas
     end, angle = opened.stages[3], -opened.series["hinge_angle"][:, 0]
     before, after = row_at(opened, end.start), row_at(opened, end.end)
     lost = sum(opened.series[f"{name}_work"] for name in ("hinge_damping", "stop"))
-    # the torque exceeds the lost one slightly, because the snap begins slowly; in the simulation, the stop yields by
-    # 0.07 deg
-    assert end.share * STRENGTH == pytest.approx(moment(peak()), rel=2e-3)
-    released = end.share * STRENGTH * (peak() - angle[after]) + energy(peak()) - energy(angle[after])
-    agree("energy released", lost[before] - lost[after], released, by="closed form", unit="J", rel=3e-3)
+    # the snap begins slowly: the excess of the torque over the lost one, 1e-4 at first, doubles until the joint moves
+    torque, turn, dissipated = end.share * STRENGTH, peak() - angle[after], lost[before] - lost[after]
+    assert 0 < torque / moment(peak()) - 1 < 1e-3
+    # in the simulation, the stop yields by 0.07 deg
+    released = energy(peak()) - energy(angle[after])
+    agree("energy released", dissipated, moment(peak()) * turn + released, by="closed form", unit="J", rel=5e-3)
+    agree("energy released at the torque", dissipated, torque * turn + released, by="closed form", unit="J", rel=3e-3)
     balance = measure(opened).energy_balance
     assert balance.residual < 5e-4
     assert abs(balance.settling) < 1e-4 * balance.exchanged

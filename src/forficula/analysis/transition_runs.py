@@ -28,6 +28,7 @@ class TransitionOutcome:
             it failed.
         work: of the motors over the driven stages since the previous state, J: the integral of torque over angle.
         largest_force: largest total force along a displacement over the stage, N; None for other drives.
+        drives: names of the drives of the driven stages since the previous state, in the order of their first use.
         held: whether the state held after the release; None if no release ends in the state.
         sprung_back: for a release that follows but ends in no named state: the readings furthest from the goal at the
             end of the driven stage and at the end of the release, rad or m; else None.
@@ -38,6 +39,7 @@ class TransitionOutcome:
     time: float | None
     work: float
     largest_force: float | None
+    drives: tuple[str, ...]
     held: bool | None = None
     sprung_back: tuple[float, float] | None = None
 
@@ -155,9 +157,16 @@ def transition_outcome(
         time=reached - begun.start if succeeded and reached is not None else None,
         work=motor_work(record, begun.start, end.end),
         largest_force=_largest_force(record, drive, end),
+        drives=_drives(record, begun, end),
         held=holds[transition.state] if released else None,
         sprung_back=None if released else _readings_at_release(record, transition),
     )
+
+
+def _drives(record: Record, begun: StageEnd, end: StageEnd) -> tuple[str, ...]:
+    """Return the names of the drives of the stages from one to another, in the order of their first use."""
+    stages = record.stages[record.stages.index(begun) : record.stages.index(end) + 1]
+    return tuple(dict.fromkeys(name for driven in stages for name in stage_drives(driven.stage)))
 
 
 def _readings_at_release(record: Record, transition: Transition) -> tuple[float, float] | None:

@@ -114,7 +114,7 @@ class Assessor:
             row |= self.rows[_key(design, kind)]
         if search is not None:
             result = search_result(design, search, self.rows)
-            row |= {f"{step.least_name}{unit_suffix(step.unit.si)}": result[step.least_name] for step in search.steps}
+            row |= {f"{step.result_name}{unit_suffix(step.unit.si)}": result[step.result_name] for step in search.steps}
         return row
 
     def _search(self, designs: Sequence[Design], search: Search, values: Mapping[str, Values]) -> None:

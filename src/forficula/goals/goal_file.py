@@ -207,7 +207,7 @@ def with_torques(base: Design, limits: Sequence[Limit]) -> Design:
     """Return the design whose protocol has the torques of the upper limits on least torques."""
     if not limits:
         return base
-    steps = {step.least_name: step for step in read_search("least-torques", {}, base).steps}
+    steps = {step.result_name: step for step in read_search("least-torques", {}, base).steps}
     values: dict[str, object] = {}
     # of several limits on one torque, the strictest comes last
     for limit in sorted(limits, key=lambda limit: -limit.bound):
@@ -266,7 +266,7 @@ def _check_varied(
     }
     if not names:
         return
-    settled = {step.key: step.least_name for step in read_search("least-torques", {}, base).steps}
+    settled = {step.key: step.result_name for step in read_search("least-torques", {}, base).steps}
     varied = {numbered_key(base, parameter.key): parameter.key for parameter in parameters}
     for key, name in settled.items():
         if name in names and (key_in_file := varied.get(numbered_key(base, key))) is not None:

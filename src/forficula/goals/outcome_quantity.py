@@ -99,7 +99,7 @@ def quantities_of(design: Design) -> Mapping[str, OutcomeQuantity]:
     if structure.transitions and drive_unit(structure, drive_of(structure, structure.transitions[0].drive)) == "N m":
         for step in read_search("least-torques", {}, design).steps:
             meaning = f"least torque with which {step.transition} succeeds, among those tried"
-            quantities.append(_quantity(step.least_name, step.unit, meaning, "search"))
+            quantities.append(_quantity(step.result_name, step.unit, meaning, "search"))
     quantities.append(
         _quantity(PROBABILITY, SHARE, "fraction of designs within the tolerances that work", "neighbours")
     )

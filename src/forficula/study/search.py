@@ -86,7 +86,7 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
         deciding += _deciding(later_trials, next_done)
     residuals = [row["residual"] for row in deciding if row.get("residual") is not None]
     result = {
-        first.least_name: least_first,
+        first.result_name: least_first,
         f"{first.transition}_outcome": done["outcome"],
         "reference_outcome": _reference(search, next_done),
         "residual": max(residuals, default=None),
@@ -101,7 +101,7 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     if search.start_state:
         result |= _energies(search.start_state, done)
     if second is not None:
-        result[second.least_name] = least_second
+        result[second.result_name] = least_second
     if least_first is not None:
         result |= _numbers(first, done)
     if second is not None and least_second is not None:

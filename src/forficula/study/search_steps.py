@@ -43,9 +43,14 @@ class SearchStep:
         return "_".join(self.key.split(".")[1:])
 
     @property
-    def least_name(self) -> str:
-        """Name of the least successful value in tables, such as "least_fold_torque"."""
-        return f"least_{self.value_name}"
+    def result_name(self) -> str:
+        """Name of the result in tables, such as "least_fold_torque", or "largest_gust_force" if the values fall."""
+        return f"{self.extreme}_{self.value_name}"
+
+    @property
+    def extreme(self) -> str:
+        """Which successful value is the result, by size: "largest" if the values fall, else "least"."""
+        return "largest" if self.values and abs(self.values[-1]) < abs(self.values[0]) else "least"
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -80,6 +80,12 @@ def test_the_time_of_a_stage_that_ends_on_the_way_is_not_called_the_time_of_fold
     assert "folded in" not in sentence
 
 
+def test_all_drives_of_the_stages_of_a_transition_are_named_with_their_strengths(short_outcome):
+    fold = replace(short_outcome.transitions["fold"], drives=("fold", "unfold"))
+    sentence = outcome_sentence("wing", replace(short_outcome, transitions={"fold": fold, "unfold": None}))
+    assert " with 50 N cm on every proximal joint and 100 N cm on every joint (" in sentence
+
+
 def test_remarks_have_advice_swinging_states_and_the_energy_residual(short_run, short_outcome):
     states = {**short_outcome.states, "folded": replace(short_outcome.states["folded"], swings=True)}
     states["flat"] = replace(states["flat"], swings=False)

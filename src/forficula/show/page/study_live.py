@@ -93,8 +93,8 @@ def _step(step: SearchStep, until: int) -> dict[str, Any]:
     return {
         "transition": step.transition,
         "key": step.key,
-        "name": step.least_name,
-        "title": step.least_name.replace("_", " "),
+        "name": step.result_name,
+        "title": step.result_name.replace("_", " "),
         "values": list(step.values),
         # only torques: a status names them
         "texts": [show_quantity(value, step.unit) for value in step.values] if step.unit is TORQUE else None,

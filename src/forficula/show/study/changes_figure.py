@@ -58,6 +58,13 @@ class _Axis:
     values: Sequence[float]
     signed: bool
 
+    @property
+    def reversed(self) -> bool:
+        """Whether the axis runs from 0 to negative values, because a search found no others."""
+        return (
+            not self.signed and any(value < 0 for value in self.values) and not any(value > 0 for value in self.values)
+        )
+
 
 def change_drawings(table: Dataset) -> dict[str, Drawing]:
     """Return the drawings of a study of named changes by the stems of their files."""
@@ -77,7 +84,7 @@ def draw_changes(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
     """
     report, axis = redundancy(table), _axis(table)
     known = np.array([axis.values[run.place] for run in (report.unchanged, *report.alone)])
-    order = np.argsort(-known if axis.signed else known, kind="stable")
+    order = np.argsort(-known if axis.signed else np.abs(known), kind="stable")
     runs = [(report.unchanged, *report.alone)[index] for index in order]
     names = [_wrapped(_name(run, table), width) for run in runs]
     with map_style():
@@ -99,7 +106,8 @@ def draw_changes(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             axes.set_xlim(-beyond, beyond)
             axes.set_xticks(np.linspace(-1, 1, 5))
         else:
-            axes.set_xlim(0, 1.15 * float(np.nanmax(known, initial=0.0)) or 1.0)
+            least, largest = (1.15 * float(pick(known, initial=0.0)) for pick in (np.nanmin, np.nanmax))
+            axes.set_xlim(*((0, least) if axis.reversed else (least, largest or 1.0)))
         _draw_legend(figure, _handles(table, runs, hatched=True))
         return describe(figure, f"Margins of {table.attrs['design']} with changes. {_text(table)}")
 
@@ -173,12 +181,12 @@ def _axis(table: Dataset) -> _Axis:
 def _draw_bar(axes: Axes, table: Dataset, run: ChangedRun, row: int, axis: _Axis) -> None:
     look, value = look_of(table, run.outcome), axis.values[run.place]
     if not np.isfinite(value):
-        axes.plot([0], [row], ls="", zorder=3, **_mark(look))
+        axes.plot([0], [row], ls="", zorder=3, clip_on=False, **_mark(look))
         axes.annotate(run.outcome, (0, row), (6, 0), textcoords="offset points", va="center", fontsize=6.5, color=_INK)
         return
     axes.barh(row, value, _BAR, fc=look.face, ec=_INK, lw=0.4, hatch=look.hatch)
     axes.plot([value], [row], ls="", zorder=3, clip_on=False, **_mark(look))
-    left = value < 0
+    left = value < 0 and not axis.reversed
     axes.annotate(
         _number(value, axis),
         (value, row),
@@ -208,7 +216,7 @@ def _draw_cell(
 
 
 def _number(value: float, axis: _Axis) -> str:
-    return margin_number(value) if axis.signed else f"{value:.3g}"
+    return margin_number(value) if axis.signed else f"{value:.3g}".replace("-", "−")
 
 
 def _mark(look: OutcomeLook) -> dict[str, Any]:

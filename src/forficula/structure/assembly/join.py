@@ -57,7 +57,7 @@ def assembly_structure(design: AssemblyDesign, build: Callable[[Design], Structu
         imperfection=next((part.structure.imperfection for part in parts if part.structure.imperfection), None),
         rigid_fold=None if alone is None else alone.rigid_fold,
         remarks=tuple(f"{part.name}: {remark}" for part in parts for remark in part.structure.remarks),
-        appearance=Appearance(whole="assembly"),
+        appearance=Appearance(whole="assembly", titles=_titles(parts)),
     )
     structure = with_components(structure, layout.masses, parts)
     if alone is not None:
@@ -93,6 +93,15 @@ def _common_contact(design: AssemblyDesign, parts: Sequence[JoinedPart]) -> Cont
                 f" those of {part.name} that differ from those of {touching[0].name}"
             )
     return touching[0].structure.contact
+
+
+def _titles(parts: Sequence[JoinedPart]) -> dict[str, str]:
+    """Return the titles of the angles of all parts, by name in the assembly."""
+    return {
+        part.full_name(name): f"{part.name}: {title}"
+        for part in parts
+        for name, title in part.structure.appearance.titles.items()
+    }
 
 
 def _check_kinds(structure: Structure) -> None:

@@ -202,7 +202,7 @@ def _points(study: Study, table: Dataset, most: int) -> list[int]:
 def _worked(study: Study, table: Dataset) -> Flags:
     """Return whether each point reached the first state of the study."""
     if study.search is not None:
-        return np.asarray(np.isfinite(table[study.search.first.least_name].values))
+        return np.asarray(np.isfinite(table[study.search.first.result_name].values))
     transitions = structure_of(study.base).transitions
     if not transitions:
         return np.ones(table["verdict"].shape, dtype=bool)
@@ -218,7 +218,7 @@ def _parts(
         yield "run", None, design
         return
     first, second = search.first, search.second
-    least = float(table[first.least_name].values.ravel()[point])
+    least = float(table[first.result_name].values.ravel()[point])
     # an inconclusive run shows nothing
     verdict = Verdict(str(table["verdict"].values.ravel()[point]))
     conclusive = verdict.conclusive or verdict is Verdict.UNDECIDED
@@ -231,7 +231,7 @@ def _parts(
     yield *part, (release_design if released else first_design)(design, search, least)
     if second is None:
         return
-    least = float(table[second.least_name].values.ravel()[point])
+    least = float(table[second.result_name].values.ravel()[point])
     if conclusive or not math.isnan(least):
         value = second.values[-1] if math.isnan(least) else least
         yield *_part_name(structure, second), second_design(design, search, value)

@@ -75,7 +75,7 @@ class TableTransition:
 
 def transitions_text(structure: Structure, search: Search | None) -> str:
     """Return the transitions of a structure as text for an attribute of a table."""
-    least = {step.transition: step.least_name for step in search.steps} if search is not None else {}
+    least = {step.transition: step.result_name for step in search.steps} if search is not None else {}
     return json.dumps(
         [
             {

@@ -153,7 +153,7 @@ def _numbers(structure: Structure, search: Search) -> dict[str, tuple[str, str]]
     """Return unit and meaning of each variable, by name."""
     wordings = {transition.name: transition.wording for transition in structure.transitions}
     steps = {
-        step.least_name: ("N m", f"least slowly growing torque that {wordings[step.transition].does}")
+        step.result_name: ("N m", f"least slowly growing torque that {wordings[step.transition].does}")
         for step in search.steps
     }
     return steps | {f"{state}_energy": ("J", f"energy of the tendons, {state}") for state in _states(search)}
@@ -177,7 +177,7 @@ def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | s
         transition, torques = transitions[step.transition], [torque for torque in step.values if torque > 0]
         slow_result = slow_transition(structures, position, transition, torques)
         torque = slow_result.torque
-        columns[step.least_name] = np.where(rests, torque, np.nan)
+        columns[step.result_name] = np.where(rests, torque, np.nan)
         position = state_after(structures, transition, torque, slow_result.position).position
         rests = at_goal(structures, position, goal_of(structures.structure, transition.released))
         if step is search.first:

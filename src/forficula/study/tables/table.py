@@ -154,7 +154,7 @@ def table_numbers(study: Study, structure: Structure) -> dict[str, tuple[str, st
     for step in search.steps if search is not None else ():
         does = next(transition.wording.does for transition in studied if transition.drive == step.drive)
         what = "torque" if step.unit is TORQUE else step.key
-        numbers[step.least_name] = (step.unit.si, f"least {what} with which the structure {does}")
+        numbers[step.result_name] = (step.unit.si, f"{step.extreme} {what} with which the structure {does}")
     numbers |= {f"{transition.name}_time": ("s", transition.wording.time) for transition in studied}
     numbers |= {
         f"{transition.name}_work": ("J", f"work of {transition.wording.noun}, even if it failed")

@@ -36,8 +36,7 @@ def outcome_sentence(name: str, outcome: Outcome) -> str:
     for transition in tried:
         result = outcome.transitions[transition.name]
         assert result is not None
-        drive = drive_of(structure, transition.drive)
-        torque = " ".join(filter(None, (readable(result.strength, drive_unit(structure, drive)), drive.where)))
+        torque = _torque_text(structure, result)
         if not (outcome.holds[transition.state] and result.time is not None):
             if not clauses:
                 return f"{name}: {outcome.status}, with {torque}."
@@ -55,6 +54,14 @@ def outcome_sentence(name: str, outcome: Outcome) -> str:
     *most, last = clauses
     comma = "," * (len(most) > 1)
     return f"{name} {', '.join(most)}{comma} and {last}."
+
+
+def _torque_text(structure: Structure, result: TransitionOutcome) -> str:
+    """Return the strengths of the drives of a transition, and where they act."""
+    return listed(
+        " ".join(filter(None, (readable(drive.strength, drive_unit(structure, drive)), drive.where)))
+        for drive in (drive_of(structure, name) for name in result.drives)
+    )
 
 
 def _after(structure: Structure, transition: Transition, result: TransitionOutcome, *, first: bool) -> list[str]:
