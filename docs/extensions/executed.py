@@ -58,7 +58,9 @@ class CellDirective(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         text = "\n".join(self.content)
         shown: Shown = self.env.temp_data["shown"].pop(0)
-        language = _LANGUAGES.get(self.name) or Path(self.arguments[0]).suffix.lstrip(".").replace("fold", "json")
+        suffix = Path(self.arguments[0]).suffix.lstrip(".").replace("fold", "json")
+        # a file without an ending, such as a Snakefile, is shown as plain text
+        language = _LANGUAGES.get(self.name) or suffix or "text"
         if "hidden" in self.options:
             return []
         source: nodes.Node = nodes.literal_block(text, text, language=language)
