@@ -39,6 +39,11 @@ def outdated(_: Sphinx, env: Any, __: set[str], ___: set[str], ____: set[str]) -
     return [] if before == now else sorted(env.found_docs)
 
 
+def _language_of(file: str) -> str:
+    """Return the language in which a file is shown; plain text for one without an ending, such as a Snakefile."""
+    return Path(file).suffix.lstrip(".").replace("fold", "json") or "text"
+
+
 class CellDirective(SphinxDirective):
     """Show a command, Python or a file, and its result."""
 
@@ -58,9 +63,7 @@ class CellDirective(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         text = "\n".join(self.content)
         shown: Shown = self.env.temp_data["shown"].pop(0)
-        suffix = Path(self.arguments[0]).suffix.lstrip(".").replace("fold", "json")
-        # a file without an ending, such as a Snakefile, is shown as plain text
-        language = _LANGUAGES.get(self.name) or suffix or "text"
+        language = _LANGUAGES.get(self.name) or _language_of(self.arguments[0])
         if "hidden" in self.options:
             return []
         source: nodes.Node = nodes.literal_block(text, text, language=language)
