@@ -124,7 +124,7 @@ def _counted_steps() -> Iterator[tuple[StepCounts, dict[str, Design]]]:
 def _steps_by_purpose(
     study: Study, counts: StepCounts, designs: Mapping[str, Design], rows: Sequence[Row]
 ) -> list[dict[str, Any]]:
-    """Steps by what they were for, most first: the transition that a run tries, its value, its outcome, and the stage.
+    """Steps by purpose, in falling order: the transition that a run tries, its value, its outcome, and the stage.
 
     Repetitions at half the timestep have the outcome of the run that they repeat, and "again" before their stage. The
     outcome of a run without a row is unknown, because it does not count.

@@ -155,7 +155,7 @@ def result_first() -> Iterator[Callable[[], None]]:
 
 
 class _UntilClosed(io.FileIO):
-    """An output that discards what is written after its reader, such as head, has closed it."""
+    """Output that discards all text after its reader, such as head, has closed the pipe."""
 
     def write(self, data: Any, /) -> int:
         """Write bytes to the output, or to nothing if no process reads the output."""

@@ -20,7 +20,7 @@ class SearchStep:
         drive: name of its drive.
         state: name of the state that the transition leads to, such as "folded".
         done: one word for the outcome if the transition succeeds.
-        missed: word for the outcome if the structure comes to rest where it started, such as "did not fold".
+        missed: word for the outcome if the structure rests in its initial state, such as "did not fold".
         key: key of the design whose values are tried, such as "protocol.fold_torque".
         values: values to try in this order, SI, rising or falling; empty if this transition is not searched.
         unit: unit of the values.

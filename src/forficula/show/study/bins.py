@@ -198,7 +198,7 @@ def bins_of(view: MapView, most: int = MOST_BINS) -> Bins | None:
 
 
 def binned_page(view: MapView, panels: Sequence[MapPanel]) -> tuple[MapView, Sequence[MapPanel], str]:
-    """Return the view, the panels and a text on what they show; of many points, those of bins."""
+    """Return the view, the panels and a description of the panels; many points are shown as bins."""
     bins = bins_of(view)
     if bins is None:
         return view, panels, ""
