@@ -40,7 +40,9 @@ def main() -> None:
     parser.add_argument("--threads", type=int, nargs="*", default=[2, 16], help="threads of the processor, to compare")
     parser.add_argument("--most", type=int, default=4096, help="designs that the processor runs at most")
     parser.add_argument("--short", type=float, help="simulated time of each stage, s, at most, as a check")
-    parser.add_argument("--verdicts", type=int, nargs="?", const=60, help="compare the search of this number of tendons")
+    parser.add_argument(
+        "--verdicts", type=int, nargs="?", const=60, help="compare the search of this number of tendons"
+    )
     parser.add_argument("--smallest", action="store_true", help="a check that needs no graphics processor")
     parser.add_argument("--json", type=Path, help="write the numbers here, too")
     arguments = parser.parse_args()

@@ -39,7 +39,7 @@ def planted_row(design, folds, opens, bounces, undecided):
 
 
 def search_with(search, folds, opens, bounces=(), undecided=()):
-    """Run what is missing in its order without what results make needless; return the result and the runs."""
+    """Do the missing runs in order, except those that earlier results make needless; return result and runs."""
     rows, run = {}, []
     while missing := {key: item for key, item in search_designs(DESIGN, search, rows).items() if key not in rows}:
         left = dict(missing)

@@ -1,4 +1,4 @@
-"""Figures and pages of located boundaries: cells, boundary lines and points as what they are."""
+"""Figures and pages of located boundaries: cells of different size, boundary lines and the points that ran."""
 
 from __future__ import annotations
 
