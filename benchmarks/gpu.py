@@ -21,7 +21,9 @@ import numpy as np
 
 import forficula as ff
 from forficula.design import Design, with_values
-from forficula.dynamics import compile_model, simulate_each, versions
+from forficula.dynamics import Model, compile_model, simulate_each, versions
+from forficula.dynamics.stepping.stages import StageTracker
+from forficula.dynamics.stepping.stepper import Stepper
 from forficula.study.running.evaluate import evaluate
 from forficula.study.running.journal import Row
 from forficula.study.study import Study
@@ -29,6 +31,8 @@ from forficula.study.study import Study
 _DESIGN, _STUDY = "binder2025", "binder2025-search"
 # numbers of a run that are compared, besides its verdict
 _NUMBERS = ("fold_time_s", "fold_work_J", "unfold_time_s", "unfold_work_J", "folded_energy_J")
+# steps of a chunk, and number of chunks that are measured
+_CHUNK, _CHUNKS = 100, 5
 _MARGINS = ("fold_margin", "unfold_margin")
 
 
@@ -43,6 +47,7 @@ def main() -> None:
     parser.add_argument(
         "--verdicts", type=int, nargs="?", const=60, help="compare the search of this number of tendons"
     )
+    parser.add_argument("--steps", action="store_true", help="measure steps per second only, without protocols")
     parser.add_argument("--smallest", action="store_true", help="a check that needs no graphics processor")
     parser.add_argument("--json", type=Path, help="write the numbers here, too")
     arguments = parser.parse_args()
@@ -56,7 +61,9 @@ def main() -> None:
         "device": arguments.device,
     }
     print(json.dumps(numbers))
-    if arguments.verdicts:
+    if arguments.steps:
+        numbers["steps"] = measure_steps(arguments)
+    elif arguments.verdicts:
         numbers["verdicts"] = compare_verdicts(_thinned(ff.load_study(_STUDY), arguments.verdicts), arguments.device)
     else:
         numbers["speed"] = measure_speed(arguments)
@@ -72,20 +79,62 @@ def measure_speed(arguments: argparse.Namespace) -> list[dict[str, object]]:
         cases = [(arguments.device, 0, designs)]
         cases += [("cpu", threads, designs[: arguments.most]) for threads in arguments.threads]
         for device, threads, some in cases:
-            # the first run of a device compiles kernels, which are kept
-            wall = [_run_time(some, device, threads) for _ in range(1 + (device != "cpu"))][-1]
+            if device != "cpu":
+                # compiles kernels, which are kept
+                _run_time(some[:2], device, threads)
+            wall = _run_time(some, device, threads)
             row = {"device": device, "threads": threads, "designs": len(some), "s": wall, "per_s": len(some) / wall}
             rows.append(row)
             print(
-                f"{device:9} threads {threads or '-':>2}  {len(some):6} designs  {wall:8.2f} s  {row['per_s']:9.1f} /s"
+                f"{device:9} threads {threads or '-':>2}  {len(some):6} designs  {wall:8.2f} s  {row['per_s']:9.1f} /s",
+                flush=True,
             )
     return rows
 
 
+def measure_steps(arguments: argparse.Namespace) -> list[dict[str, object]]:
+    """Measure steps per second in the first stage of folding, by number of designs, without energies and records.
+
+    Designs are at most 60 different ones, repeated, because compiling the models of 65 536 designs takes minutes.
+    """
+    models = {place: _models(_designs(60, arguments.short), place) for place in (arguments.device, "cpu")}
+    rows: list[dict[str, object]] = []
+    for count in arguments.worlds:
+        cases = [(arguments.device, 0, count)]
+        cases += [("cpu", threads, min(count, arguments.most)) for threads in arguments.threads]
+        for device, threads, worlds in cases:
+            rate = _step_rate([models[device][number % 60] for number in range(worlds)], threads)
+            rows.append({"device": device, "threads": threads, "designs": worlds, "steps_per_s": rate})
+            print(f"{device:9} threads {threads or '-':>2}  {worlds:6} designs  {rate:12.0f} steps/s", flush=True)
+    return rows
+
+
+def _step_rate(models: Sequence[Model], threads: int) -> float:
+    """Return the number of steps of all structures per second."""
+    stepper, tracker, numbers = Stepper(models, threads, True, _CHUNK), StageTracker(models), np.arange(len(models))
+    try:
+        torques = tracker.torques(numbers, _CHUNK)
+        controls, walls = tracker.controls(numbers, torques), []
+        for _ in range(1 + _CHUNKS):
+            start = time.perf_counter()
+            steps = stepper.start(numbers, controls, torques).result()
+            # waits for the device
+            steps.states(numbers[:1], np.array([_CHUNK]))
+            walls.append(time.perf_counter() - start)
+    finally:
+        stepper.close()
+    # the first chunk compiles kernels
+    return len(models) * _CHUNK * _CHUNKS / sum(walls[1:])
+
+
+def _models(designs: Sequence[Design], device: str) -> list[Model]:
+    """Return the compiled models of designs for a device."""
+    return [compile_model(with_values(design, {"protocol.device": device})) for design in designs]
+
+
 def _run_time(designs: Sequence[Design], device: str, threads: int) -> float:
     """Return the time in which designs run through their protocols, s, without compiling their models."""
-    placed = [with_values(design, {"protocol.device": device}) for design in designs]
-    models = [compile_model(design) for design in placed]
+    models = _models(designs, device)
     start = time.perf_counter()
     for _ in simulate_each(models, threads, sparse=True):
         pass

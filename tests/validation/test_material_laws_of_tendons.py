@@ -21,7 +21,7 @@ from scipy.optimize import brentq
 import forficula as ff
 from forficula.design import scale_design, with_values
 from forficula.dynamics import compile_model, simulate
-from forficula.dynamics.energies.energy import branch_losses
+from forficula.dynamics.energies.tendon_losses import AlikeTendons
 from forficula.structure import structure_of
 
 LENGTH, AREA, ARM = 0.06, 12.5e-6, 0.055  # m, m2, m
@@ -104,7 +104,8 @@ def test_branches_dissipate_the_energy_of_their_loss_modulus_in_a_sinusoidal_tes
         agree(what, 1e6 * work, 1e6 * loss, unit="µJ", by="π E'' x₀²", rel=1e-5)
         # the recorded losses agree
         force = wing.units.energy / wing.units.length
-        lost = branch_losses(wing, -pulls[last] / force).sum(axis=0)[0, number]
+        losses = AlikeTendons.of([wing]).branch_losses(np.array([0]), -pulls[None, last] / force)
+        lost = losses[0].sum(axis=0)[0, number]
         agree(
             "dissipation in the energy balance",
             1e6 * wing.units.energy * lost,

@@ -1,4 +1,4 @@
-"""Energies of states, and losses of tendons with Maxwell branches, from fields recorded by the engine."""
+"""Energies of states from fields recorded by the engine."""
 
 from __future__ import annotations
 
@@ -8,100 +8,12 @@ from functools import reduce
 import mujoco
 import numpy as np
 
-from forficula.arrays import Array, Indices
+from forficula.arrays import Array
 from forficula.dynamics.engine.couplings import coupling_energies
 from forficula.dynamics.engine.membrane import stretch_energy
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.warnings import quiet
 from forficula.dynamics.stepping.steps import MOVING, SETS
-
-# fields of the engine that `clamping_work` needs
-CLAMPING_FIELDS = ("ten_length", "ten_velocity", "ten_J")
-# nodes of the quadrature over a step, exact to 1e-9 up to steps of 20 relaxation times
-_NODES = 16
-
-
-def clamping_work(
-    model: Model, travel: Array, forces: Mapping[str, Array], late: Mapping[str, Array], activations: Array
-) -> tuple[Array, Array]:
-    """Compute the work of the dampers of tendons that must not push, and of their clamping, (step,), in model units.
-
-    When a tendon without branches would push, its damper dissipates exactly the energy that its spring releases.
-
-    Args:
-        model: the model.
-        travel: of the joints in each step, (step, dof), in the model's units.
-        forces: ten_length, ten_velocity and ten_J before each step.
-        late: the same fields after each step, for steps of Runge and Kutta; empty for other steps.
-        activations: forces of Maxwell branches before the first step and after each step, (step + 1, activation).
-    """
-    which = np.flatnonzero(model.lets_go)
-    if late:
-        ends = [
-            _letting_go(model, which, *arguments) for arguments in ((forces, activations[:-1]), (late, activations[1:]))
-        ]
-        powers = [
-            [part * fields["ten_velocity"][:, model.tendons[which]] for part in end]
-            for end, fields in zip(ends, (forces, late), strict=True)
-        ]
-        damper, spared = ((one + other) * model.timestep / 2 for one, other in zip(*powers, strict=True))
-        return -np.sum(damper, axis=1), -np.sum(spared, axis=1)
-    levers = [model.levers(tendon) for tendon in model.tendons[which]]
-    entries = np.concatenate([np.arange(span.start, span.stop) for span, _ in levers])
-    first = np.cumsum([0, *(len(dofs) for _, dofs in levers[:-1])])
-    turned = forces["ten_J"][:, entries] * travel[:, np.concatenate([dofs for _, dofs in levers])]
-    longer = np.add.reduceat(turned, first, axis=1)
-    # the engine uses the branches' forces after the step
-    damper, spared = _letting_go(model, which, forces, activations[1:])
-    return -np.sum(damper * longer, axis=1), -np.sum(spared * longer, axis=1)
-
-
-def _letting_go(model: Model, which: Indices, forces: Mapping[str, Array], activations: Array) -> tuple[Array, Array]:
-    """Return the pull of dampers of some tendons, and the excess of tendons' pulls over their parts, (step, tendon)."""
-    length = forces["ten_length"][:, model.tendons]
-    laws = [model.in_units.tendons[tendon].law for tendon in which]
-    spring = model.elastic.force(length)[:, which]
-    viscous = np.array([(law.damping or (0.0,))[0] for law in laws])
-    damper = viscous * forces["ten_velocity"][:, model.tendons[which]]
-    taut = length[:, which] > np.asarray(model.elastic.rest_length)[which]
-    if not model.branches.size:
-        pull = np.where(taut, np.maximum(spring + damper, 0.0), 0.0)
-        return pull - spring, np.zeros_like(pull)
-    # positive values push
-    push = branch_forces(model, activations)[:, which].sum(axis=2)
-    pull = np.where(taut, np.maximum(spring + damper - push, 0.0), 0.0)
-    alone = np.array([not law.branches for law in laws])
-    damper = np.where(alone, pull - spring, np.where(taut, damper, 0.0))
-    return damper, pull - spring - damper + push
-
-
-def branch_losses(model: Model, activations: Array) -> Array:
-    """Compute the energy that Maxwell branches dissipate in each step, (step, tendon, branch), in the model's units.
-
-    It is the integral of F^2 / (k tau). Between two steps the engine assumes a constant velocity, so the force is
-    F0 a + F1 b with b = (1 - exp(-s / tau)) / (1 - exp(-h / tau)) and a = exp(-s / tau) - exp(-h / tau) b.
-    """
-    force = branch_forces(model, activations)
-    before, after = force[:-1], force[1:]
-    time, stiffness = branch_numbers(model)
-    # most tendons have the same branches
-    different, which = np.unique(time, axis=0, return_inverse=True)
-    integrals = np.array([_square_integrals(times, model.timestep) for times in different])
-    squares = np.moveaxis(integrals[which.ravel()], 1, 0)
-    total = squares[0] * before**2 + squares[1] * before * after + squares[2] * after**2
-    return np.asarray(total / (stiffness * time))
-
-
-def _square_integrals(time: Array, timestep: float) -> Array:
-    """Compute the integrals over a step of a^2, 2 a b and b^2, see `branch_losses`, (3, branch), for times (branch,).
-
-    Quadrature of positive numbers is used, because the closed forms lose all digits if h is far below tau.
-    """
-    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
-    share, width = (nodes[:, None] + 1) / 2, timestep / time
-    late = np.expm1(-share * width) / np.expm1(-width)
-    early = np.exp(-share * width) - np.exp(-width) * late
-    return np.array([weights @ product * timestep / 2 for product in (early * early, 2 * early * late, late * late)])
 
 
 def branch_forces(model: Model, activations: Array) -> Array:

@@ -8,8 +8,9 @@ import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics.energies.crease_work import crease_works, displacement_force, engine_work, motor_travel
-from forficula.dynamics.energies.energy import CLAMPING_FIELDS, branch_losses, clamping_work, energy_of
+from forficula.dynamics.energies.energy import energy_of
 from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
+from forficula.dynamics.energies.tendon_losses import TendonLosses
 from forficula.dynamics.engine.model import Model, joint_ranges
 from forficula.dynamics.stepping.steps import EngineState, Steps
 from forficula.structure import RestPath
@@ -29,6 +30,7 @@ class WorkBalance:
         self._damping = np.array(
             [np.array(model.engine.dof_damping).reshape(model.engine.nv, -1)[:, 0] for model in models]
         )
+        self._tendon_losses = TendonLosses(models)
         self._motors = models[0].structure.motors
         self._senses = np.array([model.folds.senses for model in models])
         # last settings of the motors
@@ -102,8 +104,7 @@ class WorkBalance:
                 self._add_losses(work, rows, steps, travel, of_creases)
             if (self._models[0].hinge_creep >= 0).any():
                 self._add_yielding(work, rows, steps)
-            for place, row in enumerate(rows.tolist()):
-                self._add_branches(work, place, self._models[row], steps, travel)
+            self._tendon_losses.add(work, rows, steps, travel)
             seconds = [float(self._models[row].design.protocol.timestep) for row in rows]
             before = {
                 name: self._added_up(name, rows, self._unit[rows, None] * done, taken) for name, done in work.items()
@@ -304,22 +305,6 @@ class WorkBalance:
                 forces[place] = unit.energy / unit.length * displacement_force(self._models[row], motor, steps, place)
         self._forces[rows, motor] = forces[np.arange(len(rows)), np.maximum(taken, 1) - 1]
         return forces
-
-    def _add_branches(self, work: dict[str, Array], place: int, model: Model, steps: Steps, travel: Array) -> None:
-        """Add the losses of tendons' Maxwell branches, and the work of clamping tendons that must not push."""
-        activations = steps.activation(place, travel.shape[1])
-        if model.branches.size:
-            lost = work.setdefault("branch_damping_work", np.zeros(travel.shape[:2]))
-            lost[place] = -branch_losses(model, activations).sum(axis=(1, 2))
-        if model.lets_go.any():
-            forces, late = (
-                {name: fields[name][place] for name in CLAMPING_FIELDS} if fields else {}
-                for fields in (steps.derived, steps.late)
-            )
-            damper, spared = clamping_work(model, travel[place], forces, late, activations)
-            work["elastic_damping_work"][place] += damper
-            if model.branches.size:
-                work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared
 
     def _add_yielding(self, work: dict[str, Array], rows: Indices, steps: Steps) -> None:
         """Add the work of joints that yield: moment of the yielding spring times the change of its rest angle."""

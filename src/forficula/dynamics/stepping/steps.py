@@ -107,10 +107,10 @@ class Steps:
             angles[:, some.creases] = without_jump(angles[:, some.creases], near)
         return angles
 
-    def activation(self, structure: int, taken: int) -> Array:
-        """Return the activations of a structure before the first step and after each taken step, (step + 1, ...)."""
+    def activations(self) -> Array:
+        """Return the activations before the first step and after each step, (structure, step + 1, activation)."""
         place = self.inner.get("act", slice(0, 0))
-        return np.concatenate([self.before[structure, None, place], self.after[structure, :taken, place]])
+        return np.concatenate([self.before[:, None, place], self.after[:, :, place]], axis=1)
 
     def states(self, structure: Indices, taken: Indices, part: slice = slice(None)) -> Array:
         """Return the states, or parts of them, (state, number), for pairs of structures and numbers of steps."""
