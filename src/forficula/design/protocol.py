@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import Field, field_validator
+from pydantic import AfterValidator, BeforeValidator, Field, field_validator
 
 from forficula.design.section import ACCELERATION, ANGLE, ANGULAR_SPEED, LONG_TIME, SHORT_TIME, TIME, Section, quantity
 from forficula.errors import InputError
@@ -19,6 +19,30 @@ _BOUND = re.compile(r"\s*(?P<name>[^<>=]+?)\s*(?P<relation>[<>])=?\s*(?P<value>[
 
 # s, a thousand million days: every step of a wait is at most twice the previous one, so 1e300 d would never end
 _LONGEST_WAIT = 1e9 * 86400
+
+_AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+_DOWN = (0.0, 0.0, -1.0)
+
+
+def _axis_vector(direction: object) -> object:
+    """Return the unit vector of an axis by its name, such as "-y"; other values are returned unchanged."""
+    if not isinstance(direction, str):
+        return direction
+    axis = _AXES.get(direction.strip().removeprefix("-"))
+    if axis is None:
+        raise InputError(
+            f'need "x", "y", "z", "-x", "-y", "-z" or a vector such as [0, 0, -1], got {as_written(direction)}'
+        )
+    return tuple(-part if part else 0.0 for part in axis) if direction.strip().startswith("-") else axis
+
+
+def _some_direction(direction: tuple[float, float, float]) -> tuple[float, float, float]:
+    if not any(direction):
+        raise InputError('need a direction that is not zero, such as "-z" or [0, 0, -1], got [0, 0, 0]')
+    return direction
+
+
+Direction = Annotated[tuple[float, float, float], BeforeValidator(_axis_vector), AfterValidator(_some_direction)]
 
 
 class StageSection(Section):
@@ -96,7 +120,7 @@ class Protocol(Section):
     about: ClassVar[str] = "The stages in which the structure is driven, and the criteria by which a run is judged"
 
     natural: ClassVar[tuple[str, ...]] = ("gravity",)
-    later: ClassVar[tuple[str, ...]] = ("shortest_timestep", "device")
+    later: ClassVar[tuple[str, ...]] = ("shortest_timestep", "device", "gravity_direction")
 
     timestep: float | Literal["auto"] = quantity(
         SHORT_TIME,
@@ -139,7 +163,15 @@ class Protocol(Section):
             " verdict is untrusted",
         ),
     ] = 0.005
-    gravity: float = quantity(ACCELERATION, "gravity, normal to the flat sheet and downwards; 0 switches gravity off")
+    gravity: float = quantity(ACCELERATION, "gravity along protocol.gravity_direction; 0 switches gravity off")
+    gravity_direction: Annotated[
+        Direction,
+        Field(
+            description="direction of gravity in the axes of the structure, as a vector of any length or as an axis"
+            ' such as "-y"; "-z" is normal to a flat sheet and downwards',
+            examples=["-y", [0, -1, -1]],
+        ),
+    ] = _DOWN
     contact: Annotated[bool, Field(strict=True, description="whether bodies touch each other")]
     device: Annotated[
         Literal["gpu", "warp-cpu"] | None,
@@ -150,6 +182,13 @@ class Protocol(Section):
         ),
     ] = None
     stages: Annotated[tuple[StageSection, ...], Field(min_length=1, description="stages of the protocol, in order")]
+
+    @property
+    def down(self) -> tuple[float, float, float]:
+        """Return the unit vector along gravity."""
+        x, y, z = self.gravity_direction
+        length = math.hypot(x, y, z)
+        return x / length, y / length, z / length
 
     @field_validator("device", mode="before")
     @classmethod
@@ -185,7 +224,7 @@ class CommonProtocol(Protocol):
         above=0,
     )
     gravity: float = quantity(
-        ACCELERATION, "gravity, normal to the flat sheet and downwards; 0 switches gravity off", default=0.0
+        ACCELERATION, "gravity along protocol.gravity_direction; 0 switches gravity off", default=0.0
     )
     contact: Annotated[bool, Field(strict=True, description="whether bodies touch each other")] = False
 

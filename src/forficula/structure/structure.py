@@ -69,7 +69,8 @@ class Structure:
         imperfection: random deviation from the drawing with which it is built; None without one.
         stops: compliance of the stops of joints and of length limits.
         contact: contact between bodies; None if bodies pass through each other.
-        gravity: acceleration along -z, m/s^2.
+        gravity: acceleration along `down`, m/s^2.
+        down: unit vector along gravity.
         mechanisms: groups of elements that store energy, each element in one group; if empty, elements are grouped by
             kind. See `mechanisms_of`.
         groups: groups of bodies that drawings distinguish by colour; with fewer than two, colours depend on roles.
@@ -107,6 +108,7 @@ class Structure:
     stops: Stops = field(default_factory=lambda: Stops(time_constant=2e-3))
     contact: Contact | None = None
     gravity: float = 0.0
+    down: tuple[float, float, float] = (0.0, 0.0, -1.0)
     mechanisms: tuple[Mechanism, ...] = ()
     groups: tuple[BodyGroup, ...] = ()
     appearance: Appearance = field(default_factory=Appearance)

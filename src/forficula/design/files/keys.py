@@ -29,6 +29,7 @@ _OF_ASSEMBLY = (
     "medium",
     "stops",
     "protocol.gravity",
+    "protocol.gravity_direction",
     "protocol.contact",
     "protocol.timestep",
     "protocol.sample_interval",

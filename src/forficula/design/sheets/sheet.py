@@ -34,6 +34,7 @@ class SheetDesign(Design):
         "measure",
         "protocol.stages",
         "protocol.gravity",
+        "protocol.gravity_direction",
     )
 
     source: Annotated[str, Field(description="where the values of the design come from")] = ""

@@ -245,7 +245,7 @@ def state_energies(model: Model, derived: Mapping[str, Array]) -> dict[str, Arra
     """
     # the added mass of the medium has no weight
     weighs = model.engine.body_mass * (1 - model.engine.body_gravcomp)
-    units, height = model.units, np.sum(weighs * derived["xipos"][..., 2], axis=-1)
+    units, height = model.units, np.sum(weighs * (derived["xipos"] @ -np.array(model.in_units.down)), axis=-1)
     with np.errstate(over="ignore", invalid="ignore"):  # diverging structures
         return {
             "membrane_energy": units.energy * stretch_energy(membrane_nodes(model, derived), model.mesh),

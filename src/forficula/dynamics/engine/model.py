@@ -318,7 +318,7 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     spec.compiler.degree = False
     option = spec.option
     option.timestep = timestep
-    option.gravity = [0, 0, -structure.gravity]
+    option.gravity = structure.gravity * np.array(structure.down)
     # where loops are closed, Euler loses 5 to 9 % of the energy in a second of swinging: measured
     option.integrator = mujoco.mjtIntegrator.mjINT_RK4 if structure.closures else mujoco.mjtIntegrator.mjINT_EULER
     # with the default, 1e-8, the solver's result would depend on the model's units

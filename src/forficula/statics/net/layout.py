@@ -101,8 +101,7 @@ def layout_of(net: Net) -> Layout:
     numbered = bsr_array((1 + np.arange(9.0 * len(columns)).reshape(-1, 3, 3), columns, rows), shape=(size, size))
     part = csc_array(numbered.tocsc()[:, free].tocsr()[free].tocsc())
     part.sort_indices()
-    weight = np.zeros_like(net.nodes)
-    weight[:, 2] = -net.gravity * np.asarray(net.mass_matrix.sum(axis=1)).ravel()
+    weight = net.gravity * np.outer(np.asarray(net.mass_matrix.sum(axis=1)).ravel(), net.down)
     return Layout(
         sides=_dense_if_small(sides),
         counts=counts,

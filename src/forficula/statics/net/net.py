@@ -94,7 +94,8 @@ class Net:
         creases: between panels.
         tendons: that only pull.
         membranes: None for none.
-        gravity: acceleration along -z, m/s^2.
+        gravity: acceleration along `down`, m/s^2.
+        down: unit vector along gravity.
 
     Raises:
         InputError: arrays do not fit each other, or numbers are out of bounds.
@@ -109,6 +110,7 @@ class Net:
     tendons: Tendons = field(default_factory=Tendons)
     membranes: Triangles | None = None
     gravity: float = 0.0
+    down: tuple[float, float, float] = (0.0, 0.0, -1.0)
 
     def __post_init__(self) -> None:
         count = len(self.nodes)

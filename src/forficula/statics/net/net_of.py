@@ -69,6 +69,7 @@ def net_of(structure: Structure) -> Net:
         ),
         membranes=_membranes(structure),
         gravity=structure.gravity,
+        down=structure.down,
     )
 
 

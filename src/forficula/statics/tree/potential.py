@@ -477,12 +477,14 @@ class Weight:
     Attributes:
         tree: of bodies.
         centres: of mass.
-        forces: weights along -z, N, (centre,).
+        forces: weights, N, (centre,).
+        down: unit vector along them, (3,).
     """
 
     tree: Tree
     centres: Carried
     forces: Array
+    down: Array
 
 
 def weight_of(structure: Structure, tree: Tree) -> Weight | None:
@@ -496,11 +498,12 @@ def weight_of(structure: Structure, tree: Tree) -> Weight | None:
         tree=tree,
         centres=carried_points(tree, solid, np.array([masses[number][1] for number in solid])),
         forces=structure.gravity * np.array([masses[number][0] for number in solid]),
+        down=np.array(structure.down),
     )
 
 
 def weight_energy(weight: Weight, angles: Array) -> Expansion:
-    """Compute the energy of the weight, 0 if all centres are at z = 0.
+    """Compute the energy of the weight, 0 if all centres are at the height of the origin.
 
     Args:
         weight: of the bodies.
@@ -511,6 +514,6 @@ def weight_energy(weight: Weight, angles: Array) -> Expansion:
     """
     at = pose(weight.tree, angles)
     places = places_of(weight.centres, at)
-    forces = np.zeros_like(places)
-    forces[2] = weight.forces
-    return places[2] @ weight.forces, *pulled(weight.tree, weight.centres, at, places, forces)
+    up = -weight.down
+    forces = np.multiply.outer(up, np.broadcast_to(weight.forces, places.shape[1:]))
+    return np.tensordot(up, places, 1) @ weight.forces, *pulled(weight.tree, weight.centres, at, places, forces)

@@ -77,6 +77,7 @@ def plate_structure(design: SheetDesign) -> Structure:
         span=float(np.ptp(pattern.vertices_coords, axis=0).max()),
         mass=1.0,
         gravity=design.protocol.gravity,
+        down=design.protocol.down,
         appearance=Appearance(pattern=pattern),
     )
     if not structure.closures and not opening:
