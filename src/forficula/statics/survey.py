@@ -161,6 +161,8 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
         return reason
     if structure.contact is not None:
         return "statics ignores contact"
+    if structure.table is not None:
+        return "statics ignores the table"
     if any(hinge.friction for hinge in structure.hinges):
         return "hinges have dry friction, with which they rest anywhere in a range"
     if is_net(structure):

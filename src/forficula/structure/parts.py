@@ -412,6 +412,21 @@ class Contact:
     stops: Stops
 
 
+@dataclass(frozen=True, kw_only=True)
+class Table:
+    """A plane normal to gravity that no part passes through.
+
+    Attributes:
+        height: distance from the origin against the direction of gravity, m.
+        friction: Coulomb's friction coefficient.
+        stops: compliance of contact with the table.
+    """
+
+    height: float
+    friction: float = 0.0
+    stops: Stops
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Membrane:
     """An elastic sheet whose nodes are carried by bodies.

@@ -28,6 +28,7 @@ _SectionOf = TypeVar("_SectionOf", bound=Section)
 _OF_ASSEMBLY = (
     "medium",
     "stops",
+    "table",
     "protocol.gravity",
     "protocol.gravity_direction",
     "protocol.contact",

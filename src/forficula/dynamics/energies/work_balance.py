@@ -273,7 +273,7 @@ class WorkBalance:
             work["friction_work"] = np.sum(friction * travel, axis=2)
             constraints = constraints - friction
         work["stop_work"] = np.sum(constraints * travel, axis=2)
-        if self._models[0].structure.contact is not None:
+        if self._models[0].structure.has_contacts:
             self._add_contacts(work, rows, steps, travel)
 
     def _motor_travel(self, rows: Indices, position: Array, travel: Array, number: int) -> Array:

@@ -27,6 +27,7 @@ from forficula.dynamics.engine.couplings import add_couplings
 from forficula.dynamics.engine.drag import CONSTANT_STEPS, Drag, add_medium, drag_of
 from forficula.dynamics.engine.membrane import MembraneMesh, add_membranes, first_node, joined_mesh
 from forficula.dynamics.engine.placement import Placement, placement_of
+from forficula.dynamics.engine.table import add_table, check_above_table
 from forficula.dynamics.engine.tendons import add_distance, add_limit, add_pulls, add_spring, add_tendon
 from forficula.dynamics.engine.units import ModelUnits, design_in_model_units, model_units
 from forficula.dynamics.stepping.folds import Folds, folds_of, slide_name
@@ -198,6 +199,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     engine = _compiled(spec, design.name)
     clear_rows(engine)
     folds, drag = folds_of(engine, in_units), drag_of(engine, in_units)
+    check_above_table(engine, in_units, folds, units.length)
     tendons = _indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
     plastic = engine.tendon_plasticadr[tendons]
     (holds, servo_jacobian), (brakes, brake_jacobian) = _servos(engine, in_units), _brakes(engine, in_units)
@@ -309,6 +311,7 @@ def _spec_of(structure: Structure, timestep: float, mesh: MembraneMesh, distance
     add_membranes(spec, mesh, structure)
     add_panels(spec, structure)
     add_stop_sensors(spec, structure)
+    add_table(spec, structure)
     return spec
 
 
@@ -327,17 +330,17 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     # It is used for sliding nodes, which have no constraints and are many, and for closed loops: with 16 x 16 plates it
     # is 4 times as fast, and its accelerations equal the dense ones.
     sparse = bool(structure.closures) or any(body.slides for body in structure.bodies)
-    sparse = sparse and not structure.limits and structure.contact is None
+    sparse = sparse and not structure.limits and not structure.has_contacts
     option.jacobian = mujoco.mjtJacobian.mjJAC_SPARSE if sparse else mujoco.mjtJacobian.mjJAC_DENSE
     option.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
     # a diverged simulation must not be reset
     option.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET
-    if structure.contact is None:
+    if not structure.has_contacts:
         option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
         return spec
     # the default would locate contacts of panels to 1e-6 of the length unit, which depends on the structure
     option.ccd_tolerance = 1e-10
-    if structure.contact.friction:
+    if any(touched.friction for touched in (structure.contact, structure.table) if touched is not None):
         # friction in a pyramidal cone would depend on the direction
         option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     return spec

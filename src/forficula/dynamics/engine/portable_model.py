@@ -79,8 +79,8 @@ def why_not_portable(model: Model) -> str:
         return "its tendons yield, which only MuJoCo 4.0 supports"
     if (model.hinge_creep >= 0).any():
         return "its joints yield, which only MuJoCo 4.0 supports"
-    if model.structure.contact is not None:
-        return "its parts touch, and older engines compute contacts differently"
+    if model.structure.has_contacts:
+        return "its parts touch each other or a table, and older engines compute contacts differently"
     if (model.holds >= 0).any():
         return "a drive displaces points"
     if model.pushed_bodies is not None:

@@ -108,7 +108,7 @@ def _why_not(model: Model) -> str:
             "creases of sheets and nets change numbers of the engine's flex every few steps, and on a device these"
             " numbers are the same for all structures"
         )
-    if model.structure.contact is not None:
+    if model.structure.has_contacts:
         return (
             "the number of contacts differs between structures and steps, while memory on a device is reserved before"
         )

@@ -10,6 +10,7 @@ from mujoco.batch import Batch
 
 from forficula.arrays import Array
 from forficula.dynamics.engine.model import Model
+from forficula.dynamics.stepping.folds import start_of
 
 
 def start_states(models: Sequence[Model]) -> Array:
@@ -24,11 +25,7 @@ def start_states(models: Sequence[Model]) -> Array:
 
 def start_position(model: Model) -> Array:
     """Return the positions at the start; sliding bodies start in the built shape."""
-    position = np.array(model.engine.qpos0)
-    for hinge, place in zip(model.structure.hinges, model.folds.joints.tolist(), strict=True):
-        if place >= 0:
-            position[place] = hinge.sense * hinge.start + 0.0  # -0 would be another bit
-    return position
+    return start_of(model.engine, model.structure, model.folds)
 
 
 def start_creases(model: Model) -> Array:

@@ -83,7 +83,7 @@ class Stepper:
         self._activation = self._moving[self._branch_slices.get("act", slice(0, 0))]
         self._kept = _OF_SPARSE if sparse else _OF_STATES
         self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if models[0].lets_go.any() else ()))
-        if models[0].structure.contact is not None:
+        if models[0].structure.has_contacts:
             self._names = tuple(dict.fromkeys((*self._names, *_OF_CONTACT)))
         if any(hinge.friction for model in models for hinge in model.structure.hinges):
             self._names = (*self._names, "qacc")

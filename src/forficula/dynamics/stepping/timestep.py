@@ -79,6 +79,8 @@ def resolving_timestep(structure: Structure) -> float:
     longest = [structure.stops.time_constant / STEPS_TO_TIME_CONSTANT] * bool(stopped or structure.limits)
     if structure.contact is not None:
         longest.append(structure.contact.stops.time_constant / STEPS_TO_CONTACT)
+    if structure.table is not None:
+        longest.append(structure.table.stops.time_constant / STEPS_TO_CONTACT)
     return min(longest, default=np.inf)
 
 

@@ -284,7 +284,7 @@ def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0)
     Returns:
         Energies, J, (case,), of "tendons", "springs" of joints, "creases" between flaps, springs between points by the
         name of `springs_name`, elastic "couplings", "closures", which are stretched slightly, "membranes" with length
-        limits, and "weight", which is 0 if all centres are at z = 0.
+        limits, and "weight", which is 0 if all centres are at the height of the origin.
     """
     parts: dict[str, Array] = {}
     angles = angles[:, : structures.size]
