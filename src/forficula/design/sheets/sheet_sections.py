@@ -242,22 +242,29 @@ def largest_extension(crease: Crease) -> float:
 
 
 class Support(Section):
-    """A support: a facet or a vertex that is held."""
+    """A support: a facet, an edge or a vertex that is held."""
 
-    about: ClassVar[str] = "A support: a facet or a vertex that is held"
+    about: ClassVar[str] = "A support: a facet, an edge or a vertex that is held"
 
     of: Annotated[
         str,
         Field(
-            description="part of the sheet that is held, such as facet 0 or, if facets bend, vertex 3",
-            examples=["facet 0"],
+            description="part of the sheet that is held: a facet, clamped; an edge, about which the sheet turns; or,"
+            " if facets bend, a vertex",
+            examples=["facet 0", "edge 3"],
         ),
     ]
     axes: Annotated[
         str | None,
         Field(
             pattern="^[xyz]{1,3}$",
-            description="axes along which a vertex is held; xyz if not given",
+            description="axes along which a vertex, or an edge of facets that bend, is held; xyz if not given",
             examples=["xz"],
         ),
     ] = None
+
+    @property
+    def kind(self) -> str:
+        """Return the kind of part that is held: "facet", "edge" or "vertex"."""
+        word = self.of.split()[0] if self.of.split() else ""
+        return "edge" if word == "crease" else word
