@@ -22,7 +22,7 @@ from forficula.design.sheets.rigid_checks import (
 from forficula.design.sheets.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
 from forficula.design.sheets.sheet_drives import DisplacementDrive, RestAngleDrive, TorqueDrive, places_of
 from forficula.design.sheets.sheet_places import GROUND_PLACE, SheetPlace, edge_of, facet_of, is_vertex, place_on, vertex_of
-from forficula.design.sheets.sheet_sections import CREASE_STIFFNESS
+from forficula.design.sheets.sheet_sections import CREASE_MOMENT, CREASE_STIFFNESS
 from forficula.design.stops import StopSection
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, built_fold_angles
@@ -80,6 +80,7 @@ def check_sheet(design: SheetDesign) -> None:
             key = f"crease.group.{number - 1}" if number else "crease"
             raise InputError(f'{key}.extension: is for facet.kind = "rigid", with which creases can open')
     _check_yielding(design)
+    _check_friction(design)
     _check_names(design, sheet)
     for number, _ in enumerate(design.tendon):
         _check_tendon(design, sheet, number)
@@ -120,6 +121,21 @@ def _check_yielding(design: SheetDesign) -> None:
                 f"{key}: need < {of_stiffness}, {show_quantity(stiffness, CREASE_STIFFNESS)}, got"
                 f" {show_quantity(hardening, CREASE_STIFFNESS)}"
             )
+
+
+def _check_friction(design: SheetDesign) -> None:
+    """Refuse dry friction of creases that are not hinges."""
+    values = [design.crease.friction, *(group.friction for group in design.crease.group)]
+    number = next((place for place, value in enumerate(values) if value), None)
+    if number is None or (design.facet.kind == "rigid" and not design.opens):
+        return
+    key = f"crease.group.{number - 1}.friction" if number else "crease.friction"
+    why = "creases that open" if design.opens else f'facet.kind = "{design.facet.kind}"'
+    raise InputError(
+        f"{key}: need 0 with {why}, because only hinges of rigid facets have dry friction, got"
+        f" {show_quantity(values[number] or 0.0, CREASE_MOMENT)}; yield_moment with a hardening close to the stiffness"
+        " holds such creases in a range, too"
+    )
 
 
 def _check_no_stops(design: SheetDesign) -> None:

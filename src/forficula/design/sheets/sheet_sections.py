@@ -103,6 +103,9 @@ class CreaseGroup(Section):
         below=math.pi,
         examples=["135 deg"],
     )
+    friction: float | None = quantity(
+        CREASE_MOMENT, "moment of their dry friction per length; only for rigid facets", default=None, at_least=0
+    )
     yield_moment: float | None = quantity(
         CREASE_MOMENT, "moment per length at which they begin to fold permanently", default=None, above=0
     )
@@ -174,6 +177,13 @@ class Crease(Section):
         default=math.radians(135.0),
         above=0,
         below=math.pi,
+    )
+    friction: float | None = quantity(
+        CREASE_MOMENT,
+        "moment of dry friction per length of the crease, needed to turn it slowly; only for rigid facets whose creases"
+        " are hinges",
+        default=None,
+        at_least=0,
     )
     yield_moment: float | None = quantity(
         CREASE_MOMENT,

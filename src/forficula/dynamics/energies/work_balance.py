@@ -95,8 +95,9 @@ class WorkBalance:
                 work["drag_work"] = np.sum(steps.derived["qfrc_applied"] * travel, axis=2)
             if self._explicit:
                 work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
+                self._divide_friction(work, rows, steps)
                 outside = [motor_work_name(number) for number in range(len(self._motors))]
-                done = sum((work[name] for name in (*outside, "drag_work") if name in work), np.zeros(travel.shape[:2]))
+                done = sum((work[name] for name in (*outside, "drag_work", "friction_work") if name in work), np.zeros(travel.shape[:2]))
                 self._add_stops(work, done, rows, steps, taken)
             else:
                 self._add_losses(work, rows, steps, travel, of_creases)
@@ -275,6 +276,22 @@ class WorkBalance:
         work["stop_work"] = np.sum(constraints * travel, axis=2)
         if self._models[0].structure.has_contacts:
             self._add_contacts(work, rows, steps, travel)
+
+    def _divide_friction(self, work: dict[str, Array], rows: Indices, steps: Steps) -> None:
+        """Divide the work of constraints in steps of Runge and Kutta into that of dry friction and that of others."""
+        if "qacc" not in steps.derived:
+            return
+        assert steps.late is not None
+        before = np.concatenate([steps.velocity_before[:, None], steps.velocity[:, :-1]], axis=1)
+        powers = np.zeros(before.shape[:2])
+        for velocity, fields in ((before, steps.derived), (steps.velocity, steps.late)):
+            for place, row in enumerate(rows.tolist()):
+                torques = friction_torques(
+                    self._models[row], velocity[place], fields["qacc"][place], fields["qfrc_constraint"][place]
+                )
+                powers[place] += np.sum(torques * velocity[place], axis=1)
+        work["friction_work"] = self._timestep[rows, None] / 2 * powers
+        work["stop_work"] = work["stop_work"] - work["friction_work"]
 
     def _motor_travel(self, rows: Indices, position: Array, travel: Array, number: int) -> Array:
         """Return the travel along a motor for small shifts of coordinates, (row, step).

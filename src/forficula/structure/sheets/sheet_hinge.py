@@ -41,6 +41,7 @@ def sheet_hinge(
         yield_angle=yield_angle(crease),
         hardening=(crease.hardening or 0.0) * length,
         damping=(crease.damping or 0.0) * length,
+        friction=(crease.friction or 0.0) * length,
         start=folded,
         assignment=pattern.edges_assignment[edge],
         edge=edge,

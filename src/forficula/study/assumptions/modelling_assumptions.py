@@ -235,7 +235,7 @@ def _weight(design: Design) -> Variant | str:
 
 def _dry_friction(design: Design) -> Variant | str:
     if not _has(design, "hinge.friction"):
-        return "creases have no key for dry friction"
+        return "dry friction is only added to the hinges of fans and joints"
     if _value(design, "hinge.friction"):
         return Variant(label="no dry friction", design=design.with_values({"hinge.friction": 0.0}))
     torques = [value for key, value in _values(design.si_tables()) if re.fullmatch(r"protocol\.\w+_torque", key)]
