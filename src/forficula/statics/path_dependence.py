@@ -18,14 +18,32 @@ def path_dependence(structure: Structure) -> str:
 
 
 def refuse_path_dependence(structure: Structure, results: str) -> None:
-    """Refuse a structure whose rest states depend on what happened before.
+    """Refuse a structure whose rest states depend on what happened before, or on a table.
 
     Args:
         structure: the structure.
         results: results of statics that such a structure lacks, such as "energy landscape".
 
     Raises:
-        InputError: the rest states depend on what happened before.
+        InputError: the rest states depend on what happened before, or the structure has a table.
     """
+    refuse_table(structure, results)
     if reason := path_dependence(structure):
         raise InputError(f"{structure.name}: has no {results}, because {reason}; a run follows permanent folds")
+
+
+def refuse_table(structure: Structure, results: str) -> None:
+    """Refuse a structure that a table may support, which statics ignores.
+
+    Args:
+        structure: the structure.
+        results: results of statics that such a structure lacks, such as "energy landscape".
+
+    Raises:
+        InputError: the structure has a table.
+    """
+    if structure.table is not None:
+        raise InputError(
+            f"{structure.name}: has no {results}, because statics ignores the table; a run includes it, and"
+            ' table = "none" leaves it out'
+        )

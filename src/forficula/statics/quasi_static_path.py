@@ -12,6 +12,7 @@ import numpy as np
 from forficula.arrays import Array, Flags
 from forficula.errors import InputError
 from forficula.results import pandas_module
+from forficula.statics.friction import friction_range
 from forficula.structure import Drive, Structure, crease_law, drive_unit, springs_name
 from forficula.structure.membrane_stress import principal_strains
 
@@ -134,6 +135,15 @@ class QuasiStaticPath:
         return np.asarray(np.sum([np.zeros(len(self.share)), *self.energy.values()], axis=0))
 
     @cached_property
+    def friction(self) -> Array:
+        """Return by how much dry friction of hinges widens the strength of the drive to both sides, (point,).
+
+        While the drive grows, the structure needs this much more, and while it falls, this much less: see
+        `forficula.statics.friction.friction_range`.
+        """
+        return friction_range(self.structure, self.drive, self.angles, self.positions)
+
+    @cached_property
     def moments(self) -> Array:
         """Return the moments of the springs of all hinges and creases, N m, (point, hinge).
 
@@ -183,11 +193,13 @@ class QuasiStaticPath:
         return result
 
     def to_dataframe(self) -> DataFrame:
-        """Return a pandas table with share, strength of the drive, energies and rest of every point."""
+        """Return a pandas table with share, strength of the drive, its friction, energies and rest of every point."""
         pandas = pandas_module()
         unit = self.unit.replace(" ", "_")
         columns: dict[str, object] = {"share": self.share, f"drive_{unit}": self.strength}
         columns |= {f"{part.replace(' ', '_')}_J": values for part, values in self.energy.items()}
+        if self.friction.any():
+            columns[f"friction_{unit}"] = self.friction
         return pandas.DataFrame(columns | {"resting": self.resting})
 
     def index(self, share: float) -> int:

@@ -16,7 +16,7 @@ from forficula.statics.net.driven.net_path import net_path
 from forficula.statics.net.driven.net_rest import net_rest_path
 from forficula.statics.net.net_landscape import Progress, net_landscape, slow_courses
 from forficula.statics.net.net_of import is_net
-from forficula.statics.path_dependence import path_dependence, refuse_path_dependence
+from forficula.statics.path_dependence import path_dependence, refuse_path_dependence, refuse_table
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
 from forficula.statics.tree.potential import ensemble
 from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
@@ -103,6 +103,7 @@ def quasi_static_path(
     if not 0 < error <= 1:
         raise InputError(f"error: need a number above 0 and up to 1, got {error}")
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
+    refuse_table(structure, "quasi-static path")
     drive, made = _driven_transition(structure, transition)
     reason = path_dependence(structure)
     if reason and not is_net(structure):

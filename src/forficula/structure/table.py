@@ -59,12 +59,11 @@ def _spheres(structure: Structure) -> Iterator[tuple[int, Array, float]]:
     for bar in structure.bars:
         yield bar.body, np.zeros(3), bar.diameter / 2
         yield bar.body, bar.end, bar.diameter / 2
-    for panel in (*structure.plates, *structure.facets):
-        for number in panel.points:
-            yield structure.points[number].body, structure.points[number].place, panel.thickness / 2
-    for facet in structure.facets:
-        for number in facet.inside:
-            yield structure.points[number].body, structure.points[number].place, facet.thickness / 2
+    panels = [(plate.points, plate.thickness) for plate in structure.plates]
+    panels += [((*facet.points, *facet.inside), facet.thickness) for facet in structure.facets]
+    for numbers, thickness in panels:
+        for number in numbers:
+            yield structure.points[number].body, structure.points[number].place, thickness / 2
     for membrane in structure.membranes:
         for body, place in zip(membrane.bodies.tolist(), membrane.places, strict=True):
             yield body, place, membrane.law.thickness / 2

@@ -21,7 +21,15 @@ from forficula.design.sheets.rigid_checks import (
 )
 from forficula.design.sheets.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
 from forficula.design.sheets.sheet_drives import DisplacementDrive, RestAngleDrive, TorqueDrive, places_of
-from forficula.design.sheets.sheet_places import GROUND_PLACE, SheetPlace, edge_of, facet_of, is_vertex, place_on, vertex_of
+from forficula.design.sheets.sheet_places import (
+    GROUND_PLACE,
+    SheetPlace,
+    edge_of,
+    facet_of,
+    is_vertex,
+    place_on,
+    vertex_of,
+)
 from forficula.design.sheets.sheet_sections import CREASE_MOMENT, CREASE_STIFFNESS
 from forficula.design.stops import StopSection
 from forficula.errors import InputError

@@ -97,7 +97,10 @@ class WorkBalance:
                 work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
                 self._divide_friction(work, rows, steps)
                 outside = [motor_work_name(number) for number in range(len(self._motors))]
-                done = sum((work[name] for name in (*outside, "drag_work", "friction_work") if name in work), np.zeros(travel.shape[:2]))
+                done = sum(
+                    (work[name] for name in (*outside, "drag_work", "friction_work") if name in work),
+                    np.zeros(travel.shape[:2]),
+                )
                 self._add_stops(work, done, rows, steps, taken)
             else:
                 self._add_losses(work, rows, steps, travel, of_creases)

@@ -29,7 +29,7 @@ class Expansion:
 
     Attributes:
         shape: point of the expansion.
-        stored: stored energy, including that of the weight (0 at the height of the origin), J.
+        stored: stored energy, including that of the weight (0 at the origin), J.
         energy: stored energy minus the work of the load from the shape as built, J.
         slope: gradient of the potential by the nodes' coordinates, N, (node, 3); for held coordinates, the forces that
             supports exert.
@@ -153,7 +153,7 @@ def _expanded(
 
 
 def stored_by_part(net: Net, shape: NetShape, further: Array | float = 0.0) -> tuple[float, Array, float, float, float]:
-    """Return energies, J: of bars, of each crease, (crease,), of tendons, of membranes, of the weight (0 at the height of the origin).
+    """Return energies, J: of bars, of each crease, (crease,), of tendons, of membranes, of the weight (0 at the origin).
 
     Args:
         net: the net with its laws.

@@ -11,6 +11,7 @@ from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 
 from forficula.design import Design
 from forficula.errors import InputError
+from forficula.statics.friction import friction_remarks
 from forficula.statics.landscape import EnergyLandscape, NetSurvey, Pass, Rest
 from forficula.statics.net.driven.driven_net import short_of
 from forficula.statics.net.driven.net_course import Course, drive_course, released
@@ -287,8 +288,9 @@ def _remarks(
     """Return remarks on the extent of the results and on missing ones."""
     whole, count = structure.appearance.whole, len(search.states)
     remarks = [
+        *friction_remarks(structure),
         f"the search for stable states of the {whole} started from the states of the protocol and from {search.tries}"
-        f" random pushes (seed {search.seed}): there may be more than the {count} found"
+        f" random pushes (seed {search.seed}): there may be more than the {count} found",
     ]
     if len(states) < count:
         remarks.append(

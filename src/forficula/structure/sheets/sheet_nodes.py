@@ -9,12 +9,19 @@ import numpy as np
 from forficula.arrays import Flags, Indices
 from forficula.design import SheetDesign
 from forficula.design.sheets.sheet_drives import places_of
-from forficula.design.sheets.sheet_places import GROUND_PLACE, as_place, edge_of, facet_of, is_vertex, place_on, vertex_of
+from forficula.design.sheets.sheet_places import (
+    GROUND_PLACE,
+    as_place,
+    edge_of,
+    facet_of,
+    is_vertex,
+    place_on,
+    vertex_of,
+)
 from forficula.pattern import CreasePattern, triangulated
 from forficula.pattern.added_vertices import with_vertices
 from forficula.pattern.crease_pattern import face_sides
 from forficula.pattern.cut_open import cut_open
-
 
 # largest distance of a node from an edge on which it lies, as a share of the edge's length: rounding
 _BESIDE = 1e-9
