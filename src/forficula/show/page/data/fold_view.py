@@ -40,7 +40,7 @@ _LETTERS = {"snap": "S", "branch": "B", "goal": "G", "lost": "L"}
 # keys of a clip that do not depend on the motion, which the page takes from the clip of a run
 _MESH = (
     *("span_m", "pointCount", "between", "share", "triangles", "regions", "solid", "tubes", "built", "faces", "base"),
-    *("joints", "jointRadius"),
+    *("joints", "jointRadius", "gravity", "table_m"),
 )
 
 
