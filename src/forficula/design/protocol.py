@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import AfterValidator, BeforeValidator, Field, field_validator
+from pydantic import BeforeValidator, Field, field_validator
 
 from forficula.design.section import ACCELERATION, ANGLE, ANGULAR_SPEED, LONG_TIME, SHORT_TIME, TIME, Section, quantity
 from forficula.errors import InputError
@@ -20,29 +20,27 @@ _BOUND = re.compile(r"\s*(?P<name>[^<>=]+?)\s*(?P<relation>[<>])=?\s*(?P<value>[
 # s, a thousand million days: every step of a wait is at most twice the previous one, so 1e300 d would never end
 _LONGEST_WAIT = 1e9 * 86400
 
-_AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
-_DOWN = (0.0, 0.0, -1.0)
+_AXES = {
+    f"{sign}{axis}": tuple(float(f"{sign}1") if axis == other else 0.0 for other in "xyz")
+    for axis in "xyz"
+    for sign in ("", "-")
+}
 
 
-def _axis_vector(direction: object) -> object:
-    """Return the unit vector of an axis by its name, such as "-y"; other values are returned unchanged."""
-    if not isinstance(direction, str):
-        return direction
-    axis = _AXES.get(direction.strip().removeprefix("-"))
-    if axis is None:
+def _read_direction(direction: object) -> object:
+    """Read a direction: the name of an axis, or a vector; a vector along an axis becomes its name."""
+    written = direction.strip() if isinstance(direction, str) else None
+    if written in _AXES:
+        return written
+    vector = tuple(direction) if isinstance(direction, list | tuple) else ()
+    if not (len(vector) == len("xyz") and all(type(part) in (int, float) and math.isfinite(part) for part in vector)):
         raise InputError(
-            f'need "x", "y", "z", "-x", "-y", "-z" or a vector such as [0, 0, -1], got {as_written(direction)}'
+            f'need "x", "y", "z", "-x", "-y", "-z" or a vector such as [0, -1, -1], got {as_written(direction)}'
         )
-    return tuple(-part if part else 0.0 for part in axis) if direction.strip().startswith("-") else axis
-
-
-def _some_direction(direction: tuple[float, float, float]) -> tuple[float, float, float]:
-    if not any(direction):
-        raise InputError('need a direction that is not zero, such as "-z" or [0, 0, -1], got [0, 0, 0]')
-    return direction
-
-
-Direction = Annotated[tuple[float, float, float], BeforeValidator(_axis_vector), AfterValidator(_some_direction)]
+    if not any(vector):
+        raise InputError(f'need a direction that is not zero, such as "-z" or [0, -1, -1], got {as_written(direction)}')
+    size = max(map(abs, vector))
+    return next((name for name, axis in _AXES.items() if tuple(part / size for part in vector) == axis), vector)
 
 
 class StageSection(Section):
@@ -165,13 +163,14 @@ class Protocol(Section):
     ] = 0.005
     gravity: float = quantity(ACCELERATION, "gravity along protocol.gravity_direction; 0 switches gravity off")
     gravity_direction: Annotated[
-        Direction,
+        str | tuple[float, float, float],
+        BeforeValidator(_read_direction),
         Field(
             description="direction of gravity in the axes of the structure, as a vector of any length or as an axis"
             ' such as "-y"; "-z" is normal to a flat sheet and downwards',
             examples=["-y", [0, -1, -1]],
         ),
-    ] = _DOWN
+    ] = "-z"
     contact: Annotated[bool, Field(strict=True, description="whether bodies touch each other")]
     device: Annotated[
         Literal["gpu", "warp-cpu"] | None,
@@ -186,7 +185,7 @@ class Protocol(Section):
     @property
     def down(self) -> tuple[float, float, float]:
         """Return the unit vector along gravity."""
-        x, y, z = self.gravity_direction
+        x, y, z = _AXES.get(self.gravity_direction, self.gravity_direction)
         length = math.hypot(x, y, z)
         return x / length, y / length, z / length
 

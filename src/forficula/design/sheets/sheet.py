@@ -46,8 +46,8 @@ class SheetDesign(Design):
     support: Annotated[
         tuple[Support, ...],
         Field(
-            description="facets, edges or vertices that are held; if none is given, hinged rigid facets are held at facet"
-            " 0, or at the central facet if they form loops"
+            description="facets, edges or vertices that are held; if none is given, hinged rigid facets are held at"
+            " facet 0, or at the central facet if they form loops"
         ),
     ] = ()
     drive: Annotated[tuple[SheetDrive, ...], Field(description="drives that stages of the protocol switch on")] = ()
