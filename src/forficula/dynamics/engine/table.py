@@ -23,10 +23,19 @@ _SOFT = 1e-5
 
 
 def add_table(spec: mujoco.MjSpec, structure: Structure) -> None:
-    """Add the table of a structure in a model's units, and the spheres that touch it, after all bodies."""
+    """Add the table of a structure in a model's units, and the spheres that touch it, after all bodies.
+
+    Raises:
+        InputError: plates form closed loops, in which steps of Runge and Kutta do not resolve contacts.
+    """
     table = structure.table
     if table is None:
         return
+    if structure.closures:
+        raise InputError(
+            f'{structure.name}: table: need a sheet without closed loops of rigid facets, or facet.kind = "bars", whose'
+            " facets bend"
+        )
     up = -np.array(structure.down)
     plane = spec.worldbody.add_geom(name=_NAME, type=mujoco.mjtGeom.mjGEOM_PLANE, size=[structure.span] * 3)
     plane.pos = table.height * up
@@ -67,7 +76,7 @@ def check_above_table(engine: mujoco.MjModel, structure: Structure, folds: Folds
     heights = data.geom_xpos[spheres] @ -np.array(structure.down) - engine.geom_size[spheres, 0]
     lowest = float(heights.min(initial=np.inf))
     if lowest < structure.table.height - _ROUNDING * structure.span:
-        most, chosen = (show_quantity(unit * height, LENGTH) for height in (lowest, structure.table.height))
+        most, chosen = (show_quantity(unit * height, LENGTH, 6) for height in (lowest, structure.table.height))
         raise InputError(
             f"{structure.name}: table.height: the structure starts below the table: need <= {most}, the height of its"
             f" lowest part, got {chosen}"
