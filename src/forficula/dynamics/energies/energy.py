@@ -14,11 +14,10 @@ from forficula.dynamics.engine.membrane import stretch_energy
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.warnings import quiet
 from forficula.dynamics.stepping.steps import MOVING, SETS
+from forficula.material.law.relaxation import square_integrals
 
 # fields of the engine that `clamping_work` needs
 CLAMPING_FIELDS = ("ten_length", "ten_velocity", "ten_J")
-# nodes of the quadrature over a step, exact to 1e-9 up to steps of 20 relaxation times
-_NODES = 16
 
 
 def clamping_work(
@@ -78,30 +77,18 @@ def _letting_go(model: Model, which: Indices, forces: Mapping[str, Array], activ
 def branch_losses(model: Model, activations: Array) -> Array:
     """Compute the energy that Maxwell branches dissipate in each step, (step, tendon, branch), in the model's units.
 
-    It is the integral of F^2 / (k tau). Between two steps the engine assumes a constant velocity, so the force is
-    F0 a + F1 b with b = (1 - exp(-s / tau)) / (1 - exp(-h / tau)) and a = exp(-s / tau) - exp(-h / tau) b.
+    It is the integral of F^2 / (k tau). Between two steps the engine assumes a constant velocity; see
+    `square_integrals`.
     """
     force = branch_forces(model, activations)
     before, after = force[:-1], force[1:]
     time, stiffness = branch_numbers(model)
     # most tendons have the same branches
     different, which = np.unique(time, axis=0, return_inverse=True)
-    integrals = np.array([_square_integrals(times, model.timestep) for times in different])
+    integrals = np.array([square_integrals(times, model.timestep) for times in different])
     squares = np.moveaxis(integrals[which.ravel()], 1, 0)
     total = squares[0] * before**2 + squares[1] * before * after + squares[2] * after**2
     return np.asarray(total / (stiffness * time))
-
-
-def _square_integrals(time: Array, timestep: float) -> Array:
-    """Compute the integrals over a step of a^2, 2 a b and b^2, see `branch_losses`, (3, branch), for times (branch,).
-
-    Quadrature of positive numbers is used, because the closed forms lose all digits if h is far below tau.
-    """
-    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
-    share, width = (nodes[:, None] + 1) / 2, timestep / time
-    late = np.expm1(-share * width) / np.expm1(-width)
-    early = np.exp(-share * width) - np.exp(-width) * late
-    return np.array([weights @ product * timestep / 2 for product in (early * early, 2 * early * late, late * late)])
 
 
 def branch_forces(model: Model, activations: Array) -> Array:

@@ -123,6 +123,8 @@ def valley_law(structure: Structure) -> CreaseLaw:
         lock_above=np.where(back, -below, above),
         lower=np.where(back, -upper, lower),
         upper=np.where(back, -lower, upper),
+        # an even term changes its sign with the sense
+        quadratic=_senses(structure) * np.asarray(law.quadratic),
     )
 
 
