@@ -13,7 +13,7 @@ from forficula.dynamics.engine.couplings import coupling_energies
 from forficula.dynamics.engine.membrane import stretch_energy
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.warnings import quiet
-from forficula.dynamics.stepping.steps import MOVING, SETS
+from forficula.dynamics.stepping.steps import MEMORY, MOVING
 from forficula.material.law.relaxation import square_integrals
 
 # fields of the engine that `clamping_work` needs
@@ -190,19 +190,23 @@ def _hinge_series(model: Model, angles: Array, efforts: Array, derived: Mapping[
         series["hinge_set"] = sets
     else:
         energy = model.units.energy * springs / 2 * (angles - rests) ** 2
+    quadratic, cubic = (np.array([getattr(hinge, name) for hinge in hinges]) for name in ("quadratic", "cubic"))
+    if quadratic.any() or cubic.any():
+        x = angles - rests
+        energy += model.units.energy * x**3 * (quadratic / 3 + x * cubic / 4)
     if model.creases is not None:
-        creases, (further, _) = model.folds.creases, model.settings(efforts)
-        law = model.creases.law
+        creases, (further, _) = model.followed_hinges, model.settings(efforts)
+        law, memory = model.creases.law, np.moveaxis(derived[MEMORY], 1, 0)
+        energy[:, creases] = model.units.energy * law.stored(angles[:, creases], further, memory)
         if law.yields:
-            sets = derived[SETS]
-            energy[:, creases] = law.energy(angles[:, creases], further + law.rest_shift(sets)) + law.set_energy(sets)
-            series.setdefault("hinge_set", np.zeros_like(angles))[:, creases] = sets
-        else:
-            energy[:, creases] = law.energy(angles[:, creases], further)
-        energy[:, creases] *= model.units.energy
+            series.setdefault("hinge_set", np.zeros_like(angles))[:, creases] = memory[0]
+        if law.wears:
+            series["hinge_remaining"] = np.ones_like(angles)
+            series["hinge_remaining"][:, creases] = law.remaining(memory)
         springs = springs + np.bincount(
             creases, (np.isfinite(law.lower) | np.isfinite(law.upper)).astype(float), len(hinges)
         )
+        springs = springs + np.bincount(creases, np.sum(law.branch_stiffness, axis=-1), len(hinges))
         if any(motor.kind == "rest-angle" for motor in model.structure.motors):
             series["hinge_rest_angle"] = np.broadcast_to(rests, angles.shape).copy()
             series["hinge_rest_angle"][:, creases] += further

@@ -247,8 +247,9 @@ class WorkBalance:
                 for number in range(len(self._motors))
             }
             of_creases = np.array([damped for _, damped, _ in parts_of_pieces])
-            if any(creases.law.yields for model in self._models if (creases := model.creases) is not None):
-                work["crease_yield_work"] = np.array([lost for _, _, lost in parts_of_pieces])
+            of_laws = [lost for _, _, lost in parts_of_pieces]
+            for name in {name for lost in of_laws for name in lost}:
+                work[name] = np.array([lost.get(name, np.zeros(travel.shape[1])) for lost in of_laws])
         return work, of_creases
 
     def _add_losses(

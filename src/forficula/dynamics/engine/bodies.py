@@ -147,19 +147,27 @@ def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, stops: Stops) -> None:
         solref_limit=stop_reference(stops),
         solimp_limit=STOP_IMPEDANCE,
     )
-    if hinge.stiffness:
-        # of the two springs in parallel of a joint that yields, this is the one that yields; see `add_hardening`
-        joint.stiffness = [hinge.stiffness - hinge.hardening, 0, 0]
+    if hinge.remembers:
+        # the stiffness of fast turns, for the choice of the timestep; see `JointSprings`
+        joint.stiffness = [hinge.stiffness + sum(branch.stiffness for branch in hinge.branches), 0, 0]
         joint.springref = hinge.sense * hinge.rest_angle
-        if math.isfinite(hinge.yield_angle):
+    elif hinge.stiffness:
+        # of the two springs in parallel of a joint that yields, this is the one that yields; see `add_hardening`
+        yields = math.isfinite(hinge.yield_angle)
+        nonlinear = [0.0, 0.0] if yields else [hinge.sense * hinge.quadratic, hinge.cubic]
+        joint.stiffness = [hinge.stiffness - hinge.hardening, *nonlinear]
+        joint.springref = hinge.sense * hinge.rest_angle
+        if yields:
             joint.springyield = hinge.yield_angle
 
 
 def add_hardening(spec: mujoco.MjSpec, structure: Structure) -> None:
     """Add the elastic springs that act beside the springs of joints that yield; see `CreaseLaw`."""
     for hinge in structure.hinges:
-        if hinge.flaps is None and hinge.hardening:
-            spring = spec.add_tendon(name=f"{hinge.name}_hardening", stiffness=[hinge.hardening, 0, 0])
+        elastic = [hinge.hardening, hinge.sense * hinge.quadratic, hinge.cubic]
+        yields = math.isfinite(hinge.yield_angle) and not hinge.remembers
+        if hinge.flaps is None and yields and any(elastic):
+            spring = spec.add_tendon(name=f"{hinge.name}_hardening", stiffness=elastic)
             rest = hinge.sense * hinge.rest_angle
             spring.springlength = [rest, rest]
             spring.wrap_joint(hinge.name, 1.0)

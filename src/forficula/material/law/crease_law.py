@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.errors import InputError
-from forficula.material.law.relaxation import followed_share, square_integrals
+from forficula.material.law.relaxation import followed_share, square_integrals, working_share
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -217,7 +217,7 @@ class CreaseLaw:
         return memory
 
     def next_memory(
-        self, angle: Array, further: Array | float, before: Array, turned: Array | float = 0.0, time: float = 0.0
+        self, angle: Array, further: Array | float, before: Array, turned: Array | float = 0.0, time: Array | float = 0.0
     ) -> Array:
         """Return the memory of creases after they have turned to these angles at a constant rate.
 
@@ -226,17 +226,28 @@ class CreaseLaw:
             further: change of the rest angles, rad.
             before: memory before, (slot, ...).
             turned: change of the angles, rad, (...).
-            time: duration of this turn, s.
+            time: duration of this turn, s, of a shape that broadcasts with the angles.
         """
-        sets = self.next_set(angle, further, before[0]) if self.yields else before[0]
+        after = self.turned_memory(before, turned, time)
+        if not self.yields:
+            return after
+        sets = self.next_set(angle, further, before[0])
         if len(before) == 1:
             return sets[None]
-        after = np.empty_like(before)
         after[0] = sets
-        after[1] = before[1] + np.where(self.damage_by_set, np.abs(sets - before[0]), np.abs(turned))
-        times, stiffness = self._branches
-        follows = stiffness * followed_share(times, time)
-        after[2:] = np.exp(-time / times) * before[2:] + follows * turned
+        after[1] += np.where(self.damage_by_set, np.abs(sets - before[0]), 0.0)
+        return after
+
+    def turned_memory(self, before: Array, turned: Array | float, time: Array | float) -> Array:
+        """Return the memory of creases after a turn without yield, with the arguments of `next_memory`."""
+        if len(before) == 1:
+            return before
+        times, stiffness = self._branches(before)
+        after = np.empty_like(before)
+        after[0] = before[0]
+        after[1] = before[1] + np.where(self.damage_by_set, 0.0, np.abs(turned))
+        if len(before) > 2:
+            after[2:] = np.exp(-time / times) * before[2:] + stiffness * followed_share(times, time) * turned
         return after
 
     def remaining(self, memory: Array) -> Array | float:
@@ -247,30 +258,29 @@ class CreaseLaw:
 
     def stored(self, angle: Array, further: Array | float, memory: Array) -> Array:
         """Compute the stored energy of creases with a memory, J, (...), with the arguments of `next_memory`."""
-        energy = self.energy(angle, further, self.rest_shift(memory[0]) if self.yields else 0.0)
+        energy = self.energy(angle, *self._rests(further, memory))
         if self.yields:
             energy = energy + self.set_energy(memory[0])
         if len(memory) == 1:
             return energy
-        _, stiffness = self._branches
+        _, stiffness = self._branches(memory)
         squares = np.divide(memory[2:] ** 2, stiffness, out=np.zeros_like(memory[2:]), where=stiffness > 0)
         energy = energy + np.sum(squares, axis=0) / 2
         of_stops = np.asarray(self.stop_stiffness) / 2 * self._stopped(angle) ** 2
         return np.asarray(of_stops + self.remaining(memory) * (energy - of_stops))
 
-    def acting(self, angle: Array, further: Array | float, memory: Array, time: float = 0.0) -> tuple[Array, Array]:
+    def acting(self, angle: Array, further: Array | float, memory: Array, time: Array | float = 0.0) -> tuple[Array, Array]:
         """Compute the moment and its slope for creases with a memory, with the arguments of `next_memory`.
 
-        The slope is that of a turn without yield. The moment of branches is its mean over the given time if the crease
-        does not turn, s, and their slope that of a ramp over this time.
+        The slope is that of a turn without yield, see `yielding_slope`. The moment of branches is its mean over the given time if the crease
+        does not turn, s, and their slope does the work of a ramp over this time.
         """
-        moment, slope = self.moment_and_slope(angle, further, self.rest_shift(memory[0]) if self.yields else 0.0)
+        moment, slope = self.moment_and_slope(angle, *self._rests(further, memory))
         if len(memory) == 1:
             return moment, slope
-        times, stiffness = self._branches
-        shares = followed_share(times, time)
-        moment = moment + np.sum(shares * memory[2:], axis=0)
-        slope = slope + np.sum(shares * stiffness, axis=0)
+        times, stiffness = self._branches(memory)
+        moment = moment + np.sum(followed_share(times, time) * memory[2:], axis=0)
+        slope = slope + np.sum(working_share(times, time) * stiffness, axis=0)
         if not self.wears:
             return moment, slope
         stopped, left = self._stopped(angle), self.remaining(memory)
@@ -294,7 +304,7 @@ class CreaseLaw:
             return yielded, np.zeros_like(angle), np.zeros_like(angle)
         left, relaxed, worn = self.remaining(before), np.zeros_like(angle), np.zeros_like(angle)
         if self.relaxes and time:
-            times, stiffness = self._branches
+            times, stiffness = self._branches(before)
             squares, last, first = square_integrals(times, time), after[2:], before[2:]
             total = squares[0] * first**2 + squares[1] * first * last + squares[2] * last**2
             scale = stiffness * times
@@ -306,10 +316,32 @@ class CreaseLaw:
             worn = self.stored(angle, further, new) - self.stored(angle, further, after)
         return left * yielded, left * relaxed, worn
 
-    @property
-    def _branches(self) -> tuple[Array, Array]:
-        """Return the relaxation times and the stiffnesses of the branches, (branch, ...)."""
-        return np.moveaxis(self.branch_time, -1, 0), np.moveaxis(self.branch_stiffness, -1, 0)
+    def yielding_slope(self, before: Array, after: Array) -> Array:
+        """Return the part of the slope that creases lack while they yield, N m/rad, from their memories, (...)."""
+        lacking = np.where(after[0] != before[0], np.asarray(self.stiffness) - self.hardening, 0.0)
+        return np.asarray(self.remaining(after) * lacking)
+
+    def largest_slope(self, angle: Array) -> Array:
+        """Return the slope of fast turns at these angles, with the largest one that nonlinear terms add, N m/rad."""
+        slope = self.slope(angle) + np.sum(self.branch_stiffness, axis=-1)
+        if not self.bends:
+            return np.asarray(slope)
+        ends = (np.clip(limit, -math.pi, math.pi) - self.rest_angle for limit in (self.lower, self.upper))
+        steepest = [x * (2 * np.asarray(self.quadratic) + 3 * x * np.asarray(self.cubic)) for x in ends]
+        return np.asarray(slope + np.maximum(np.maximum(*steepest), 0.0))
+
+    def _rests(self, further: Array | float, memory: Array) -> tuple[Array | float, Array | float]:
+        """Return the changes of the rest angles of the whole spring and of its linear part, rad."""
+        if not self.yields:
+            return further, 0.0
+        shift = self.rest_shift(memory[0])
+        return (further, shift) if self.bends else (further + shift, 0.0)
+
+    def _branches(self, memory: Array) -> tuple[Array, Array]:
+        """Return the relaxation times and the stiffnesses of the branches, which broadcast with those of a memory."""
+        parts = (np.moveaxis(numbers, -1, 0) for numbers in (self.branch_time, self.branch_stiffness))
+        times, stiffness = (part.reshape(len(part), *(1,) * (memory.ndim - part.ndim), *part.shape[1:]) for part in parts)
+        return times, stiffness
 
     def some(self, which: Indices) -> CreaseLaw:
         """Return the law of some creases, by their indices in the arrays."""

@@ -8,15 +8,28 @@ from forficula.arrays import Array
 
 # nodes of the quadrature over a step, exact to 1e-9 up to steps of 20 relaxation times
 _NODES = 16
+# width below which a series of third order replaces a difference
+_NARROW = 1e-2
 
 
-def followed_share(time: Array, duration: float) -> Array:
-    """Return the share of its elastic force that a branch keeps of a constant ramp, in the shape of the times.
+def followed_share(time: Array, duration: Array | float) -> Array:
+    """Return the share of its elastic force that a branch keeps of a constant ramp, in the common shape.
 
     The share is (1 - exp(-s)) / s with s = duration / time. It is also the mean of exp(-t / time) over the duration.
     """
-    width = duration / time
-    return np.asarray(-np.expm1(-width) / width if duration else np.ones_like(width))
+    width = np.asarray(duration / time)
+    return np.divide(-np.expm1(-width), width, out=np.ones_like(width), where=width > 0)
+
+
+def working_share(time: Array, duration: Array | float) -> Array:
+    """Return the slope of a spring that does the work of a branch in a ramp from rest, as a share of its stiffness.
+
+    The work of the branch is stiffness turn^2 (1 - f) / s with s = duration / time and f of `followed_share`.
+    """
+    width = np.asarray(duration / time)
+    # the series avoids the loss of digits at small widths, with an error of 1e-9
+    series = 1 - width / 3 + width**2 / 12 - width**3 / 60
+    return np.where(width > _NARROW, 2 * (1 - followed_share(time, duration)) / np.maximum(width, _NARROW), series)
 
 
 def square_integrals(time: Array, duration: float) -> Array:
