@@ -114,6 +114,25 @@ def _losses(model: Model, steps: Steps, place: int, efforts: Array) -> dict[str,
     return works
 
 
+def spring_works(model: Model, steps: Steps, place: int) -> Array:
+    """Return the work of the engine's springs of joints that remember, (step,), as for `crease_works`."""
+    assert model.creases is not None
+    assert steps.memory is not None
+    assert steps.memory_before is not None
+    assert steps.angles is not None
+    joints, law, memory, angles = model.creases.joints >= 0, model.creases.law, steps.memory[:, place], steps.angles[place]
+    moment, slope = law.acting(angles, 0.0, memory, steps.followed * model.timestep)
+    if law.yields:
+        before = np.concatenate([steps.memory_before[:, place, None], memory[:, :-1]], axis=1)
+        slope = slope - law.yielding_slope(before, memory)
+    position = np.concatenate([steps.position_before[place, None], steps.position[place]])
+    block = np.arange(len(position) - 1) // steps.followed
+    ends = (model.folds.angles(position)[:, model.creases.hinges[joints]][part] for part in (slice(-1), slice(1, None)))
+    start, end = (turned - angles[block][:, joints] for turned in ends)
+    work = moment[block][:, joints] * (end - start) + slope[block][:, joints] / 2 * (end**2 - start**2)
+    return np.asarray(-np.sum(work, axis=1))
+
+
 def engine_work(model: Model, motor: int, steps: Steps, place: int, travel: Array) -> Array:
     """Compute the work of a motor's servos and brakes, whose forces the engine computes, (step,)."""
     holds = np.flatnonzero(model.holds == motor)

@@ -6,7 +6,8 @@ row can be changed between steps, so that at the present angle it has the moment
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 from typing import Any
 
 import mujoco
@@ -26,7 +27,7 @@ _ROW = 17
 class EngineCreases:
     """The creases of a structure whose numbers in the engine's model are computed every few steps.
 
-    These are creases between flaps, then joints whose springs remember more than a permanent fold.
+    These are creases between flaps, then joints, see `is_followed_joint`.
 
     Attributes:
         hinges: numbers of the hinges, (crease,).
@@ -111,12 +112,16 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> En
     if not len(followed):
         return None
     hinges = [structure.hinges[number] for number in folds.creases]
+    columns, law = [structure.hinges[number] for number in followed], crease_law(structure, followed)
+    joints = np.array([_joint(engine, hinge) for hinge in columns], dtype=np.int64)
+    # the stops of joints are constraints of the engine
+    lower, upper = np.where(joints >= 0, -np.inf, law.lower), np.where(joints >= 0, np.inf, law.upper)
     common: dict[str, Any] = {
         "hinges": followed,
-        "joints": np.array([_joint(engine, structure.hinges[number]) for number in followed], dtype=np.int64),
-        "senses": np.array([structure.hinges[number].sense for number in followed], dtype=np.int64),
-        "law": crease_law(structure, followed),
-        "damping": np.array([hinge.damping if hinge.flaps else 0.0 for hinge in map(structure.hinges.__getitem__, followed)]),
+        "joints": joints,
+        "senses": np.array([hinge.sense for hinge in columns], dtype=np.int64),
+        "law": replace(law, lower=lower, upper=upper),
+        "damping": np.array([hinge.damping if hinge.flaps else 0.0 for hinge in columns]),
     }
     if not hinges:
         nothing = np.zeros(0, dtype=np.int64)
@@ -149,8 +154,18 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> En
 
 def followed_hinges(structure: Structure) -> Indices:
     """Return the numbers of the hinges whose numbers in the engine are computed every few steps; see `EngineCreases`."""
-    joints = [number for number, hinge in enumerate(structure.hinges) if hinge.remembers and not hinge.flaps]
+    joints = [number for number, hinge in enumerate(structure.hinges) if is_followed_joint(hinge, structure)]
     return np.concatenate([crease_numbers(structure), np.array(joints, dtype=np.int64)])
+
+
+def is_followed_joint(hinge: Hinge, structure: Structure) -> bool:
+    """Return whether a hinge is a joint whose spring in the engine is computed every few steps.
+
+    In steps of Runge and Kutta, which closed loops take, the engine's own yield misses 1 % of the energy: measured on a
+    vertex of four plates.
+    """
+    yields = bool(structure.closures) and math.isfinite(hinge.yield_angle)
+    return hinge.flaps is None and (hinge.remembers or yields)
 
 
 def _joint(engine: mujoco.MjModel, hinge: Hinge) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Mapping
 from functools import reduce
 
@@ -246,11 +247,18 @@ def state_energies(model: Model, derived: Mapping[str, Array]) -> dict[str, Arra
 
 
 def energy_of(model: Model, moving: Array) -> float:
-    """Compute the energy of springs, weight and motion, in the model's units, from a state of `Steps.after`."""
-    data = mujoco.MjData(model.engine)
-    mujoco.mj_setState(model.engine, data, moving, MOVING)
+    """Compute the energy of springs, weight and motion, in the model's units, from a state of `Steps.after`.
+
+    Springs whose numbers in the engine change, see `EngineCreases`, are left out.
+    """
+    engine = model.engine
+    if model.creases is not None and (model.creases.joints >= 0).any():
+        engine = copy.copy(engine)
+        engine.jnt_stiffness[model.creases.joints[model.creases.joints >= 0]] = 0.0
+    data = mujoco.MjData(engine)
+    mujoco.mj_setState(engine, data, moving, MOVING)
     with quiet:
-        mujoco.mj_forward(model.engine, data)
+        mujoco.mj_forward(engine, data)
     # the engine also counts the weight of floating masses
     floats = model.engine.body_mass * model.engine.body_gravcomp
     return float(data.energy.sum() + floats @ (data.xipos @ model.engine.opt.gravity))

@@ -11,7 +11,7 @@ import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.design import Design
-from forficula.dynamics.energies.creases import EngineCreases, add_creases, clear_rows, creases_of, followed_hinges
+from forficula.dynamics.energies.creases import EngineCreases, add_creases, clear_rows, creases_of, followed_hinges, is_followed_joint
 from forficula.dynamics.engine.bodies import (
     add_bodies,
     add_hardening,
@@ -380,8 +380,9 @@ def _followed_steps(structure: Structure) -> int:
     most = [] if structure.medium is None else [CONSTANT_STEPS]
     if any(hinge.flaps for hinge in structure.hinges):
         most.append(followed_steps(structure))
-    if any(hinge.remembers and not hinge.flaps for hinge in structure.hinges):
-        most.append(AT_JOINTS)
+    joints = [hinge for hinge in structure.hinges if is_followed_joint(hinge, structure)]
+    if joints:
+        most.append(1 if any(hinge.quadratic or hinge.cubic for hinge in joints) else AT_JOINTS)
     return min(most, default=1)
 
 
