@@ -151,7 +151,7 @@ class QuasiStaticPath:
         spring reduces the angle. A drive that changes rest angles changes the moments accordingly.
         """
         further = self.strength[:, None] * rest_changes(self.structure, self.drive)
-        return spring_moments(self.structure, self.angles, further + self._rest_shifts)
+        return spring_moments(self.structure, self.angles, further, self._rest_shifts)
 
     @cached_property
     def sets(self) -> Array:
@@ -258,16 +258,19 @@ def rest_changes(structure: Structure, drive: Drive) -> Array:
     return changes
 
 
-def spring_moments(structure: Structure, angles: Array, further: Array | float = 0.0) -> Array:
+def spring_moments(
+    structure: Structure, angles: Array, further: Array | float = 0.0, shift: Array | float = 0.0
+) -> Array:
     """Return the moments of the springs of all hinges, N m, (..., hinge).
 
     Args:
         structure: the structure.
         angles: of all hinges in their own senses, rad, (..., hinge).
         further: changes of the rest angles, rad.
+        shift: changes of the rest angles by permanent folds, rad.
     """
     law = crease_law(structure, np.arange(len(structure.hinges)), rigid_stops=True)
     creases = np.array([hinge.flaps is not None for hinge in structure.hinges], dtype=np.bool_)
-    linear = law.rest_moment(angles, further)
+    alone = law.rest_moment(angles, further, shift)
     # the stops of joints bound their angles and have no stiffness
-    return np.where(creases, law.moment(angles, further), linear)
+    return np.where(creases, law.moment_and_slope(angles, further, shift)[0], alone)

@@ -16,7 +16,13 @@ from forficula.statics.net.driven.net_path import net_path
 from forficula.statics.net.driven.net_rest import net_rest_path
 from forficula.statics.net.net_landscape import Progress, net_landscape, slow_courses
 from forficula.statics.net.net_of import is_net
-from forficula.statics.path_dependence import path_dependence, refuse_path_dependence, refuse_table
+from forficula.statics.path_dependence import (
+    path_dependence,
+    refuse_path_dependence,
+    refuse_table,
+    refuse_wear,
+    rest_angle_of_nonlinear,
+)
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
 from forficula.statics.tree.potential import ensemble
 from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
@@ -104,6 +110,7 @@ def quasi_static_path(
         raise InputError(f"error: need a number above 0 and up to 1, got {error}")
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
     refuse_table(structure, "quasi-static path")
+    refuse_wear(structure, "quasi-static path")
     drive, made = _driven_transition(structure, transition)
     reason = path_dependence(structure)
     if reason and not is_net(structure):
@@ -156,9 +163,11 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
     laws = [tendon.law for tendon in structure.tendons]
     if any(law.branches for law in laws):
         return "the law of a tendon has Maxwell branches, whose force depends on time"
+    if any(hinge.branches for hinge in structure.hinges):
+        return "a crease has Maxwell branches, whose moment depends on time"
     if any(law.yield_extension is not None for law in laws):
         return "a tendon yields, and statics ignores permanent extensions"
-    if reason := path_dependence(structure):
+    if reason := path_dependence(structure) or rest_angle_of_nonlinear(structure):
         return reason
     if structure.contact is not None:
         return "statics ignores contact"
@@ -197,6 +206,7 @@ def start_drag(
             folds permanently.
     """
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
+    refuse_wear(structure, "point that can be dragged")
     refuse_path_dependence(structure, "point that can be dragged")
     if transition is None and not any(any(drive.strengths) for drive in structure.drives):
         shares = tuple(0.0 for _ in structure.motors)

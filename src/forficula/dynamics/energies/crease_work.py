@@ -7,20 +7,21 @@ import math
 import numpy as np
 
 from forficula.arrays import Array, Indices
+from forficula.dynamics.engine.crease_rows import without_jump
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.placement import Placement
 from forficula.dynamics.stepping.steps import Steps
-from forficula.material import CreaseLaw
 from forficula.structure import Motor, Structure
 
 
 def crease_works(
     model: Model, steps: Steps, place: int, travel: Array, efforts: Array, before: Array
-) -> tuple[Array, Array, Array]:
+) -> tuple[Array, Array, dict[str, Array]]:
     """Compute the works on a structure with creases in some steps, in the model's units.
 
-    The work of a moving rest angle is the change of the energy of the spring. Because this energy is quadratic in the
-    rest angle, it equals the mean moment of the spring, without locking and stops, times the change of the rest angle.
+    The work of a moving rest angle is the change of the energy of the spring. It is computed as the moment of the
+    spring at the mean rest angle, without locking and stops, times the change of the rest angle, which is exact for
+    linear springs.
 
     Args:
         model: of the structure.
@@ -31,7 +32,8 @@ def crease_works(
         before: settings before each step, (step, motor).
 
     Returns:
-        Work of every motor, (motor, step), of the creases' damping, (step,), and of their yielding, (step,).
+        Work of every motor, (motor, step), and of the creases' damping, (step,); and by name the works, <= 0, of their
+        yielding, branches and damage, (step,), without those that no crease has.
     """
     assert model.creases is not None
     assert steps.angles is not None
@@ -44,14 +46,16 @@ def crease_works(
     if creases.damping.any() or any(math.isfinite(motor.no_load_speed) for motor in model.structure.motors):
         first = slice(0, None, steps.followed)
         velocity = np.concatenate([steps.velocity_before[place, None], steps.velocity[place, :-1]])
-        speeds = folds.travel(position[first], velocity[first])[:, folds.creases]
-        turned = folds.travel(position, travel)[:, folds.creases]
+        speeds = folds.travel(position[first], velocity[first])[:, creases.hinges]
+        turned = folds.travel(position, travel)[:, creases.hinges]
         damped = -np.sum((creases.damping * speeds)[block] * turned, axis=1)
     angles = steps.angles[place][block]
     rests, mean = model.settings(before)[0], model.settings((before + efforts) / 2)[0]
-    sets, lost = _sets_and_loss(creases.law, steps, place, len(travel))
-    moved = np.any(mean) or np.any(rests)
-    moments = creases.law.rest_moment(angles, mean + sets[block]) if moved else np.zeros_like(angles)
+    moved, moments, law = np.any(mean) or np.any(rests), np.zeros_like(angles), creases.law
+    if moved:
+        assert steps.memory is not None
+        memory = steps.memory[:, place, block]
+        moments = law.remaining(memory) * law.rest_moment(angles, mean, law.rest_shift(memory[0]))
     works = []
     for number, motor in enumerate(model.structure.motors):
         if motor.kind == "displacement":
@@ -68,23 +72,65 @@ def crease_works(
         changes = np.zeros_like(efforts)
         changes[:, number] = efforts[:, number] - before[:, number]
         works.append(-np.sum(moments * model.settings(changes)[0], axis=1))
-    return np.array(works).reshape(-1, len(travel)), damped, lost
+    return np.array(works).reshape(-1, len(travel)), damped, _losses(model, steps, place, efforts)
 
 
-def _sets_and_loss(law: CreaseLaw, steps: Steps, place: int, count: int) -> tuple[Array, Array]:
-    """Return shifts of rest angles by sets, (block, crease) or zeros, and the work of yielding, <= 0, (step,).
+def _losses(model: Model, steps: Steps, place: int, efforts: Array) -> dict[str, Array]:
+    """Return the works of yielding, branches and damage of creases, <= 0, (step,), see `crease_works`.
 
-    A set changes where a block of steps begins, so the work is that of the first step of the block.
+    A set changes where a block of steps begins, so the work is that of the first step of the block. The work of
+    branches and wear in a block is distributed evenly over its steps.
     """
-    lost = np.zeros(count)
-    if not law.yields:
-        return np.zeros((-(-count // steps.followed), 1)), lost
-    assert steps.sets is not None
-    assert steps.sets_before is not None
-    sets = steps.sets[place]
-    changes = np.diff(np.concatenate([steps.sets_before[place, None], sets]), axis=0)
-    lost[:: steps.followed] = -np.sum(law.yield_loss(changes), axis=1)[: -(-count // steps.followed)]
-    return law.rest_shift(sets), lost
+    assert model.creases is not None
+    assert steps.memory is not None
+    assert steps.memory_before is not None
+    assert steps.angles is not None
+    law, memory, angles, count = model.creases.law, steps.memory[:, place], steps.angles[place], len(efforts)
+    works: dict[str, Array] = {}
+    if not (law.yields or law.relaxes or law.wears):
+        return works
+    block, rests = steps.followed * model.timestep, model.settings(efforts[:: steps.followed])[0]
+    after = memory
+    if len(memory) > 1:
+        # the last block ends at the angles after it
+        end = model.folds.angles(steps.position[place, -1])[model.followed_hinges]
+        ends = np.concatenate([angles[1:], without_jump(end, angles[-1])[None]])
+        after = law.turned_memory(memory, ends - angles, block)
+        _, relaxed, worn = law.losses(ends, rests, memory, after, block)
+        for name, lost, present in (
+            ("crease_branch_work", relaxed, law.relaxes),
+            ("crease_damage_work", worn, law.wears),
+        ):
+            if present:
+                works[name] = -np.repeat(np.sum(lost, axis=1), steps.followed)[:count] / steps.followed
+    if law.yields:
+        # the first block begins where the steps before it ended
+        before = np.concatenate([steps.memory_before[:, place, None], after[:, :-1]], axis=1)
+        yielded, _, worn = law.losses(angles, rests, before, memory, 0.0)
+        works["crease_yield_work"] = np.zeros(count)
+        works["crease_yield_work"][:: steps.followed] = -np.sum(yielded, axis=1)
+        if law.wears:
+            works["crease_damage_work"][:: steps.followed] -= np.sum(worn, axis=1)
+    return works
+
+
+def spring_works(model: Model, steps: Steps, place: int) -> Array:
+    """Return the work of the engine's springs of joints that remember, (step,), as for `crease_works`."""
+    assert model.creases is not None
+    assert steps.memory is not None
+    assert steps.memory_before is not None
+    assert steps.angles is not None
+    joints, law, memory, angles = model.creases.joints >= 0, model.creases.law, steps.memory[:, place], steps.angles[place]
+    moment, slope = law.acting(angles, 0.0, memory, steps.followed * model.timestep)
+    if law.yields:
+        before = np.concatenate([steps.memory_before[:, place, None], memory[:, :-1]], axis=1)
+        slope = slope - law.yielding_slope(before, memory)
+    position = np.concatenate([steps.position_before[place, None], steps.position[place]])
+    block = np.arange(len(position) - 1) // steps.followed
+    ends = (model.folds.angles(position)[:, model.creases.hinges[joints]][part] for part in (slice(-1), slice(1, None)))
+    start, end = (turned - angles[block][:, joints] for turned in ends)
+    work = moment[block][:, joints] * (end - start) + slope[block][:, joints] / 2 * (end**2 - start**2)
+    return np.asarray(-np.sum(work, axis=1))
 
 
 def engine_work(model: Model, motor: int, steps: Steps, place: int, travel: Array) -> Array:

@@ -7,7 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from forficula.arrays import Array, Indices
-from forficula.dynamics.energies.crease_work import crease_works, displacement_force, engine_work, motor_travel
+from forficula.dynamics.energies.crease_work import (
+    crease_works,
+    displacement_force,
+    engine_work,
+    motor_travel,
+    spring_works,
+)
 from forficula.dynamics.energies.energy import CLAMPING_FIELDS, branch_losses, clamping_work, energy_of
 from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
 from forficula.dynamics.engine.model import Model, joint_ranges
@@ -251,8 +257,9 @@ class WorkBalance:
                 for number in range(len(self._motors))
             }
             of_creases = np.array([damped for _, damped, _ in parts_of_pieces])
-            if any(creases.law.yields for model in self._models if (creases := model.creases) is not None):
-                work["crease_yield_work"] = np.array([lost for _, _, lost in parts_of_pieces])
+            of_laws = [lost for _, _, lost in parts_of_pieces]
+            for name in {name for lost in of_laws for name in lost}:
+                work[name] = np.array([lost.get(name, np.zeros(travel.shape[1])) for lost in of_laws])
         return work, of_creases
 
     def _add_losses(
@@ -381,6 +388,9 @@ class WorkBalance:
         if len(self._gaps):
             work["closure_work"] = closing
         others = driven + work["hinge_damping_work"] + work["elastic_damping_work"]
+        for place, row in enumerate(rows.tolist()):
+            if (creases := self._models[row].creases) is not None and (creases.joints >= 0).any():
+                others[place] += spring_works(self._models[row], steps, place)
         for place, step in zip(*np.nonzero(jumps & (np.arange(jumps.shape[1]) < taken[:, None])), strict=True):
             ends = (steps.before[place] if step == 0 else steps.after[place, step - 1], steps.after[place, step])
             before, after = (energy_of(self._models[rows[place]], state) for state in ends)

@@ -71,6 +71,8 @@ def model_numbers(model: Model) -> dict[str, Array]:
 
 def why_not_portable(model: Model) -> str:
     """Return why an older engine alone moves a structure differently, as a clause; empty if it does not."""
+    if model.creases is not None and (model.creases.joints >= 0).any():
+        return "its creases remember how they were turned, which is computed outside the engine"
     if model.creases is not None:
         return "its creases are not joints, which engines before MuJoCo 4.0 do not support"
     if model.drag is not None:

@@ -29,15 +29,14 @@ def start_position(model: Model) -> Array:
 
 
 def start_creases(model: Model) -> Array:
-    """Return the start angles of creases, rad, (crease,)."""
-    return np.array([model.structure.hinges[number].start for number in model.folds.creases])
+    """Return the start angles of followed creases, rad, (crease,)."""
+    return np.array([model.structure.hinges[number].start for number in model.followed_hinges])
 
 
-def start_folds(model: Model) -> Array:
-    """Return the permanent folds of creases at the start, rad, (crease,): some start beyond their yield angle."""
+def start_memory(model: Model) -> Array:
+    """Return the memory of followed creases at the start, (slot, crease): some start beyond their yield angle."""
     start = start_creases(model)
-    unfolded = np.zeros_like(start)
-    return unfolded if model.creases is None else model.creases.law.next_set(start, 0.0, unfolded)
+    return np.zeros((1, len(start))) if model.creases is None else model.creases.law.start_memory(start)
 
 
 def _start_creep(model: Model) -> Array:

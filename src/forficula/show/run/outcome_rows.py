@@ -341,6 +341,8 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
         ("+ dissipated by the Maxwell branches", balance.branch_damping, True),
         ("+ dissipated by yielding", balance.yielding, True),
         ("+ dissipated by yielding creases", balance.crease_yielding, True),
+        ("+ dissipated by the Maxwell branches of creases", balance.crease_branches, True),
+        ("+ dissipated by wear of creases", balance.crease_damage, True),
         ("+ stored by branches that gave way, without work", balance.letting_go, True),
         ("+ missing", balance.missing, True),
     )

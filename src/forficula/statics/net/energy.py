@@ -248,7 +248,7 @@ def _crease_energies(net: Net, shape: NetShape, further: Array | float) -> Array
         return np.asarray(law.energy(shape.angles, further))
     before = np.zeros_like(shape.angles) if shape.sets is None else shape.sets
     sets = law.next_set(shape.angles, further, before)
-    return np.asarray(law.energy(shape.angles, further + law.rest_shift(sets)) + law.set_energy(sets))
+    return np.asarray(law.energy(shape.angles, further, law.rest_shift(sets)) + law.set_energy(sets))
 
 
 def _folds(net: Net, frames: _Frames, shares: Array, slope: Array, shape: NetShape, torques: Array | None) -> Piece:

@@ -14,6 +14,7 @@ from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.tendon_law import stacked_laws
+from forficula.statics.path_dependence import refuse_rest_angles
 from forficula.statics.net.energy import kept_folds, shape_at
 from forficula.statics.net.load import Load, no_load, point_forces
 from forficula.statics.net.net import Net, NetCreases, NetShape, Springs, Tendons, Triangles
@@ -124,13 +125,15 @@ def valley_law(structure: Structure) -> CreaseLaw:
         lock_above=np.where(back, -below, above),
         lower=np.where(back, -upper, lower),
         upper=np.where(back, -lower, upper),
+        # an even term changes its sign with the sense
+        quadratic=_senses(structure) * np.asarray(law.quadratic),
     )
 
 
 def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> Load:
     """Return the load of motors at given settings: N m, N, m of held points, or rad of changed rest angles.
 
-    A change of a spring's rest angle is equivalent to the torque stiffness x angle, wherever the spring locks.
+    A change of a linear spring's rest angle is equivalent to the torque stiffness x angle, wherever the spring locks.
 
     Args:
         structure: the structure with the motors.
@@ -139,6 +142,7 @@ def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> L
     """
     load, senses = no_load(net), _senses(structure)
     stiffness = np.asarray(net.creases.law.stiffness)
+    refuse_rest_angles(structure)
     for motor, setting in zip(structure.motors, settings, strict=True):
         if motor.direction is not None:
             vectors = np.tile(setting * motor.direction, (len(motor.points), 1))

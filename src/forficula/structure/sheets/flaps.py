@@ -59,6 +59,7 @@ def crease_law(structure: Structure, creases: Indices, *, rigid_stops: bool = Fa
         rigid_stops: whether stops without a given stiffness are practically rigid, for statics.
     """
     hinges = [structure.hinges[number] for number in creases]
+    damages = [hinge.damage for hinge in hinges]
     stiffness = np.array([hinge.stiffness for hinge in hinges])
     defaults = (_RIGID if rigid_stops else _STOP) * np.where(stiffness > 0, stiffness, stiffness.max(initial=0.0))
     stops = [
@@ -75,4 +76,17 @@ def crease_law(structure: Structure, creases: Indices, *, rigid_stops: bool = Fa
         stop_stiffness=np.array(stops),
         yield_angle=np.array([hinge.yield_angle for hinge in hinges]),
         hardening=np.array([hinge.hardening for hinge in hinges]),
+        quadratic=np.array([hinge.quadratic for hinge in hinges]),
+        cubic=np.array([hinge.cubic for hinge in hinges]),
+        branch_stiffness=_padded([[branch.stiffness for branch in hinge.branches] for hinge in hinges], 0.0),
+        branch_time=_padded([[branch.time for branch in hinge.branches] for hinge in hinges], 1.0),
+        damage_loss=np.array([damage.loss if damage else 0.0 for damage in damages]),
+        damage_turn=np.array([damage.turn if damage else 1.0 for damage in damages]),
+        damage_by_set=np.array([damage is not None and damage.by_set for damage in damages], dtype=np.bool_),
     )
+
+
+def _padded(rows: list[list[float]], absent: float) -> Array:
+    """Return rows of numbers as an array, (row, number), with a value for absent numbers."""
+    most = max((len(row) for row in rows), default=0)
+    return np.array([[*row, *[absent] * (most - len(row))] for row in rows]).reshape(len(rows), most)
