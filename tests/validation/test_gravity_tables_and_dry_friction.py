@@ -137,6 +137,26 @@ def test_dry_friction_reduces_the_amplitude_of_a_pendulum_at_every_half_swing(ag
     holds("residual of the energy balance", balance.residual, below=0.005, by="the energy balance")
 
 
+def test_dry_friction_of_a_crease_between_facets_that_bend_takes_the_same_energy(agree, holds):
+    moment = 2e-5
+    values = SOFT | {
+        **{"crease.stiffness": "0 N m/rad/m", "crease.damping": "0 N m s/rad/m", "facet.bend_stiffness": "1 N m/rad/m"},
+        **{"crease.friction": f"{moment / SIDE} N m/m", "protocol.gravity_direction": [1, 0, -0.3]},
+        **{"protocol.timestep": "0.2 ms", "protocol.stages.free.time_limit": "0.4 s"},
+    }
+    record = simulated(values, HELD)
+    angle = record.series["hinge_angle"][:, 0] + math.atan(0.3)
+    turns = np.flatnonzero(np.diff(angle[:-1]) * np.diff(angle[1:]) < 0) + 1
+    lost = np.abs(angle[0]) - np.abs(angle[turns[0]])
+    loss = 2 * moment / (PANEL * G * SIDE / 2)
+    agree("loss of amplitude in a half swing", lost, loss, unit="rad", by="2 M / (m g l), small angles", rel=0.02)
+    balance = energy_balance(record)
+    # before it slides, the crease turns elastically by 5 mrad to each side
+    slid = np.abs(np.diff(angle)).sum() - 0.01 * len(turns) - 0.005
+    agree("work of friction", balance.friction, moment * slid, unit="J", by="M times turn", rel=0.01)
+    holds("residual of the energy balance", balance.residual, below=0.005, by="the energy balance")
+
+
 @pytest.mark.parametrize("direction", [(1, 0, -1), (1, 0, 0.5), (2, 3, -1)])
 def test_a_hinged_plate_rests_along_tilted_gravity(direction, agree):
     values = RIGID | {"protocol.gravity_direction": list(direction), "crease.back_limit": "180 deg"}

@@ -152,5 +152,6 @@ def _band_remarks(structure: Structure, bands: Sequence[FrictionBand]) -> Iterat
             continue
         yield (
             f'in "{state}" dry friction holds {labels[widest.hinge]} at any angle from {low:.4g} to {high:.4g} deg'
-            " while all other hinges keep their angles" + (", the widest range of all hinges" if len(of_state) > 1 else "")
+            " while all other hinges keep their angles"
+            + (", the widest range of all hinges" if len(of_state) > 1 else "")
         )

@@ -11,7 +11,7 @@ import numpy as np
 from forficula.design.design import check_duration
 from forficula.design.medium import check_medium
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
-from forficula.design.section import ANGLE, LENGTH, SHORT_TIME, TORQUE
+from forficula.design.section import ANGLE, LENGTH, SHORT_TIME, TORQUE, Section
 from forficula.design.sheets.crease_values import crease_key, creases_by_edge, rest_angle, stops
 from forficula.design.sheets.rigid_checks import (
     check_rigid,
@@ -135,18 +135,15 @@ def _check_yielding(design: SheetDesign) -> None:
 
 
 def _check_friction(design: SheetDesign) -> None:
-    """Refuse dry friction of creases that are not hinges."""
-    values = [design.crease.friction, *(group.friction for group in design.crease.group)]
-    number = next((place for place, value in enumerate(values) if value), None)
-    if number is None or (design.facet.kind == "rigid" and not design.opens):
+    """Refuse dry friction of creases that wear out, unless they are hinges, whose friction does not wear."""
+    if design.facet.kind == "rigid" and not design.opens:
         return
-    key = f"crease.group.{number - 1}.friction" if number else "crease.friction"
-    why = "creases that open" if design.opens else f'facet.kind = "{design.facet.kind}"'
-    raise InputError(
-        f"{key}: need 0 with {why}, because only hinges of rigid facets have dry friction, got"
-        f" {show_quantity(values[number] or 0.0, CREASE_MOMENT)}; yield_moment with a hardening close to the stiffness"
-        " holds such creases in a range, too"
-    )
+    for edge, crease in creases_by_edge(design).items():
+        if crease.friction and isinstance(crease.damage, Section):
+            raise InputError(
+                f"{crease_key(design, edge, 'friction')}: need 0 for a crease that wears out (damage), because the wear"
+                f" of friction is not modelled, got {show_quantity(crease.friction, CREASE_MOMENT)}"
+            )
 
 
 def _check_nonlinear(design: SheetDesign) -> None:

@@ -112,9 +112,7 @@ class CreaseDamage(Section):
             examples=[0.3],
         ),
     ]
-    turn: float = quantity(
-        ANGLE, "wear after which 63 % of this share is lost", above=0, examples=["36000 deg"]
-    )
+    turn: float = quantity(ANGLE, "wear after which 63 % of this share is lost", above=0, examples=["36000 deg"])
     of: Annotated[
         Literal["turns", "set"],
         Field(
@@ -152,7 +150,7 @@ class CreaseGroup(Section):
         examples=["135 deg"],
     )
     friction: float | None = quantity(
-        CREASE_MOMENT, "moment of their dry friction per length; only for rigid facets", default=None, at_least=0
+        CREASE_MOMENT, "moment of their dry friction per length", default=None, at_least=0
     )
     quadratic_stiffness: float | None = quantity(
         CREASE_QUADRATIC, "quadratic term of their moment per length", default=None
@@ -246,8 +244,7 @@ class Crease(Section):
     )
     friction: float | None = quantity(
         CREASE_MOMENT,
-        "moment of dry friction per length of the crease, needed to turn it slowly; only for rigid facets whose creases"
-        " are hinges",
+        "moment of dry friction per length of the crease, needed to turn it slowly",
         default=None,
         at_least=0,
     )

@@ -63,9 +63,7 @@ class CreaseMoments:
         }
         return CreaseMoments(law=self.law.some(which), **rows)
 
-    def at(
-        self, angles: Array, turning: Array, efforts: Array, past: Past
-    ) -> tuple[Array, Array, Array]:
+    def at(self, angles: Array, turning: Array, efforts: Array, past: Past) -> tuple[Array, Array, Array]:
         """Compute moments in own senses and their derivatives by the angle, (structure, crease), and the new memory.
 
         Args:
@@ -80,8 +78,8 @@ class CreaseMoments:
         )
         memory = self.law.next_memory(angles, rests, past.memory, angles - past.angles, past.elapsed)
         moment, slope = self.law.acting(angles, rests, memory, past.block)
-        if self.law.yields:
-            # while a crease yields, its moment grows with the slope of the hardening
+        if self.law.yields or self.law.rubs:
+            # while a crease yields, its moment grows with the slope of the hardening; while it slides, it is constant
             slope = slope - self.law.yielding_slope(past.memory, memory)
         return moment + (self.damping + braking) * self.senses * turning - torques, slope, memory
 

@@ -76,7 +76,7 @@ def crease_works(
 
 
 def _losses(model: Model, steps: Steps, place: int, efforts: Array) -> dict[str, Array]:
-    """Return the works of yielding, branches and damage of creases, <= 0, (step,), see `crease_works`.
+    """Return the works of yielding, branches, damage and friction of creases, <= 0, (step,), see `crease_works`.
 
     A set changes where a block of steps begins, so the work is that of the first step of the block. The work of
     branches and wear in a block is distributed evenly over its steps.
@@ -87,7 +87,7 @@ def _losses(model: Model, steps: Steps, place: int, efforts: Array) -> dict[str,
     assert steps.angles is not None
     law, memory, angles, count = model.creases.law, steps.memory[:, place], steps.angles[place], len(efforts)
     works: dict[str, Array] = {}
-    if not (law.yields or law.relaxes or law.wears):
+    if not (law.yields or law.relaxes or law.wears or law.rubs):
         return works
     block, rests = steps.followed * model.timestep, model.settings(efforts[:: steps.followed])[0]
     after = memory
@@ -103,6 +103,9 @@ def _losses(model: Model, steps: Steps, place: int, efforts: Array) -> dict[str,
         ):
             if present:
                 works[name] = -np.repeat(np.sum(lost, axis=1), steps.followed)[:count] / steps.followed
+        if law.rubs:
+            rubbed = law.friction_loss(ends - angles, memory, after)
+            works["friction_work"] = -np.repeat(np.sum(rubbed, axis=1), steps.followed)[:count] / steps.followed
     if law.yields:
         # the first block begins where the steps before it ended
         before = np.concatenate([steps.memory_before[:, place, None], after[:, :-1]], axis=1)
@@ -120,7 +123,12 @@ def spring_works(model: Model, steps: Steps, place: int) -> Array:
     assert steps.memory is not None
     assert steps.memory_before is not None
     assert steps.angles is not None
-    joints, law, memory, angles = model.creases.joints >= 0, model.creases.law, steps.memory[:, place], steps.angles[place]
+    joints, law, memory, angles = (
+        model.creases.joints >= 0,
+        model.creases.law,
+        steps.memory[:, place],
+        steps.angles[place],
+    )
     moment, slope = law.acting(angles, 0.0, memory, steps.followed * model.timestep)
     if law.yields:
         before = np.concatenate([steps.memory_before[:, place, None], memory[:, :-1]], axis=1)

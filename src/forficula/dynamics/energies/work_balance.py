@@ -281,7 +281,8 @@ class WorkBalance:
                     for place, (row, item) in enumerate(zip(rows.tolist(), steps.derived["qacc"], strict=True))
                 ]
             )
-            work["friction_work"] = np.sum(friction * travel, axis=2)
+            # creases between flaps may have friction, too
+            work["friction_work"] = work.get("friction_work", 0.0) + np.sum(friction * travel, axis=2)
             constraints = constraints - friction
         work["stop_work"] = np.sum(constraints * travel, axis=2)
         if self._models[0].structure.has_contacts:

@@ -85,7 +85,7 @@ class Stepper:
         self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if models[0].lets_go.any() else ()))
         if models[0].structure.has_contacts:
             self._names = tuple(dict.fromkeys((*self._names, *_OF_CONTACT)))
-        if any(hinge.friction for model in models for hinge in model.structure.hinges):
+        if any(hinge.friction and not hinge.flaps for model in models for hinge in model.structure.hinges):
             self._names = (*self._names, "qacc")
         if models[0].jacobian.any():
             self._names = (*self._names, "actuator_force")

@@ -15,6 +15,9 @@ from forficula.errors import InputError
 from forficula.material.law.relaxation import followed_share, square_integrals, working_share
 
 
+_AT_LIMIT = 1e-9  # share of the limit of a branch that counts as rounding
+
+
 @dataclass(frozen=True, kw_only=True)
 class CreaseBranch:
     """A Maxwell branch of a crease: a spring and a damper in series, parallel to the crease's spring.
@@ -76,6 +79,9 @@ class CreaseLaw:
     Chaboche 1990, Mechanics of Solid Materials) as a factor on the whole moment (Kachanov 1958). The wear is the sum of
     all turns of the crease, or of all changes of its set.
 
+    Dry friction is a branch that does not relax and whose moment is limited: the crease turns elastically by up to the
+    limit over the stiffness, and then slides against the limit (Prandtl 1928, Z. angew. Math. Mech. 8, 85).
+
     The memory of creases is an array (2 + branch, ...): their sets, rad, their wear, rad, and the moments of their
     branches, N m. Where no crease has branches or damage, it is only that of the sets, (1, ...).
 
@@ -93,6 +99,7 @@ class CreaseLaw:
         cubic: N m/rad^3.
         branch_stiffness: of the Maxwell branches, N m/rad, (..., branch); 0 for absent ones.
         branch_time: their relaxation times, s, (..., branch).
+        branch_limit: their largest moments, N m, (..., branch); inf for Maxwell branches.
         damage_loss: share of the moment that is lost after infinitely many turns, from 0 to 1.
         damage_turn: wear after which 63 % of this share is lost, rad.
         damage_by_set: whether the wear is the sum of the changes of the set instead of that of all turns.
@@ -114,6 +121,7 @@ class CreaseLaw:
     cubic: Array | float = 0.0
     branch_stiffness: Array = field(default_factory=lambda: np.zeros(0))
     branch_time: Array = field(default_factory=lambda: np.ones(0))
+    branch_limit: Array = field(default_factory=lambda: np.full(0, np.inf))
     damage_loss: Array | float = 0.0
     damage_turn: Array | float = 1.0
     damage_by_set: Flags | bool = False
@@ -155,7 +163,12 @@ class CreaseLaw:
     @property
     def relaxes(self) -> bool:
         """Return whether any crease has a Maxwell branch."""
-        return bool(np.any(self.branch_stiffness))
+        return bool(np.any(np.where(np.isinf(self.branch_limit), self.branch_stiffness, 0.0)))
+
+    @property
+    def rubs(self) -> bool:
+        """Return whether any crease has dry friction."""
+        return bool(np.isfinite(self.branch_limit).any())
 
     @property
     def wears(self) -> bool:
@@ -217,7 +230,12 @@ class CreaseLaw:
         return memory
 
     def next_memory(
-        self, angle: Array, further: Array | float, before: Array, turned: Array | float = 0.0, time: Array | float = 0.0
+        self,
+        angle: Array,
+        further: Array | float,
+        before: Array,
+        turned: Array | float = 0.0,
+        time: Array | float = 0.0,
     ) -> Array:
         """Return the memory of creases after they have turned to these angles at a constant rate.
 
@@ -248,6 +266,9 @@ class CreaseLaw:
         after[1] = before[1] + np.where(self.damage_by_set, 0.0, np.abs(turned))
         if len(before) > 2:
             after[2:] = np.exp(-time / times) * before[2:] + stiffness * followed_share(times, time) * turned
+            if self.rubs:
+                limit = self._of_branches(self.branch_limit, before)
+                after[2:] = np.clip(after[2:], -limit, limit)
         return after
 
     def remaining(self, memory: Array) -> Array | float:
@@ -269,7 +290,9 @@ class CreaseLaw:
         of_stops = np.asarray(self.stop_stiffness) / 2 * self._stopped(angle) ** 2
         return np.asarray(of_stops + self.remaining(memory) * (energy - of_stops))
 
-    def acting(self, angle: Array, further: Array | float, memory: Array, time: Array | float = 0.0) -> tuple[Array, Array]:
+    def acting(
+        self, angle: Array, further: Array | float, memory: Array, time: Array | float = 0.0
+    ) -> tuple[Array, Array]:
         """Compute the moment and its slope for creases with a memory, with the arguments of `next_memory`.
 
         The slope is that of a turn without yield, see `yielding_slope`. The moment of branches is its mean over the given time if the crease
@@ -319,7 +342,30 @@ class CreaseLaw:
     def yielding_slope(self, before: Array, after: Array) -> Array:
         """Return the part of the slope that creases lack while they yield, N m/rad, from their memories, (...)."""
         lacking = np.where(after[0] != before[0], np.asarray(self.stiffness) - self.hardening, 0.0)
+        if self.rubs:
+            lacking = lacking + np.sum(np.where(self._sliding(after), self._branches(after)[1], 0.0), axis=0)
         return np.asarray(self.remaining(after) * lacking)
+
+    def friction_loss(self, turned: Array, before: Array, after: Array) -> Array:
+        """Return the energy that dry friction dissipates in a turn with the moments and slopes at its start, J, (...).
+
+        Args:
+            turned: change of the angles, rad, (...).
+            before: memory at the start, (slot, ...).
+            after: memory at the end, (slot, ...).
+        """
+        stiffness = np.where(np.isfinite(self._of_branches(self.branch_limit, before)), self._branches(before)[1], 0.0)
+        sticking = np.where(self._sliding(before), 0.0, stiffness)
+        work = np.where(stiffness > 0, before[2:], 0.0) * turned + sticking / 2 * turned**2
+        gained = np.divide(
+            after[2:] ** 2 - before[2:] ** 2, 2 * stiffness, out=np.zeros_like(work), where=stiffness > 0
+        )
+        return np.asarray(np.sum(work - gained, axis=0))
+
+    def _sliding(self, memory: Array) -> Flags:
+        """Return which branches of a memory are at the limit of dry friction, (branch, ...)."""
+        limit = self._of_branches(self.branch_limit, memory)
+        return np.asarray(np.abs(memory[2:]) >= (1 - _AT_LIMIT) * limit)
 
     def largest_slope(self, angle: Array) -> Array:
         """Return the slope of fast turns at these angles, with the largest one that nonlinear terms add, N m/rad."""
@@ -339,9 +385,12 @@ class CreaseLaw:
 
     def _branches(self, memory: Array) -> tuple[Array, Array]:
         """Return the relaxation times and the stiffnesses of the branches, which broadcast with those of a memory."""
-        parts = (np.moveaxis(numbers, -1, 0) for numbers in (self.branch_time, self.branch_stiffness))
-        times, stiffness = (part.reshape(len(part), *(1,) * (memory.ndim - part.ndim), *part.shape[1:]) for part in parts)
-        return times, stiffness
+        return self._of_branches(self.branch_time, memory), self._of_branches(self.branch_stiffness, memory)
+
+    def _of_branches(self, numbers: Array, memory: Array) -> Array:
+        """Return numbers of the branches, which broadcast with those of a memory."""
+        part = np.moveaxis(numbers, -1, 0)
+        return part.reshape(len(part), *(1,) * (memory.ndim - part.ndim), *part.shape[1:])
 
     def some(self, which: Indices) -> CreaseLaw:
         """Return the law of some creases, by their indices in the arrays."""

@@ -53,7 +53,9 @@ def draw_gravity(axes: Axes, structure: Structure, view: Viewpoint, middle: tupl
 def surroundings_text(structure: Structure) -> str:
     """Return sentences on gravity and table for readers who cannot see a picture; empty without both."""
     x, y, z = (round(part, 3) + 0.0 for part in structure.down)
-    texts = [f" Gravity of {show_value(structure.gravity, 'm/s^2')} acts along ({x:g}, {y:g}, {z:g})."] * bool(structure.gravity)
+    texts = [f" Gravity of {show_value(structure.gravity, 'm/s^2')} acts along ({x:g}, {y:g}, {z:g})."] * bool(
+        structure.gravity
+    )
     if structure.table is not None:
         texts.append(f" A table is at the height {show_value(structure.table.height, 'm')}.")
     return "".join(texts)
