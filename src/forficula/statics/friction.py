@@ -9,7 +9,7 @@ from typing import Annotated
 
 import numpy as np
 
-from forficula.arrays import Array
+from forficula.arrays import Array, Flags
 from forficula.design import TORQUE
 from forficula.quantities import Unit, show_quantity
 from forficula.statics.tree.potential import Ensemble, potential
@@ -89,7 +89,7 @@ def _end(structures: Ensemble, angles: Array, number: int, sense: float) -> floa
     return start + sense * stuck
 
 
-def friction_range(structure: Structure, drive: Drive, angles: Array, positions: Array) -> Array:
+def friction_range(structure: Structure, drive: Drive, angles: Array, positions: Array, resting: Flags) -> Array:
     """Compute by how much dry friction increases or reduces the strength of a slow drive, in its SI unit, (point,).
 
     By virtual work it is the sum of friction times turn of all hinges, divided by the displacement of the drive. The
@@ -101,6 +101,7 @@ def friction_range(structure: Structure, drive: Drive, angles: Array, positions:
         drive: the drive of torques or forces.
         angles: of all hinges along the path, in their own senses, rad, (point, hinge).
         positions: of the points along the path, m, (point, place, 3).
+        resting: whether the structure is at rest, (point,).
 
     Returns:
         The half width of the range; nan if the drive never moves, 0 without friction.
@@ -108,15 +109,13 @@ def friction_range(structure: Structure, drive: Drive, angles: Array, positions:
     friction = np.array([hinge.friction for hinge in structure.hinges])
     if not friction.any():
         return np.zeros(len(angles))
-    if len(angles) < 2:
-        return np.full(len(angles), np.nan)
     along = sum(_displacements(structure, drive, angles, positions), np.zeros(len(angles)))
-    lost = np.abs(np.gradient(angles, axis=0)) @ friction
-    moved = np.abs(np.gradient(along))
-    ratio = np.divide(lost, moved, out=np.full(len(angles), np.nan), where=moved > 0)
-    known = np.flatnonzero(np.isfinite(ratio))
-    # a point where nothing moves yet has the range of the nearest motion
-    return np.asarray(np.interp(np.arange(len(ratio)), known, ratio[known])) if len(known) else ratio
+    lost, moved = np.abs(np.diff(angles, axis=0)) @ friction, np.abs(np.diff(along))
+    known = np.flatnonzero(resting[:-1] & (moved > 0))
+    if not len(known):
+        return np.full(len(angles), np.nan)
+    # of motions that begin at rest; other points, within snaps or before anything moves, have the range of the nearest
+    return np.asarray(np.interp(np.arange(len(angles)), known + 0.5, lost[known] / moved[known]))
 
 
 def _displacements(structure: Structure, drive: Drive, angles: Array, positions: Array) -> Iterator[Array]:

@@ -141,7 +141,7 @@ class QuasiStaticPath:
         While the drive grows, the structure needs this much more, and while it falls, this much less: see
         `forficula.statics.friction.friction_range`.
         """
-        return friction_range(self.structure, self.drive, self.angles, self.positions)
+        return friction_range(self.structure, self.drive, self.angles, self.positions, self.resting)
 
     @cached_property
     def moments(self) -> Array:
