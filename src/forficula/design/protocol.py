@@ -185,7 +185,8 @@ class Protocol(Section):
     @property
     def down(self) -> tuple[float, float, float]:
         """Return the unit vector along gravity."""
-        x, y, z = _AXES.get(self.gravity_direction, self.gravity_direction)
+        direction = self.gravity_direction
+        x, y, z = _AXES[direction] if isinstance(direction, str) else direction
         length = math.hypot(x, y, z)
         return x / length, y / length, z / length
 

@@ -40,7 +40,9 @@ def draw_gravity(axes: Axes, structure: Structure, view: Viewpoint, middle: tupl
         else:
             axes.plot(*middle, marker="x", ms=4, mew=0.9, color="black", clip_on=False)
     else:
-        start, end = np.array(middle) - along, np.array(middle) + along
+        start, end = (
+            (middle[0] + side * float(along[0]), middle[1] + side * float(along[1])) for side in (-1.0, 1.0)
+        )
         arrow = {"arrowstyle": "-|>,head_width=0.15,head_length=0.3", "lw": 0.9, "color": "black"}
         axes.annotate(
             "", end, start, arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, annotation_clip=False
@@ -77,8 +79,9 @@ def draw_table(axes: Axes, structure: Structure, surface: DrawnSurface, view: Vi
     up = -np.array(structure.down)
     corners = _under(surface, up, structure.table.height)
     above = float(up @ view.towards) > 0
-    look = {"facecolor": _TABLE if above else "none", "edgecolor": _EDGE, "lw": 0.6, "zorder": -1 if above else 3}
-    axes.add_patch(Polygon(view.project(corners), **look)).set_in_layout(False)
+    colour, order = (_TABLE, -1) if above else ("none", 3)
+    table = Polygon(view.project(corners), facecolor=colour, edgecolor=_EDGE, lw=0.6, zorder=order)
+    axes.add_patch(table).set_in_layout(False)
 
 
 def _under(surface: DrawnSurface, up: Array, height: float) -> Array:
@@ -91,4 +94,5 @@ def _under(surface: DrawnSurface, up: Array, height: float) -> Array:
     low, high = on_plane.min(axis=0), on_plane.max(axis=0)
     margin = _MARGIN * float((high - low).max())
     (left, near), (right, far) = low - margin, high + margin
-    return height * up + np.array([[left, near], [right, near], [right, far], [left, far]]) @ axes
+    rectangle = np.array([[left, near], [right, near], [right, far], [left, far]])
+    return np.asarray(height * up + rectangle @ axes)
