@@ -230,7 +230,9 @@ def _medium(design: Design) -> Variant | str:
 def _weight(design: Design) -> Variant | str:
     if design.protocol.gravity:
         return Variant(label="no gravity", design=design.with_values({"protocol.gravity": 0.0}))
-    return Variant(label="gravity across the sheet", design=design.with_values({"protocol.gravity": _GRAVITY}))
+    direction = design.protocol.gravity_direction
+    label = "gravity across the sheet" if direction == "-z" else f"gravity along {direction}"
+    return Variant(label=label, design=design.with_values({"protocol.gravity": _GRAVITY}))
 
 
 def _dry_friction(design: Design) -> Variant | str:
