@@ -251,6 +251,14 @@ class Stepper:
         """Set the forces of the Maxwell branches of a structure."""
         self._state[row, self._activation] = forces
 
+    def creases(self, row: int) -> tuple[Array, Array]:
+        """Return the angles of the followed creases of a structure, (crease,), and their memory, (slot, crease)."""
+        return self._angles[row].copy(), self._past[:, row].copy()
+
+    def set_branch_moments(self, row: int, moments: Array) -> None:
+        """Set the moments of the Maxwell branches of the creases of a structure, (branch, crease)."""
+        self._past[2:, row] = moments
+
     def close(self) -> None:
         """Wait for the steps in progress and start no others."""
         if self._device is None:
