@@ -276,5 +276,5 @@ def test_values_without_a_meaning_are_refused(values, message):
 
 
 def test_messages_of_a_part_name_the_part_before_every_key():
-    with pytest.raises(InputError, match="outer.crease.hardening: needs outer.crease.yield_moment, from which on"):
+    with pytest.raises(InputError, match=r"outer\.crease\.hardening: needs outer\.crease\.yield_moment, from which on"):
         with_values(load_design("two-clasps"), {"outer.crease.hardening": "0.1 N m/rad/m"})

@@ -12,7 +12,8 @@ from forficula.design.design import check_duration
 from forficula.design.medium import check_medium
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
 from forficula.design.section import ANGLE, LENGTH, SHORT_TIME, TORQUE
-from forficula.design.sheets.crease_values import crease_key, creases_by_edge, rest_angle, stops
+from forficula.design.sheets.crease_checks import check_memory
+from forficula.design.sheets.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.sheets.rigid_checks import (
     check_rigid,
     check_rigid_creases,
@@ -39,8 +40,6 @@ _Result = TypeVar("_Result")
 _BEYOND_STOP = 1e-6
 # largest sum of torques that counts as 0, as a share of the largest torque: rounding
 _ROUNDING = 1e-12
-# number of angles at which the moment of a nonlinear spring is checked
-_TURNS = 181
 # columns of tables of states beside the measures
 _COLUMNS = ("energy", "time", "sum")
 # keys of summaries and columns of tables beside the names of stages and states
@@ -82,7 +81,7 @@ def check_sheet(design: SheetDesign) -> None:
             key = f"crease.group.{number - 1}" if number else "crease"
             raise InputError(f'{key}.extension: is for facet.kind = "rigid", with which creases can open')
     _check_yielding(design)
-    _check_nonlinear(design)
+    check_memory(design)
     _check_names(design, sheet)
     for number, _ in enumerate(design.tendon):
         _check_tendon(design, sheet, number)
@@ -122,37 +121,6 @@ def _check_yielding(design: SheetDesign) -> None:
             raise InputError(
                 f"{key}: need < {of_stiffness}, {show_quantity(stiffness, CREASE_STIFFNESS)}, got"
                 f" {show_quantity(hardening, CREASE_STIFFNESS)}"
-            )
-
-
-def _check_nonlinear(design: SheetDesign) -> None:
-    """Refuse creases whose spring pushes away from rest at some angle, and wear by permanent folds without a yield."""
-    creases, settled = (design.crease, *design.crease.group), None
-    if all(crease.quadratic_stiffness is None and crease.cubic_stiffness is None for crease in creases):
-        if all(crease.damage is None for crease in creases):
-            return
-    settled = design.settled()
-    angles = built_fold_angles(settled.sheet)
-    for edge, crease in creases_by_edge(settled).items():
-        if crease.damage is not None and crease.damage.of == "set" and crease.yield_moment is None:
-            raise InputError(
-                f'{crease_key(design, edge, "damage")}.of: need "turns" for a crease that does not fold permanently,'
-                f' because it has no {crease_key(design, edge, "yield_moment")}, got "set"'
-            )
-        linear, quadratic, cubic = (
-            value or 0.0 for value in (crease.stiffness, crease.quadratic_stiffness, crease.cubic_stiffness)
-        )
-        if not quadratic and not cubic:
-            continue
-        rest = rest_angle(crease, crease_sense(settled.sheet, edge) * float(angles[edge]))
-        turns = np.linspace(-math.pi, math.pi, _TURNS) - rest
-        secant = linear + turns * (quadratic + turns * cubic)
-        if not secant.min() > 0:
-            key = "cubic_stiffness" if crease.quadratic_stiffness is None else "quadratic_stiffness"
-            angle = float(rest + turns[secant.argmin()])
-            raise InputError(
-                f"{crease_key(design, edge, key)}: need a spring that turns crease {edge} to its rest angle from every"
-                f" angle between -180 deg and 180 deg, got one that does not at {show_quantity(angle, ANGLE)}"
             )
 
 

@@ -112,9 +112,7 @@ class CreaseDamage(Section):
             examples=[0.3],
         ),
     ]
-    turn: float = quantity(
-        ANGLE, "wear after which 63 % of this share is lost", above=0, examples=["36000 deg"]
-    )
+    turn: float = quantity(ANGLE, "wear after which 63 % of this share is lost", above=0, examples=["36000 deg"])
     of: Annotated[
         Literal["turns", "set"],
         Field(

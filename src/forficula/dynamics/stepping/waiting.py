@@ -21,6 +21,7 @@ from forficula.dynamics.engine.model import Model
 from forficula.dynamics.stepping.stages import StageTracker
 from forficula.dynamics.stepping.stepper import Stepper
 from forficula.material.law.ageing import aged
+from forficula.material.law.crease_memory import acting_moment, remaining_share
 
 # allowed error of the pull of branches after a leap, as a share of the largest pull
 _ALLOWED = 1e-4
@@ -97,14 +98,14 @@ class Waits:
         angles, memory = stepper.creases(row)
         law = None if model.creases is None or not model.creases.law.relaxes else model.creases.law
         if law is not None:
-            moments = np.abs(law.acting(angles, 0.0, memory)[0])
+            moments = np.abs(acting_moment(law, angles, 0.0, memory)[0])
             lengths, pulls = np.concatenate([lengths, angles]), np.concatenate([pulls, np.maximum(moments, _ACTS)])
             pull = np.concatenate([pull, np.full(len(angles), moments.max())])
             numbers = ((forces, memory[2:].T), (times, law.branch_time), (stiffness, law.branch_stiffness))
             forces, times, stiffness = (
                 _below(upper, lower, absent) for (upper, lower), absent in zip(numbers, (0.0, 1.0, 1.0), strict=True)
             )
-            present = _below(present, law.branch_stiffness > 0, False)
+            present = _below(present.astype(np.float64), (law.branch_stiffness > 0).astype(np.float64), 0.0) > 0
             stiffness = np.where(present, stiffness, 1.0)
         pull = pull if before is None else np.maximum(pull, before.pull)
         time, gives = first, np.zeros(len(lengths))
@@ -146,7 +147,7 @@ class Waits:
             faded = faded[:, : len(memory) - 2]
             drops[tendons:] -= faded.sum(axis=1)
             squares = np.sum((memory[2:].T ** 2 - faded**2) / (2 * stiffness[tendons:, : len(memory) - 2]), axis=1)
-            of_creases = float(np.sum(law.remaining(memory) * squares))
+            of_creases = float(np.sum(remaining_share(law, memory) * squares))
             stepper.set_branch_moments(row, faded.T)
         self._leaps[row] = _Leap(time=time, lengths=lengths, drifts=drifts, lags=lags, drops=drops, pull=pull)
         return time, lost, spared, of_creases
@@ -155,7 +156,5 @@ class Waits:
 def _below(upper: Array, lower: Array, absent: float) -> Array:
     """Return the rows of two arrays one below the other, filled to the same width."""
     width = max(upper.shape[1], lower.shape[1])
-    rows = [
-        np.pad(part, ((0, 0), (0, width - part.shape[1])), constant_values=absent) for part in (upper, lower)
-    ]
+    rows = [np.pad(part, ((0, 0), (0, width - part.shape[1])), constant_values=absent) for part in (upper, lower)]
     return np.concatenate(rows)
