@@ -6,11 +6,15 @@ import numpy as np
 import pytest
 
 import forficula as ff
+from forficula.analysis.outcome import measure
+from forficula.analysis.storage import storage_texts
+from forficula.analysis.strength import worn_crease
 from forficula.design import design_from_text, load_design, with_values
 from forficula.dynamics import energy_balance, simulate
 from forficula.dynamics.engine.model import compile_model
 from forficula.dynamics.engine.portable_model import why_not_portable
 from forficula.errors import InputError
+from forficula.show.run.strength_rows import strength_rows
 from forficula.statics import quasi_static_path
 from forficula.statics.survey import check_quasi_static
 from forficula.structure import structure_of
@@ -168,6 +172,8 @@ def test_a_fold_wears_a_crease_as_the_damage_law_says(facets):
     assert left == pytest.approx(1 - 0.5 * (1 - np.exp(-wear / np.deg2rad(90))), abs=1e-3)
     # at rest under the moment: M = left K angle
     assert angle[folded(run)] == pytest.approx(MOMENT / (left[folded(run)] * STIFFNESS), rel=2e-3)
+    assert worn_crease(run).left == left[-1]
+    assert strength_rows(run)[-1][0] == f"moment left after wear: {100 * left[-1]:.3g} %"
     balance = energy_balance(run)
     assert balance.crease_damage > 0.02 * balance.work
     assert balance.residual < 2e-3
@@ -209,6 +215,8 @@ def test_a_wait_relaxes_creases():
     angle = run.series["hinge_angle"][:, 0]
     assert run.series["waited"][-1] > 1
     assert angle[released] == pytest.approx(MOMENT / STIFFNESS, rel=1e-3)
+    (text,) = storage_texts(run, measure(run))
+    assert text.startswith('After 2 s in the stage "fold" its creases have relaxed: their Maxwell branches dissipated')
     assert balance.residual < 2e-3
 
 
