@@ -9,8 +9,8 @@ import pytest
 
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate, stable_timestep
-from forficula.dynamics.energies.creases import engine_rows
 from forficula.dynamics.energies.crease_moments import Past
+from forficula.dynamics.energies.creases import engine_rows
 from forficula.dynamics.engine.crease_rows import crease_rows
 from forficula.structure import built_points, crease_flaps, flap_angles, structure_of
 

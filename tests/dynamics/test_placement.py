@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from forficula.dynamics import compile_model, simulate
-from forficula.dynamics.energies.creases import engine_rows
 from forficula.dynamics.energies.crease_moments import Past
+from forficula.dynamics.energies.creases import engine_rows
 from forficula.dynamics.engine.crease_rows import crease_rows
 from forficula.dynamics.engine.plate_angles import plate_angles
 from forficula.dynamics.engine.plate_creases import plate_rows

@@ -77,7 +77,8 @@ class StageSection(Section):
     ] = None
     wait: float | None = quantity(
         LONG_TIME,
-        "how long the structure stays at rest while Maxwell branches of its tendons relax; this time is not simulated"
+        "how long the structure stays at rest while Maxwell branches of its tendons and creases relax; this time is not"
+        " simulated"
         ' step by step; needs until = "rest"',
         default=None,
         at_least=0,

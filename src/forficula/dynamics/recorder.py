@@ -302,9 +302,7 @@ def _angles(recorders: Sequence[Recorder], steps: Steps, structure: Indices, bef
     return angles
 
 
-def _memory(
-    recorders: Sequence[Recorder], steps: Steps, structure: Indices, before: Indices, angles: Array
-) -> Array:
+def _memory(recorders: Sequence[Recorder], steps: Steps, structure: Indices, before: Indices, angles: Array) -> Array:
     """Return the memory of creases in the kept states with the angles of all hinges, (row, slot, crease)."""
     assert steps.memory is not None
     memory = np.zeros((len(before), len(steps.memory), steps.memory.shape[-1]))

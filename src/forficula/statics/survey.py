@@ -22,6 +22,7 @@ from forficula.statics.path_dependence import (
     refuse_table,
     refuse_wear,
     rest_angle_of_nonlinear,
+    wear,
 )
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
 from forficula.statics.tree.potential import ensemble
@@ -165,9 +166,11 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
         return "the law of a tendon has Maxwell branches, whose force depends on time"
     if any(hinge.branches for hinge in structure.hinges):
         return "a crease has Maxwell branches, whose moment depends on time"
+    if reason := wear(structure) or rest_angle_of_nonlinear(structure):
+        return reason
     if any(law.yield_extension is not None for law in laws):
         return "a tendon yields, and statics ignores permanent extensions"
-    if reason := path_dependence(structure) or rest_angle_of_nonlinear(structure):
+    if reason := path_dependence(structure):
         return reason
     if structure.contact is not None:
         return "statics ignores contact"

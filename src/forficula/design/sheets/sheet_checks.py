@@ -11,8 +11,9 @@ import numpy as np
 from forficula.design.design import check_duration
 from forficula.design.medium import check_medium
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
-from forficula.design.section import ANGLE, LENGTH, SHORT_TIME, TORQUE, Section
-from forficula.design.sheets.crease_values import crease_key, creases_by_edge, rest_angle, stops
+from forficula.design.section import ANGLE, LENGTH, SHORT_TIME, TORQUE
+from forficula.design.sheets.crease_checks import check_friction, check_memory
+from forficula.design.sheets.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.sheets.rigid_checks import (
     check_rigid,
     check_rigid_creases,
@@ -30,7 +31,7 @@ from forficula.design.sheets.sheet_places import (
     place_on,
     vertex_of,
 )
-from forficula.design.sheets.sheet_sections import CREASE_MOMENT, CREASE_STIFFNESS
+from forficula.design.sheets.sheet_sections import CREASE_STIFFNESS
 from forficula.design.stops import StopSection
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, built_fold_angles
@@ -47,8 +48,6 @@ _Result = TypeVar("_Result")
 _BEYOND_STOP = 1e-6
 # largest sum of torques that counts as 0, as a share of the largest torque: rounding
 _ROUNDING = 1e-12
-# number of angles at which the moment of a nonlinear spring is checked
-_TURNS = 181
 # columns of tables of states beside the measures
 _COLUMNS = ("energy", "time", "sum")
 # keys of summaries and columns of tables beside the names of stages and states
@@ -90,8 +89,8 @@ def check_sheet(design: SheetDesign) -> None:
             key = f"crease.group.{number - 1}" if number else "crease"
             raise InputError(f'{key}.extension: is for facet.kind = "rigid", with which creases can open')
     _check_yielding(design)
-    _check_friction(design)
-    _check_nonlinear(design)
+    check_memory(design)
+    check_friction(design)
     _check_names(design, sheet)
     for number, _ in enumerate(design.tendon):
         _check_tendon(design, sheet, number)
@@ -131,49 +130,6 @@ def _check_yielding(design: SheetDesign) -> None:
             raise InputError(
                 f"{key}: need < {of_stiffness}, {show_quantity(stiffness, CREASE_STIFFNESS)}, got"
                 f" {show_quantity(hardening, CREASE_STIFFNESS)}"
-            )
-
-
-def _check_friction(design: SheetDesign) -> None:
-    """Refuse dry friction of creases that wear out, unless they are hinges, whose friction does not wear."""
-    if design.facet.kind == "rigid" and not design.opens:
-        return
-    for edge, crease in creases_by_edge(design).items():
-        if crease.friction and isinstance(crease.damage, Section):
-            raise InputError(
-                f"{crease_key(design, edge, 'friction')}: need 0 for a crease that wears out (damage), because the wear"
-                f" of friction is not modelled, got {show_quantity(crease.friction, CREASE_MOMENT)}"
-            )
-
-
-def _check_nonlinear(design: SheetDesign) -> None:
-    """Refuse creases whose spring pushes away from rest at some angle, and wear by permanent folds without a yield."""
-    creases, settled = (design.crease, *design.crease.group), None
-    if all(crease.quadratic_stiffness is None and crease.cubic_stiffness is None for crease in creases):
-        if all(crease.damage is None for crease in creases):
-            return
-    settled = design.settled()
-    angles = built_fold_angles(settled.sheet)
-    for edge, crease in creases_by_edge(settled).items():
-        if crease.damage is not None and crease.damage.of == "set" and crease.yield_moment is None:
-            raise InputError(
-                f'{crease_key(design, edge, "damage")}.of: need "turns" for a crease that does not fold permanently,'
-                f' because it has no {crease_key(design, edge, "yield_moment")}, got "set"'
-            )
-        linear, quadratic, cubic = (
-            value or 0.0 for value in (crease.stiffness, crease.quadratic_stiffness, crease.cubic_stiffness)
-        )
-        if not quadratic and not cubic:
-            continue
-        rest = rest_angle(crease, crease_sense(settled.sheet, edge) * float(angles[edge]))
-        turns = np.linspace(-math.pi, math.pi, _TURNS) - rest
-        secant = linear + turns * (quadratic + turns * cubic)
-        if not secant.min() > 0:
-            key = "cubic_stiffness" if crease.quadratic_stiffness is None else "quadratic_stiffness"
-            angle = float(rest + turns[secant.argmin()])
-            raise InputError(
-                f"{crease_key(design, edge, key)}: need a spring that turns crease {edge} to its rest angle from every"
-                f" angle between -180 deg and 180 deg, got one that does not at {show_quantity(angle, ANGLE)}"
             )
 
 

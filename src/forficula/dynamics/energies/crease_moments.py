@@ -11,6 +11,7 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.model import Model
 from forficula.material import CreaseLaw
+from forficula.material.law.crease_memory import acting_moment, next_memory, yielding_slope
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -76,11 +77,11 @@ class CreaseMoments:
             np.einsum("rm,rmc->rc", item, gains)
             for item, gains in ((efforts, self.rests), (efforts, self.torques), (np.abs(efforts), self.braking))
         )
-        memory = self.law.next_memory(angles, rests, past.memory, angles - past.angles, past.elapsed)
-        moment, slope = self.law.acting(angles, rests, memory, past.block)
+        memory = next_memory(self.law, angles, rests, past.memory, angles - past.angles, past.elapsed)
+        moment, slope = acting_moment(self.law, angles, rests, memory, past.block)
         if self.law.yields or self.law.rubs:
             # while a crease yields, its moment grows with the slope of the hardening; while it slides, it is constant
-            slope = slope - self.law.yielding_slope(past.memory, memory)
+            slope = slope - yielding_slope(self.law, past.memory, memory)
         return moment + (self.damping + braking) * self.senses * turning - torques, slope, memory
 
 

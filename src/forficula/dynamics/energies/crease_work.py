@@ -11,6 +11,14 @@ from forficula.dynamics.engine.crease_rows import without_jump
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.placement import Placement
 from forficula.dynamics.stepping.steps import Steps
+from forficula.material.law.crease_memory import (
+    acting_moment,
+    friction_loss,
+    memory_losses,
+    remaining_share,
+    turned_memory,
+    yielding_slope,
+)
 from forficula.structure import Motor, Structure
 
 
@@ -55,7 +63,7 @@ def crease_works(
     if moved:
         assert steps.memory is not None
         memory = steps.memory[:, place, block]
-        moments = law.remaining(memory) * law.rest_moment(angles, mean, law.rest_shift(memory[0]))
+        moments = remaining_share(law, memory) * law.rest_moment(angles, mean, law.rest_shift(memory[0]))
     works = []
     for number, motor in enumerate(model.structure.motors):
         if motor.kind == "displacement":
@@ -95,8 +103,8 @@ def _losses(model: Model, steps: Steps, place: int, efforts: Array) -> dict[str,
         # the last block ends at the angles after it
         end = model.folds.angles(steps.position[place, -1])[model.followed_hinges]
         ends = np.concatenate([angles[1:], without_jump(end, angles[-1])[None]])
-        after = law.turned_memory(memory, ends - angles, block)
-        _, relaxed, worn = law.losses(ends, rests, memory, after, block)
+        after = turned_memory(law, memory, ends - angles, block)
+        _, relaxed, worn = memory_losses(law, ends, rests, memory, after, block)
         for name, lost, present in (
             ("crease_branch_work", relaxed, law.relaxes),
             ("crease_damage_work", worn, law.wears),
@@ -104,12 +112,12 @@ def _losses(model: Model, steps: Steps, place: int, efforts: Array) -> dict[str,
             if present:
                 works[name] = -np.repeat(np.sum(lost, axis=1), steps.followed)[:count] / steps.followed
         if law.rubs:
-            rubbed = law.friction_loss(ends - angles, memory, after)
+            rubbed = friction_loss(law, ends - angles, memory, after)
             works["friction_work"] = -np.repeat(np.sum(rubbed, axis=1), steps.followed)[:count] / steps.followed
     if law.yields:
         # the first block begins where the steps before it ended
         before = np.concatenate([steps.memory_before[:, place, None], after[:, :-1]], axis=1)
-        yielded, _, worn = law.losses(angles, rests, before, memory, 0.0)
+        yielded, _, worn = memory_losses(law, angles, rests, before, memory, 0.0)
         works["crease_yield_work"] = np.zeros(count)
         works["crease_yield_work"][:: steps.followed] = -np.sum(yielded, axis=1)
         if law.wears:
@@ -129,10 +137,10 @@ def spring_works(model: Model, steps: Steps, place: int) -> Array:
         steps.memory[:, place],
         steps.angles[place],
     )
-    moment, slope = law.acting(angles, 0.0, memory, steps.followed * model.timestep)
-    if law.yields:
+    moment, slope = acting_moment(law, angles, 0.0, memory, steps.followed * model.timestep)
+    if law.yields or law.rubs:
         before = np.concatenate([steps.memory_before[:, place, None], memory[:, :-1]], axis=1)
-        slope = slope - law.yielding_slope(before, memory)
+        slope = slope - yielding_slope(law, before, memory)
     position = np.concatenate([steps.position_before[place, None], steps.position[place]])
     block = np.arange(len(position) - 1) // steps.followed
     ends = (model.folds.angles(position)[:, model.creases.hinges[joints]][part] for part in (slice(-1), slice(1, None)))

@@ -153,7 +153,7 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> En
 
 
 def followed_hinges(structure: Structure) -> Indices:
-    """Return the numbers of the hinges whose numbers in the engine are computed every few steps; see `EngineCreases`."""
+    """Return the numbers of the hinges that are `EngineCreases`: of creases between flaps, then of joints."""
     joints = [number for number, hinge in enumerate(structure.hinges) if is_followed_joint(hinge, structure)]
     return np.concatenate([crease_numbers(structure), np.array(joints, dtype=np.int64)])
 

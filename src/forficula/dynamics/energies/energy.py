@@ -15,6 +15,7 @@ from forficula.dynamics.engine.membrane import stretch_energy
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.warnings import quiet
 from forficula.dynamics.stepping.steps import MEMORY, MOVING
+from forficula.material.law.crease_memory import remaining_share, stored_energy
 from forficula.material.law.relaxation import square_integrals
 
 # fields of the engine that `clamping_work` needs
@@ -198,12 +199,12 @@ def _hinge_series(model: Model, angles: Array, efforts: Array, derived: Mapping[
     if model.creases is not None:
         creases, (further, _) = model.followed_hinges, model.settings(efforts)
         law, memory = model.creases.law, np.moveaxis(derived[MEMORY], 1, 0)
-        energy[:, creases] = model.units.energy * law.stored(angles[:, creases], further, memory)
+        energy[:, creases] = model.units.energy * stored_energy(law, angles[:, creases], further, memory)
         if law.yields:
             series.setdefault("hinge_set", np.zeros_like(angles))[:, creases] = memory[0]
         if law.wears:
             series["hinge_remaining"] = np.ones_like(angles)
-            series["hinge_remaining"][:, creases] = law.remaining(memory)
+            series["hinge_remaining"][:, creases] = remaining_share(law, memory)
         springs = springs + np.bincount(
             creases, (np.isfinite(law.lower) | np.isfinite(law.upper)).astype(float), len(hinges)
         )

@@ -175,10 +175,19 @@ class WorkBalance:
         self._set[row], self._powers[row] = settings[-1], 0.0
         return values
 
-    def wait(self, row: int, time: float, lost: float, spared: float) -> None:
-        """Add a skipped interval of a structure at rest, s, with energies lost and saved by branches, model units."""
+    def wait(self, row: int, time: float, lost: float, spared: float, of_creases: float) -> None:
+        """Add a skipped interval of a structure at rest, s, with energies lost and saved by branches, model units.
+
+        Args:
+            row: number of the structure.
+            time: duration, s.
+            lost: energy lost by the branches of tendons.
+            spared: energy saved by the branches of tendons.
+            of_creases: energy lost by the branches of creases.
+        """
         self._waited[row] += time
-        for name, work in (("branch_damping_work", -lost), ("letting_go_work", spared)):
+        works = {"branch_damping_work": -lost, "letting_go_work": spared, "crease_branch_work": -of_creases}
+        for name, work in works.items():
             if name in self._done:
                 self._done[name][row] += self._unit[row] * work
 

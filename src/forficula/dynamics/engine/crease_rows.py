@@ -45,9 +45,7 @@ class CreaseRows:
         """Select structures by index, in ascending order."""
         return replace(self, built=self.built[which], moments=self.moments.some(which))
 
-    def follow(
-        self, positions: Array, velocities: Array, efforts: Array, past: Past
-    ) -> tuple[Array, Array, Array]:
+    def follow(self, positions: Array, velocities: Array, efforts: Array, past: Past) -> tuple[Array, Array, Array]:
         """Compute the angles of creases, and rows with their moments and slopes at these angles.
 
         Args:

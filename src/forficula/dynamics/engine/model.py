@@ -11,7 +11,14 @@ import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.design import Design
-from forficula.dynamics.energies.creases import EngineCreases, add_creases, clear_rows, creases_of, followed_hinges, is_followed_joint
+from forficula.dynamics.energies.creases import (
+    EngineCreases,
+    add_creases,
+    clear_rows,
+    creases_of,
+    followed_hinges,
+    is_followed_joint,
+)
 from forficula.dynamics.engine.bodies import (
     add_bodies,
     add_hardening,

@@ -49,9 +49,7 @@ class PlateRows:
             moments=self.moments.some(which),
         )
 
-    def follow(
-        self, positions: Array, velocities: Array, efforts: Array, past: Past
-    ) -> tuple[Array, Array, Array]:
+    def follow(self, positions: Array, velocities: Array, efforts: Array, past: Past) -> tuple[Array, Array, Array]:
         """Compute the angles of creases, and rows with their moments and slopes; see `CreaseRows.follow`."""
         moments, senses = self.moments, self.moments.senses
         apart, turned = self.folds.turns(positions, velocities)

@@ -11,6 +11,7 @@ from mujoco.batch import Batch
 from forficula.arrays import Array
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.stepping.folds import start_of
+from forficula.material.law.crease_memory import start_memory
 
 
 def start_states(models: Sequence[Model]) -> Array:
@@ -33,10 +34,10 @@ def start_creases(model: Model) -> Array:
     return np.array([model.structure.hinges[number].start for number in model.followed_hinges])
 
 
-def start_memory(model: Model) -> Array:
+def start_crease_memory(model: Model) -> Array:
     """Return the memory of followed creases at the start, (slot, crease): some start beyond their yield angle."""
     start = start_creases(model)
-    return np.zeros((1, len(start))) if model.creases is None else model.creases.law.start_memory(start)
+    return np.zeros((1, len(start))) if model.creases is None else start_memory(model.creases.law, start)
 
 
 def _start_creep(model: Model) -> Array:

@@ -25,7 +25,7 @@ from forficula.dynamics.engine.followed_creases import FollowedCreases, followed
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.warnings import quiet
 from forficula.dynamics.stepping.folds import joint_address, slide_name
-from forficula.dynamics.stepping.start_states import start_creases, start_memory, start_position, start_states
+from forficula.dynamics.stepping.start_states import start_crease_memory, start_creases, start_position, start_states
 from forficula.dynamics.stepping.steps import MEMORY, MOVING, STATE, EngineState, Steps
 from forficula.structure import RestShape
 
@@ -97,7 +97,7 @@ class Stepper:
         # last angles of creases, without jumps
         self._angles = np.array([start_creases(model) for model in models])
         # memory of creases, (slot, structure, crease)
-        self._past = np.stack([start_memory(model) for model in models], axis=1)
+        self._past = np.stack([start_crease_memory(model) for model in models], axis=1)
         self._data = mujoco.MjData(model)
         self._device = _device_engine(models, self._models, self._names, chunk)
         if self._device is not None:
@@ -250,6 +250,14 @@ class Stepper:
     def set_activation(self, row: int, forces: Array) -> None:
         """Set the forces of the Maxwell branches of a structure."""
         self._state[row, self._activation] = forces
+
+    def creases(self, row: int) -> tuple[Array, Array]:
+        """Return the angles of the followed creases of a structure, (crease,), and their memory, (slot, crease)."""
+        return self._angles[row].copy(), self._past[:, row].copy()
+
+    def set_branch_moments(self, row: int, moments: Array) -> None:
+        """Set the moments of the Maxwell branches of the creases of a structure, (branch, crease)."""
+        self._past[2:, row] = moments
 
     def close(self) -> None:
         """Wait for the steps in progress and start no others."""

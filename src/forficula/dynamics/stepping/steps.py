@@ -10,9 +10,10 @@ import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.crease_rows import without_jump
-from forficula.dynamics.stepping.folds import Folds
 from forficula.dynamics.engine.model import Model
+from forficula.dynamics.stepping.folds import Folds
 from forficula.dynamics.stepping.passage import Conditions, Passage, passage_of
+from forficula.material.law.crease_memory import turned_memory
 
 # the full state that a step depends on, and the part that a step changes: time, positions and velocities first
 STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
@@ -109,7 +110,7 @@ class Steps:
         return angles
 
     def memory_at(self, model: Model, structure: int, step: Indices, angles: Array) -> Array:
-        """Return the memory of a structure's creases in some states, (slot, state, crease); sets are those of the block.
+        """Return the memory of creases in some states, (slot, state, crease); sets are those of the block.
 
         Args:
             model: of the structure.
@@ -127,9 +128,7 @@ class Steps:
         late, turned = step - block * self.followed, angles - self.angles[structure, block]
         for steps in np.unique(late).tolist():
             which = late == steps
-            memory[:, which] = model.creases.law.turned_memory(
-                memory[:, which], turned[which], steps * model.timestep
-            )
+            memory[:, which] = turned_memory(model.creases.law, memory[:, which], turned[which], steps * model.timestep)
         return memory
 
     def activation(self, structure: int, taken: int) -> Array:

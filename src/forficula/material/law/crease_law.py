@@ -12,10 +12,6 @@ from numpy.typing import ArrayLike
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.errors import InputError
-from forficula.material.law.relaxation import followed_share, square_integrals, working_share
-
-
-_AT_LIMIT = 1e-9  # share of the limit of a branch that counts as rounding
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,8 +78,7 @@ class CreaseLaw:
     Dry friction is a branch that does not relax and whose moment is limited: the crease turns elastically by up to the
     limit over the stiffness, and then slides against the limit (Prandtl 1928, Z. angew. Math. Mech. 8, 85).
 
-    The memory of creases is an array (2 + branch, ...): their sets, rad, their wear, rad, and the moments of their
-    branches, N m. Where no crease has branches or damage, it is only that of the sets, (1, ...).
+    What creases remember is in `crease_memory`.
 
     Attributes:
         stiffness: N m/rad.
@@ -182,12 +177,12 @@ class CreaseLaw:
 
     @property
     def slots(self) -> int:
-        """Return the number of values that a crease remembers, see the class."""
+        """Return the number of values that a crease remembers, see `crease_memory`."""
         count = np.shape(self.branch_stiffness)[-1]
         return 2 + count if count or self.wears else 1
 
     @property
-    def _yielding_stiffness(self) -> Array:
+    def yielding_stiffness(self) -> Array:
         """Return the stiffness of the springs that yield, N m/rad; 0 for creases that never yield."""
         return np.where(np.isfinite(self.yield_angle), np.asarray(self.stiffness) - self.hardening, 0.0)
 
@@ -207,11 +202,11 @@ class CreaseLaw:
 
     def rest_shift(self, sets: Array) -> Array:
         """Return the change of the rest angles that has the effect of these sets on moments, rad, (...)."""
-        return np.asarray(sets * _share(self._yielding_stiffness, self.stiffness))
+        return np.asarray(sets * _share(self.yielding_stiffness, self.stiffness))
 
     def set_energy(self, sets: Array) -> Array:
         """Return the energy of these sets, J, (...), in addition to that of springs with shifted rest angles."""
-        both = self._yielding_stiffness
+        both = self.yielding_stiffness
         return np.asarray(both * _share(np.where(both > 0, self.hardening, 0.0), self.stiffness) / 2 * sets**2)
 
     def yield_loss(self, change: Array) -> Array:
@@ -220,152 +215,8 @@ class CreaseLaw:
         Args:
             change: of the sets, rad.
         """
-        stiffness = self._yielding_stiffness
+        stiffness = self.yielding_stiffness
         return np.asarray(stiffness * np.where(stiffness > 0, self.yield_angle, 0.0) * np.abs(change))
-
-    def start_memory(self, angle: Array) -> Array:
-        """Return the memory of creases that start at these angles (rad, (...)): new, relaxed, some with a set."""
-        memory = np.zeros((self.slots, *angle.shape))
-        memory[0] = self.next_set(angle, 0.0, memory[0])
-        return memory
-
-    def next_memory(
-        self,
-        angle: Array,
-        further: Array | float,
-        before: Array,
-        turned: Array | float = 0.0,
-        time: Array | float = 0.0,
-    ) -> Array:
-        """Return the memory of creases after they have turned to these angles at a constant rate.
-
-        Args:
-            angle: rad, (...).
-            further: change of the rest angles, rad.
-            before: memory before, (slot, ...).
-            turned: change of the angles, rad, (...).
-            time: duration of this turn, s, of a shape that broadcasts with the angles.
-        """
-        after = self.turned_memory(before, turned, time)
-        if not self.yields:
-            return after
-        sets = self.next_set(angle, further, before[0])
-        if len(before) == 1:
-            return sets[None]
-        after[0] = sets
-        after[1] += np.where(self.damage_by_set, np.abs(sets - before[0]), 0.0)
-        return after
-
-    def turned_memory(self, before: Array, turned: Array | float, time: Array | float) -> Array:
-        """Return the memory of creases after a turn without yield, with the arguments of `next_memory`."""
-        if len(before) == 1:
-            return before
-        times, stiffness = self._branches(before)
-        after = np.empty_like(before)
-        after[0] = before[0]
-        after[1] = before[1] + np.where(self.damage_by_set, 0.0, np.abs(turned))
-        if len(before) > 2:
-            after[2:] = np.exp(-time / times) * before[2:] + stiffness * followed_share(times, time) * turned
-            if self.rubs:
-                limit = self._of_branches(self.branch_limit, before)
-                after[2:] = np.clip(after[2:], -limit, limit)
-        return after
-
-    def remaining(self, memory: Array) -> Array | float:
-        """Return the share of the moment of creases that wear has left, (...)."""
-        if len(memory) == 1 or not self.wears:
-            return 1.0
-        return np.asarray(1 + self.damage_loss * np.expm1(-memory[1] / self.damage_turn))
-
-    def stored(self, angle: Array, further: Array | float, memory: Array) -> Array:
-        """Compute the stored energy of creases with a memory, J, (...), with the arguments of `next_memory`."""
-        energy = self.energy(angle, *self._rests(further, memory))
-        if self.yields:
-            energy = energy + self.set_energy(memory[0])
-        if len(memory) == 1:
-            return energy
-        _, stiffness = self._branches(memory)
-        squares = np.divide(memory[2:] ** 2, stiffness, out=np.zeros_like(memory[2:]), where=stiffness > 0)
-        energy = energy + np.sum(squares, axis=0) / 2
-        of_stops = np.asarray(self.stop_stiffness) / 2 * self._stopped(angle) ** 2
-        return np.asarray(of_stops + self.remaining(memory) * (energy - of_stops))
-
-    def acting(
-        self, angle: Array, further: Array | float, memory: Array, time: Array | float = 0.0
-    ) -> tuple[Array, Array]:
-        """Compute the moment and its slope for creases with a memory, with the arguments of `next_memory`.
-
-        The slope is that of a turn without yield, see `yielding_slope`. The moment of branches is its mean over the given time if the crease
-        does not turn, s, and their slope does the work of a ramp over this time.
-        """
-        moment, slope = self.moment_and_slope(angle, *self._rests(further, memory))
-        if len(memory) == 1:
-            return moment, slope
-        times, stiffness = self._branches(memory)
-        moment = moment + np.sum(followed_share(times, time) * memory[2:], axis=0)
-        slope = slope + np.sum(working_share(times, time) * stiffness, axis=0)
-        if not self.wears:
-            return moment, slope
-        stopped, left = self._stopped(angle), self.remaining(memory)
-        of_stops = np.asarray(self.stop_stiffness) * stopped, np.where(stopped != 0, self.stop_stiffness, 0.0)
-        return of_stops[0] + left * (moment - of_stops[0]), of_stops[1] + left * (slope - of_stops[1])
-
-    def losses(
-        self, angle: Array, further: Array | float, before: Array, after: Array, time: float
-    ) -> tuple[Array, Array, Array]:
-        """Return the energies that yield, branches and wear dissipate between two memories, J, (...) each.
-
-        Args:
-            angle: after, rad, (...).
-            further: change of the rest angles, rad.
-            before: memory before, (slot, ...).
-            after: memory after, (slot, ...).
-            time: duration between both, s.
-        """
-        yielded = self.yield_loss(after[0] - before[0]) if self.yields else np.zeros_like(angle)
-        if len(before) == 1:
-            return yielded, np.zeros_like(angle), np.zeros_like(angle)
-        left, relaxed, worn = self.remaining(before), np.zeros_like(angle), np.zeros_like(angle)
-        if self.relaxes and time:
-            times, stiffness = self._branches(before)
-            squares, last, first = square_integrals(times, time), after[2:], before[2:]
-            total = squares[0] * first**2 + squares[1] * first * last + squares[2] * last**2
-            scale = stiffness * times
-            relaxed = np.sum(np.divide(total, scale, out=np.zeros_like(total), where=scale > 0), axis=0)
-        if self.wears:
-            # the energy at the angle after, with the share of the moment before and after
-            new = np.array(after)
-            new[1] = before[1]
-            worn = self.stored(angle, further, new) - self.stored(angle, further, after)
-        return left * yielded, left * relaxed, worn
-
-    def yielding_slope(self, before: Array, after: Array) -> Array:
-        """Return the part of the slope that creases lack while they yield, N m/rad, from their memories, (...)."""
-        lacking = np.where(after[0] != before[0], np.asarray(self.stiffness) - self.hardening, 0.0)
-        if self.rubs:
-            lacking = lacking + np.sum(np.where(self._sliding(after), self._branches(after)[1], 0.0), axis=0)
-        return np.asarray(self.remaining(after) * lacking)
-
-    def friction_loss(self, turned: Array, before: Array, after: Array) -> Array:
-        """Return the energy that dry friction dissipates in a turn with the moments and slopes at its start, J, (...).
-
-        Args:
-            turned: change of the angles, rad, (...).
-            before: memory at the start, (slot, ...).
-            after: memory at the end, (slot, ...).
-        """
-        stiffness = np.where(np.isfinite(self._of_branches(self.branch_limit, before)), self._branches(before)[1], 0.0)
-        sticking = np.where(self._sliding(before), 0.0, stiffness)
-        work = np.where(stiffness > 0, before[2:], 0.0) * turned + sticking / 2 * turned**2
-        gained = np.divide(
-            after[2:] ** 2 - before[2:] ** 2, 2 * stiffness, out=np.zeros_like(work), where=stiffness > 0
-        )
-        return np.asarray(np.sum(work - gained, axis=0))
-
-    def _sliding(self, memory: Array) -> Flags:
-        """Return which branches of a memory are at the limit of dry friction, (branch, ...)."""
-        limit = self._of_branches(self.branch_limit, memory)
-        return np.asarray(np.abs(memory[2:]) >= (1 - _AT_LIMIT) * limit)
 
     def largest_slope(self, angle: Array) -> Array:
         """Return the slope of fast turns at these angles, with the largest one that nonlinear terms add, N m/rad."""
@@ -375,22 +226,6 @@ class CreaseLaw:
         ends = (np.clip(limit, -math.pi, math.pi) - self.rest_angle for limit in (self.lower, self.upper))
         steepest = [x * (2 * np.asarray(self.quadratic) + 3 * x * np.asarray(self.cubic)) for x in ends]
         return np.asarray(slope + np.maximum(np.maximum(*steepest), 0.0))
-
-    def _rests(self, further: Array | float, memory: Array) -> tuple[Array | float, Array | float]:
-        """Return the changes of the rest angles of the whole spring and of its linear part, rad."""
-        if not self.yields:
-            return further, 0.0
-        shift = self.rest_shift(memory[0])
-        return (further, shift) if self.bends else (further + shift, 0.0)
-
-    def _branches(self, memory: Array) -> tuple[Array, Array]:
-        """Return the relaxation times and the stiffnesses of the branches, which broadcast with those of a memory."""
-        return self._of_branches(self.branch_time, memory), self._of_branches(self.branch_stiffness, memory)
-
-    def _of_branches(self, numbers: Array, memory: Array) -> Array:
-        """Return numbers of the branches, which broadcast with those of a memory."""
-        part = np.moveaxis(numbers, -1, 0)
-        return part.reshape(len(part), *(1,) * (memory.ndim - part.ndim), *part.shape[1:])
 
     def some(self, which: Indices) -> CreaseLaw:
         """Return the law of some creases, by their indices in the arrays."""
@@ -420,7 +255,7 @@ class CreaseLaw:
         if self.bends:
             x = angle - self.rest_angle - further
             spring = spring + x**3 * (np.asarray(self.quadratic) / 3 + x * np.asarray(self.cubic) / 4)
-        return np.asarray(spring + np.asarray(self.stop_stiffness) / 2 * self._stopped(angle) ** 2)
+        return np.asarray(spring + np.asarray(self.stop_stiffness) / 2 * self.beyond_stops(angle) ** 2)
 
     def moment(self, angle: ArrayLike, further: Array | float = 0.0) -> Array:
         """Compute the moment, N m, with the arguments of `energy`; very large but finite at and beyond contact."""
@@ -456,7 +291,7 @@ class CreaseLaw:
             x = angle - self.rest_angle - further
             spring = spring + x**2 * (self.quadratic + x * np.asarray(self.cubic))
             slope = slope + x * (2 * np.asarray(self.quadratic) + 3 * x * np.asarray(self.cubic))
-        stopped = self._stopped(angle)
+        stopped = self.beyond_stops(angle)
         if stopped.any():
             spring = spring + np.asarray(self.stop_stiffness) * stopped
             slope = slope + np.where(stopped != 0, self.stop_stiffness, 0.0)
@@ -483,7 +318,7 @@ class CreaseLaw:
         shift = self.rest_shift(sets)
         moment, slope = self.moment_and_slope(angle, 0.0, shift)
         energy = self.energy(angle, 0.0, shift) + self.set_energy(sets) + self.yield_loss(sets - before)
-        return energy, moment, slope - np.where(sets != before, self._yielding_stiffness, 0.0)
+        return energy, moment, slope - np.where(sets != before, self.yielding_stiffness, 0.0)
 
     def _locked(self, angle: Array) -> tuple[Array, Array, Array]:
         """Return the angle clipped to the linear range, the share of the locking range that is used, and this range.
@@ -496,7 +331,7 @@ class CreaseLaw:
         room = np.where(np.isfinite(room), room, 1.0)
         return within, np.clip((angle - within) / room, -1.0, 1.0), room
 
-    def _stopped(self, angle: Array) -> Array:
+    def beyond_stops(self, angle: Array) -> Array:
         """Compute the angle beyond a stop, rad, negative below the lower stop."""
         return angle - np.clip(angle, self.lower, self.upper)
 

@@ -153,7 +153,7 @@ def _expanded(
 
 
 def stored_by_part(net: Net, shape: NetShape, further: Array | float = 0.0) -> tuple[float, Array, float, float, float]:
-    """Return energies, J: of bars, of each crease, (crease,), of tendons, of membranes, of the weight (0 at the origin).
+    """Return energies, J: of bars, of each crease, (crease,), of tendons, of membranes, of weight (0 at the origin).
 
     Args:
         net: the net with its laws.

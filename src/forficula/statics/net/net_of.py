@@ -14,11 +14,11 @@ from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.tendon_law import stacked_laws
-from forficula.statics.path_dependence import refuse_rest_angles
 from forficula.statics.net.energy import kept_folds, shape_at
 from forficula.statics.net.load import Load, no_load, point_forces
 from forficula.statics.net.net import Net, NetCreases, NetShape, Springs, Tendons, Triangles
 from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, stiffness_of
+from forficula.statics.path_dependence import refuse_rest_angles
 from forficula.structure import GROUND, Structure, built_points, crease_flaps, crease_law, facet_triangles
 from forficula.structure.sheets.facets import BEND
 

@@ -203,9 +203,9 @@ def _check_bodies(structure: Structure) -> None:
 def _drive_weights(structure: Structure) -> Array:
     """Return weights with which settings of motors add up to torques on hinges, (motor, hinge).
 
-    A change of a linear spring's rest angle is equivalent to the torque stiffness x angle. A force at points has the weight 0,
-    because its torques depend on the shape: see `forficula.statics.tree.forces`. A displacement of points has the
-    weight 0, too: `forficula.statics.tree.quasi_static.check_drive` refuses it.
+    A change of a linear spring's rest angle is equivalent to the torque stiffness x angle. A force at points has the
+    weight 0, because its torques depend on the shape: see `forficula.statics.tree.forces`. A displacement of points has
+    the weight 0, too: `forficula.statics.tree.quasi_static.check_drive` refuses it.
     """
     weights = np.zeros((len(structure.motors), len(structure.hinges)))
     stiffness = np.array([hinge.stiffness for hinge in structure.hinges])
