@@ -122,6 +122,8 @@ class CreaseLaw:
     damage_by_set: Flags | bool = False
 
     def __post_init__(self) -> None:
+        if not np.size(self.branch_limit):
+            object.__setattr__(self, "branch_limit", np.full(np.shape(self.branch_stiffness), np.inf))
         for name in ("stiffness", "stop_stiffness", "hardening", "branch_stiffness"):
             value = np.asarray(getattr(self, name))
             if not np.all(np.isfinite(value) & (value >= 0)):
