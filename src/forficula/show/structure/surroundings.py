@@ -40,9 +40,7 @@ def draw_gravity(axes: Axes, structure: Structure, view: Viewpoint, middle: tupl
         else:
             axes.plot(*middle, marker="x", ms=4, mew=0.9, color="black", clip_on=False)
     else:
-        start, end = (
-            (middle[0] + side * float(along[0]), middle[1] + side * float(along[1])) for side in (-1.0, 1.0)
-        )
+        start, end = ((middle[0] + side * float(along[0]), middle[1] + side * float(along[1])) for side in (-1.0, 1.0))
         arrow = {"arrowstyle": "-|>,head_width=0.15,head_length=0.3", "lw": 0.9, "color": "black"}
         axes.annotate(
             "", end, start, arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, annotation_clip=False
