@@ -105,7 +105,9 @@ def test_a_table_is_normal_to_gravity():
 
 @pytest.mark.parametrize("result", [ff.landscape, ff.quasi_static_path])
 def test_statics_refuses_a_table(result):
-    with pytest.raises(InputError, match=r"statics ignores the table; a run includes it, and table = \"none\""):
+    with pytest.raises(
+        InputError, match=r"statics ignores the table under bodies that turn; a run includes it, and table = \"none\""
+    ):
         result(load_design("binder2025-on-table"))
 
 

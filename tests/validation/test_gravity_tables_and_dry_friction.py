@@ -223,3 +223,30 @@ def test_dry_friction_holds_a_fold_within_its_moment_over_its_stiffness(agree):
 def test_a_slow_drive_needs_the_moment_of_friction_in_addition(agree):
     path = ff.quasi_static_path(ff.load_design("binder2025-joint", {"hinge.friction": "0.5 N cm"}))
     agree("half width of the range of the drive", path.friction, 5e-3, unit="N m", by="M", rel=1e-9)
+
+
+LIFT = """
+[[drive]]
+name = "lift"
+kind = "force"
+of = ["vertex 2", "vertex 5"]
+direction = [0, 0, 1]
+value = "0.01 N"
+"""
+
+
+def test_a_sheet_leans_on_a_table_in_statics_until_a_force_takes_its_weight_off(agree):
+    height, stiffness = 0.005, 0.005  # m, N m/rad/m
+    values = SOFT | {
+        **{"facet.youngs_modulus": "100 MPa", "facet.bend_stiffness": "10 N m/rad/m"},
+        **{"crease.stiffness": f"{stiffness} N m/rad/m", "table.height": f"{-height} m"},
+        **{"protocol.stages.free.drive": "lift"},
+    }
+    path = ff.quasi_static_path(sheet(values, LIFT + HELD))
+    angle = math.asin((height - THICK / 2) / SIDE)
+    agree("fold angle on the table", path.angles[0, 0], -angle, unit="rad", by="asin(h / L)", abs=1e-5)
+    depth = THICK / 2 - height - path.positions[:, :6, 2].min()
+    agree("depth to which the sheet sinks in", depth, 0, unit="m", by="a table", abs=1e-7)
+    raised = path.strength[np.argmax(path.positions[:, 2, 2] > THICK / 2 - height + 1e-6)]
+    carried = PANEL * G / 2 - stiffness * angle / math.cos(angle)
+    agree("force on each corner at lift-off", raised, carried / 2, unit="N", by="m g / 2 - k a / (L cos a)", rel=1e-3)

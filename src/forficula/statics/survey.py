@@ -175,7 +175,7 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
     if structure.contact is not None:
         return "statics ignores contact"
     if structure.table is not None:
-        return "statics ignores the table"
+        return "stages on a table are simulated only"
     if any(hinge.friction for hinge in structure.hinges):
         return "hinges have dry friction, with which they rest anywhere in a range"
     if is_net(structure):

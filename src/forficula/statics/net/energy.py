@@ -135,11 +135,17 @@ def _expanded(
     if net.gravity:
         stored -= float(np.sum(layout.weight * shape.positions))
         forces -= layout.weight
+    blocks = layout.gather @ np.concatenate([piece[2] for piece in pieces], axis=1).T
+    if net.table is not None:
+        up, table = -np.array(net.down), net.table
+        sunk = np.maximum(table.least - shape.positions @ up, 0.0)
+        stored += table.stiffness / 2 * float(np.sum(sunk**2))
+        forces -= table.stiffness * sunk[:, None] * up
+        blocks[layout.diagonal[sunk > 0]] += table.stiffness * np.outer(up, up).ravel()
     energy = stored
     if load is not None:
         forces -= factor * load.forces
         energy = stored - factor * _work(net, shape, load)
-    blocks = layout.gather @ np.concatenate([piece[2] for piece in pieces], axis=1).T
     return Expansion(
         shape=shape,
         stored=stored,

@@ -278,6 +278,9 @@ def _unconnected_states(count: int, passes: Sequence[Pass]) -> list[int]:
     return np.flatnonzero(part != part[0]).tolist()
 
 
+_TABLE_REMARKS = ("the landscape ignores friction on the table, which holds the sheet in further shapes",)
+
+
 def _remarks(
     structure: Structure,
     search: StableStates,
@@ -289,6 +292,7 @@ def _remarks(
     whole, count = structure.appearance.whole, len(search.states)
     remarks = [
         *friction_remarks(structure),
+        *_TABLE_REMARKS[: structure.table is not None and structure.table.friction > 0],
         f"the search for stable states of the {whole} started from the states of the protocol and from {search.tries}"
         f" random pushes (seed {search.seed}): there may be more than the {count} found",
     ]
