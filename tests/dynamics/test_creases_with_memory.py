@@ -23,6 +23,7 @@ from tests.memory_strips import (
     MOMENT,
     NONLINEAR,
     STIFFNESS,
+    STRIP,
     WIDTH,
     YIELD,
     changed,
@@ -105,6 +106,18 @@ def test_a_crease_with_all_of_these_keeps_its_energy_balance():
     balance = energy_balance(run)
     assert min(balance.crease_yielding, balance.crease_branches, balance.crease_damage) > 0.02 * balance.work
     assert balance.residual < 3e-3
+
+
+def test_the_work_of_a_rest_angle_that_moves_at_once_closes_the_energy_balance():
+    """The release moves it back in one step, by which creases yield."""
+    rests = STRIP.replace('kind = "torque"', 'kind = "rest-angle"').replace(
+        f'value = "{MOMENT} N m"', 'value = "50 deg"'
+    )
+    short = {"protocol.stages.0.time_limit": "20 ms", "protocol.stages.1.time_limit": "10 ms"}
+    laws = FACETS["nodes"] | NONLINEAR | YIELD | BRANCHES | DAMAGE | short
+    balance = energy_balance(simulate([compile_model(with_values(design_from_text(rests), laws))])[0])
+    assert balance.crease_yielding > 0.1 * balance.work
+    assert balance.residual < 5e-3
 
 
 def test_joints_of_a_closed_loop_that_remember_keep_its_energy_balance():
