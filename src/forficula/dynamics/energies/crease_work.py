@@ -16,6 +16,7 @@ from forficula.material.law.crease_memory import (
     friction_loss,
     memory_losses,
     remaining_share,
+    stored_energy,
     turned_memory,
     yielding_slope,
 )
@@ -27,9 +28,8 @@ def crease_works(
 ) -> tuple[Array, Array, dict[str, Array]]:
     """Compute the works on a structure with creases in some steps, in the model's units.
 
-    The work of a moving rest angle is the change of the energy of the spring. It is computed as the moment of the
-    spring at the mean rest angle, without locking and stops, times the change of the rest angle, which is exact for
-    linear springs.
+    The work of a moving rest angle is the change of the energy of the spring. For a linear spring it equals the moment
+    at the mean rest angle, without locking and stops, times the change of the rest angle.
 
     Args:
         model: of the structure.
@@ -64,6 +64,8 @@ def crease_works(
         assert steps.memory is not None
         memory = steps.memory[:, place, block]
         moments = remaining_share(law, memory) * law.rest_moment(angles, mean, law.rest_shift(memory[0]))
+        if law.yields or law.bends:
+            moments = _mean_moments(model, steps, place, before, efforts, moments)
     works = []
     for number, motor in enumerate(model.structure.motors):
         if motor.kind == "displacement":
@@ -81,6 +83,37 @@ def crease_works(
         changes[:, number] = efforts[:, number] - before[:, number]
         works.append(-np.sum(moments * model.settings(changes)[0], axis=1))
     return np.array(works).reshape(-1, len(travel)), damped, _losses(model, steps, place, efforts)
+
+
+def _mean_moments(model: Model, steps: Steps, place: int, before: Array, efforts: Array, linear: Array) -> Array:
+    """Return the moments whose product with minus the change of rest angles is the work of this change, (step, crease).
+
+    Rest angles change where a block begins, at constant fold angles. The work is the change of the stored energy plus
+    the loss of the yield that the change causes, after the yield that the turn before the block caused.
+
+    Args:
+        model: of the structure.
+        steps: of several structures.
+        place: index of the structure in the steps.
+        before: settings of its motors before each step, (step, motor).
+        efforts: settings in each step, (step, motor).
+        linear: moments where rest angles do not change, (step, crease).
+    """
+    assert model.creases is not None
+    assert steps.memory is not None
+    assert steps.memory_before is not None
+    assert steps.angles is not None
+    law, block = model.creases.law, np.arange(len(efforts)) // steps.followed
+    angles, memory = steps.angles[place][block], steps.memory[:, place]
+    earlier = np.concatenate([steps.memory_before[:, place, None], memory[:, :-1]], axis=1)[:, block]
+    memory, (rests, ends) = memory[:, block], (model.settings(setting)[0] for setting in (before, efforts))
+    turned = np.array(memory)
+    turned[0] = law.next_set(angles, rests, earlier[0]) if law.yields else memory[0]
+    work = stored_energy(law, angles, ends, memory) - stored_energy(law, angles, rests, turned)
+    if law.yields:
+        work = work + remaining_share(law, memory) * law.yield_loss(memory[0] - turned[0])
+    changes = ends - rests
+    return np.divide(-work, changes, out=np.array(linear), where=changes != 0)
 
 
 def _losses(model: Model, steps: Steps, place: int, efforts: Array) -> dict[str, Array]:
