@@ -14,6 +14,8 @@ def unresolved_stops(record: Record) -> str:
     met = [("stop_work", "stops.time_constant", structure.stops, STEPS_TO_TIME_CONSTANT)]
     if structure.contact is not None:
         met.append(("contact_work", "contact.time_constant", structure.contact.stops, STEPS_TO_CONTACT))
+    if structure.table is not None:
+        met.append(("contact_work", "table.time_constant", structure.table.stops, STEPS_TO_CONTACT))
     for series, key, stops, steps in met:
         longest = stops.time_constant / steps
         # tolerate rounding, because a timestep of exactly this value is allowed

@@ -13,10 +13,8 @@ from forficula.arrays import Array, Indices
 from forficula.dynamics.energies.energy import branch_forces, branch_numbers
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.stepping.steps import Steps
+from forficula.material.law.relaxation import square_integrals
 from forficula.material.law.tendon_law import ElasticLaw, stacked_laws
-
-# nodes of the quadrature over a step, exact to 1e-9 up to steps of 20 relaxation times
-_NODES = 16
 
 
 class TendonLosses:
@@ -84,7 +82,7 @@ class AlikeTendons:
         viscous: linear damping of each clamped tendon, (structure, clamped).
         alone: whether a clamped tendon has no branches, (structure, clamped).
         branches: index of the forces of branches, (tendon, branch), as in `Model.branches`.
-        squares: integrals over a step, see `_square_integrals`, (structure, 3, tendon, branch).
+        squares: integrals over a step, see `square_integrals`, (structure, 3, tendon, branch).
         viscosity: of the dampers of branches, (structure, tendon, branch).
         model: of the first structure.
     """
@@ -115,7 +113,7 @@ class AlikeTendons:
             time, stiffness = branch_numbers(item)
             # most tendons have the same branches
             different, number = np.unique(time, axis=0, return_inverse=True)
-            integrals = np.array([_square_integrals(times, item.timestep) for times in different])
+            integrals = np.array([square_integrals(times, item.timestep) for times in different])
             squares.append(np.moveaxis(integrals[number.ravel()], 1, 0) if time.size else np.zeros((3, *time.shape)))
             viscosity.append(stiffness * time)
         return cls(
@@ -213,19 +211,3 @@ class AlikeTendons:
             for field in dataclasses.fields(ElasticLaw)
         }
         return ElasticLaw(**numbers)
-
-
-def _square_integrals(time: Array, timestep: float) -> Array:
-    """Compute the integrals over a step of a^2, 2 a b and b^2, see `AlikeTendons.branch_losses`, (3, branch).
-
-    Quadrature of positive numbers is used, because the closed forms lose all digits if h is far below tau.
-
-    Args:
-        time: relaxation times, (branch,).
-        timestep: h, in the same unit.
-    """
-    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
-    share, width = (nodes[:, None] + 1) / 2, timestep / time
-    late = np.expm1(-share * width) / np.expm1(-width)
-    early = np.exp(-share * width) - np.exp(-width) * late
-    return np.array([weights @ product * timestep / 2 for product in (early * early, 2 * early * late, late * late)])

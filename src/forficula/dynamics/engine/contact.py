@@ -96,7 +96,7 @@ def check_apart(engine: mujoco.MjModel, structure: Structure, unit: float) -> No
 
 def add_stop_sensors(spec: mujoco.MjSpec, structure: Structure) -> None:
     """Add sensors that separate the forces of stops and length limits from those of contacts, if there are contacts."""
-    if structure.contact is None:
+    if not structure.has_contacts:
         return
     limits = mujoco.mjtSensor
     joints = [hinge for hinge in structure.hinges if hinge.flaps is None]

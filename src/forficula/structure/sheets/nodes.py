@@ -90,6 +90,7 @@ def node_structure(design: SheetDesign) -> Structure:
         imperfection=design.imperfection if design.imperfection.size else None,
         mass=max(body.mass for body in bodies),
         gravity=design.protocol.gravity,
+        down=design.protocol.down,
         appearance=Appearance(whole="sheet", bodies="one for every vertex", pattern=sheet),
     )
     panels = facet_panels(sheet, triangles, nodes.parts, None)
