@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from forficula.analysis import SPRUNG, Verdict
-from forficula.design import TORQUE, Design, StageSection, key_value, put, stage_drives, with_values
+from forficula.design import TORQUE, Design, StageSection, put, stage_drives, with_values
 from forficula.quantities import show_quantity
 from forficula.structure import drive_keys
 from forficula.study.running.evaluate import row_key
@@ -352,24 +352,6 @@ def _needed(design: Design, search: Search, trials: _Trials) -> list[float]:
     return [*(value for value in values if value in rows), *(values[place] for place in unknown)]
 
 
-def needless_runs(search: Search, runs: Mapping[str, Design], row: Row) -> list[str]:
-    """Return the keys of planned runs of a point that the row of one of them makes needless."""
-    step, value = _tried_step(search, runs[row["key"]])
-    others = {key: other for key, run in runs.items() if (other := _tried_step(search, run))[0] is step}
-    if step is search.second and row.get(step.state):
-        return [key for key, (_, other) in others.items() if other > value]
-    if search.scan == "bracket" and _misses(row, step):
-        return [key for key, (_, other) in others.items() if other < value]
-    return []
-
-
-def _tried_step(search: Search, run: Design) -> tuple[SearchStep, float]:
-    """Return the transition whose value a run tries, and the value."""
-    acting = {name for stage in run.protocol.stages for name in stage_drives(stage)}
-    step = next((step for step in reversed(search.steps) if step.drive in acting), search.first)
-    return step, abs(float(str(key_value(run, step.key))))
-
-
 def _halving(places: Sequence[int]) -> list[int]:
     """Return places in an order in which the first one that is not yet decided halves those that are undecided."""
     order, parts = [], deque([places])
@@ -397,7 +379,17 @@ def _stays_short(row: Row, step: SearchStep) -> bool:
 
 def _misses(row: Row, step: SearchStep) -> bool:
     """Return whether a run never met the goal of a transition."""
-    return bool(_fails(row, step) and row.get("short_of_goal") and row["goal"] == step.transition)
+    return reached_state(row, step.state) is False and row["goal"] == step.transition
+
+
+def reached_state(row: Row, state: str) -> bool | None:
+    """Return whether a run reached the state of the transition that it tries; False if it stayed short of the goal.
+
+    None as for `reached_goal`, which evaluates the record of a run instead of its row.
+    """
+    if not Verdict(row["verdict"]).conclusive:
+        return None
+    return True if row.get(state) else False if row.get("short_of_goal") else None
 
 
 def _fails(row: Row, step: SearchStep) -> bool:

@@ -11,29 +11,28 @@ from forficula.analysis import Outcome, Verdict, measure
 from forficula.analysis.confirmation import DOUBLE_PRECISION, HALF_STEP, OTHER_START, same_ending
 from forficula.analysis.outcome import outcome_values
 from forficula.analysis.verdict import UNSETTLED
+from forficula.arrays import Array
 from forficula.design import Design, put
 from forficula.dynamics import (
     Model,
     NumericalCheck,
     Record,
+    TrialChains,
     batch_key,
     check_available,
     check_device,
     compile_model,
     design_in_model_units,
     design_trial,
-    needless_trials,
     simulate_each,
-    trial_chains,
     tried_transition,
     with_timestep,
 )
-from forficula.dynamics.engine.trials import DriveTrial
-from forficula.dynamics.stepping.simulate import Progress
+from forficula.dynamics.stepping.simulate import CertainOutcome, Progress
 from forficula.errors import InputError
 from forficula.quantities import show_duration, show_value
 from forficula.statics.survey import check_quasi_static, stage_rest_path
-from forficula.structure import drive_keys, structure_of, with_protocol
+from forficula.structure import Structure, drive_keys, structure_of, with_protocol
 
 # Allowed relative difference of times between two timesteps; the shorter one is used.
 _TIME_TOLERANCE = 0.02
@@ -172,6 +171,7 @@ def run_each(
     sparse: bool = False,
     until_last: bool = False,
     progress: Progress | None = None,
+    certain: CertainOutcome | None = None,
 ) -> Iterator[tuple[int, Record | InputError]]:
     """Do the same as `run` with many designs side by side, and yield the index and record of each when it is done.
 
@@ -182,8 +182,9 @@ def run_each(
         threads: number of threads; 0 for one per core.
         sparse: whether to keep only what an outcome needs, see `simulate`.
         until_last: whether to try designs that differ only in the strength of a drive one after another, in the
-            given order. Designs that the result of one makes needless get no records, see `needless_trials`.
+            given order. Designs that the result of one makes needless get no records, see `TrialChains`.
         progress: see `run`.
+        certain: stops runs whose outcome is certain, see `simulate_each`.
 
     Returns:
         Records, or why a design cannot be built.
@@ -194,11 +195,11 @@ def run_each(
         _Attempt(number=number, design=design, halvings=0 if design.protocol.timestep == "auto" else None)
         for number, design in enumerate(designs)
     ]
-    needless = Needless(designs)
+    options, chains = _RunOptions(threads, sparse, until_last, progress, certain), None
     while attempts:
         start = time.perf_counter()
         left = {attempt.number: attempt for attempt in attempts}
-        for attempt, result in _results(attempts, threads, sparse, until_last, progress):
+        for attempt, result in _results(attempts, options):
             if left.pop(attempt.number, None) is None:  # needless in the meantime
                 continue
             if isinstance(result, InputError):
@@ -214,7 +215,8 @@ def run_each(
             doubt = _doubt(attempt, outcome)
             yield attempt.number, replace(result, doubt=doubt, checks=_coarser(attempt, outcome))
             if until_last and not doubt:
-                for number in needless.after(attempt.number, result):
+                chains = chains or trial_chains(designs, result.structure)
+                for number in chains.needless(attempt.number, reached=reached_goal(result)):
                     left.pop(number, None)
         attempts = [left[number] for number in sorted(left)]
 
@@ -229,9 +231,18 @@ def topology(model: Model) -> tuple[int | str, ...]:
     return (*sizes, *others, *driven)
 
 
-def _results(
-    attempts: Sequence[_Attempt], threads: int, sparse: bool, until_last: bool, progress: Progress | None
-) -> Iterator[tuple[_Attempt, Record | InputError]]:
+@dataclass(frozen=True)
+class _RunOptions:
+    """How designs are simulated, see `run_each`."""
+
+    threads: int
+    sparse: bool
+    until_last: bool
+    progress: Progress | None
+    certain: CertainOutcome | None
+
+
+def _results(attempts: Sequence[_Attempt], options: _RunOptions) -> Iterator[tuple[_Attempt, Record | InputError]]:
     """Build models and simulate them: the first ones soon, then larger batches each time."""
     by_engine: dict[str, list[_Attempt]] = {}
     for attempt in attempts:
@@ -246,29 +257,22 @@ def _results(
             except InputError as error:
                 yield attempt, error
         if time.perf_counter() - start > seconds:
-            yield from _simulated(built, threads, sparse, until_last, progress)
+            yield from _simulated(built, options)
             seconds, start, built = 2 * seconds, time.perf_counter(), []
-    yield from _simulated(built, threads, sparse, until_last, progress)
+    yield from _simulated(built, options)
 
 
 def _simulated(
-    built: Sequence[tuple[_Attempt, Model]],
-    threads: int,
-    sparse: bool,
-    until_last: bool,
-    progress: Progress | None,
+    built: Sequence[tuple[_Attempt, Model]], options: _RunOptions
 ) -> Iterator[tuple[_Attempt, Record | InputError]]:
     """Simulate models, those of one topology side by side. A batch that exceeds the memory is halved."""
     groups: dict[tuple[int | str, ...], list[tuple[_Attempt, Model]]] = {}
     for attempt, model in built:
         groups.setdefault(topology(model), []).append((attempt, model))
-    reached = reached_goal if until_last else None
     for group in groups.values():
-        callback = None if progress is None else _with_timestep_shown(progress, group[0][0])
         done: set[int] = set()
         try:
-            models = [model for _, model in group]
-            for row, record in simulate_each(models, threads, sparse, callback, reached, stage_rest_path):
+            for row, record in _side_by_side(group, options):
                 done.add(row)
                 yield group[row][0], record
         except InputError as error:
@@ -277,7 +281,25 @@ def _simulated(
                 continue
             rest = [member for row, member in enumerate(group) if row not in done]
             for half in (rest[: len(rest) // 2], rest[len(rest) // 2 :]):
-                yield from _simulated(half, threads, sparse, until_last, progress)
+                yield from _simulated(half, options)
+
+
+def _side_by_side(group: Sequence[tuple[_Attempt, Model]], options: _RunOptions) -> Iterator[tuple[int, Record]]:
+    """Simulate models of one topology."""
+    certain = options.certain
+
+    def of_attempt(row: int, stage: int, passed: float, angles: Array, energy: float) -> bool:
+        return certain is not None and certain(group[row][0].number, stage, passed, angles, energy)
+
+    yield from simulate_each(
+        [model for _, model in group],
+        options.threads,
+        options.sparse,
+        None if options.progress is None else _with_timestep_shown(options.progress, group[0][0]),
+        reached_goal if options.until_last else None,
+        stage_rest_path,
+        None if certain is None else of_attempt,
+    )
 
 
 def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
@@ -338,36 +360,9 @@ def _same_ending(before: Outcome, after: Outcome) -> bool:
     return same_ending(after.ending, check_of("", 0.0, before))
 
 
-class Needless:
-    """Designs that the results of others make needless."""
-
-    def __init__(self, designs: Sequence[Design]) -> None:
-        self._designs = designs
-        self._trials: list[DriveTrial | None] = []
-        self._chains: dict[int, list[int]] = {}
-
-    def after(self, number: int, record: Record) -> list[int]:
-        """Return the numbers of the designs that the record of one of them makes needless."""
-        chain = self._chain(number, record)
-        return needless_trials(self._trials, chain, number, reached=reached_goal(record)) if chain else []
-
-    def surplus(self, number: int, record: Record) -> list[int]:
-        """Return the numbers of the designs whose results do not count if one of them reached its state.
-
-        They have larger strengths. If all strengths of a chain fall, every result counts, see `trial_chains`.
-        """
-        chain = self._chain(number, record)
-        strengths = [trial.strength for row in chain if (trial := self._trials[row]) is not None]
-        if strengths == sorted(strengths, reverse=True) or not reached_goal(record):
-            return []
-        return needless_trials(self._trials, chain, number, reached=True)
-
-    def _chain(self, number: int, record: Record) -> Sequence[int]:
-        """Return the chain of a design; empty if it does not belong to one."""
-        if not self._trials:
-            self._trials = [design_trial(design, record.structure) for design in self._designs]
-            self._chains = {row: chain for chain in trial_chains(self._trials) for row in chain}
-        return self._chains.get(number, ())
+def trial_chains(designs: Sequence[Design], structure: Structure) -> TrialChains:
+    """Return the chains of the trials among designs, whose structures have the drives of one of them."""
+    return TrialChains([design_trial(design, structure) for design in designs])
 
 
 def reached_goal(record: Record) -> bool | None:
