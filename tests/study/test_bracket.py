@@ -153,6 +153,8 @@ def test_torques_above_one_whose_result_is_unknown_are_not_needed():
     assert search_designs(DESIGN, search, rows).keys() == rows.keys()
     result = search_result(DESIGN, search, rows)
     assert (result["least_unfold_torque"], result["verdict"]) == (None, "untrusted")
+    # 0.5 N m might stay short of its goal and contradict the assumption, so that the assumption is not checked
+    assert result["monotony"] == "unknown"
 
 
 @pytest.mark.usefixtures("checked")
