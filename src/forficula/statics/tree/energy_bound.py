@@ -1,6 +1,6 @@
 """Lower bounds of the energy barrier around a region of hinge angles, which a structure cannot leave with less energy.
 
-Derivation: docs/model/certain-outcomes.md.
+Derivation: docs/model/reliability.md, section When a repetition ends early.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Endings of runs that are certain before the run ends, because its energy is too small for another outcome.
 
-Derivation: docs/model/certain-outcomes.md.
+Derivation: docs/model/reliability.md, section When a repetition ends early.
 """
 
 from __future__ import annotations

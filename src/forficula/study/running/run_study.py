@@ -304,7 +304,7 @@ def _joined(points: Iterable[Mapping[str, Design]]) -> dict[str, Design]:
 
 
 class Trials:
-    """Planned runs of a search, some of which the rows of others make needless; see `TrialChains`."""
+    """Planned runs of a search. The row of a run can make others needless, see `TrialChains`."""
 
     def __init__(self, structure: Structure, planned: Mapping[str, Design]) -> None:
         """Start with planned runs by the keys of their rows, and with a structure that has their drives."""
