@@ -28,14 +28,8 @@ from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.study.running.certain_ending import CertainEnding, certain_ending
 from forficula.study.running.journal import SCHEMA, Row
-from forficula.study.running.runs import (
-    check_of,
-    half_step,
-    in_double_precision,
-    reached_goal,
-    run_each,
-    trial_chains,
-)
+from forficula.study.running.runs import reached_goal, run_each, trial_chains
+from forficula.study.running.second_runs import check_of, half_step, in_double_precision
 
 
 def row_key(design: Design, *, whole: bool = False) -> str:

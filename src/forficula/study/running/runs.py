@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from forficula.analysis import Outcome, Verdict, measure
-from forficula.analysis.confirmation import DOUBLE_PRECISION, HALF_STEP, OTHER_START, same_ending
-from forficula.analysis.outcome import outcome_values
+from forficula.analysis.confirmation import same_ending
 from forficula.analysis.verdict import UNSETTLED
 from forficula.arrays import Array
 from forficula.design import Design, put
@@ -33,6 +32,7 @@ from forficula.errors import InputError
 from forficula.quantities import show_duration, show_value
 from forficula.statics.survey import check_quasi_static, stage_rest_path
 from forficula.structure import Structure, drive_keys, structure_of, with_protocol
+from forficula.study.running.second_runs import check_of, other_designs, second_designs, with_checks, with_step
 
 # Allowed relative difference of times between two timesteps; the shorter one is used.
 _TIME_TOLERANCE = 0.02
@@ -91,7 +91,7 @@ def run(design: Design, progress: Progress | None = None, *, confirm: bool = Fal
     Raises:
         InputError: the design cannot be built.
     """
-    others = _second_designs(design) if confirm and design.protocol.timestep != "auto" else {}
+    others = second_designs(design) if confirm and design.protocol.timestep != "auto" else {}
     runs: dict[int, Record | InputError] = {}
     for number, result in run_each([design, *others.values()], progress=progress):
         if number == 0 and isinstance(result, InputError):
@@ -100,54 +100,9 @@ def run(design: Design, progress: Progress | None = None, *, confirm: bool = Fal
     record = runs[0]
     assert isinstance(record, Record)
     if confirm and design.protocol.timestep == "auto":
-        others = _other_designs(record.design)
+        others = other_designs(record.design)
         runs |= {number + 1: checked for number, checked in run_each([*others.values()], progress=progress)}
     return with_checks(record, {name: runs[number] for number, name in enumerate(others, start=1)})
-
-
-def _second_designs(design: Design) -> dict[str, Design]:
-    """Return the designs of the second runs that confirm one with a given timestep, by the name of the difference."""
-    return {HALF_STEP: half_step(design)} | _other_designs(design)
-
-
-def _other_designs(design: Design) -> dict[str, Design]:
-    """Return the designs of the second runs at the same timestep, by the name of the difference."""
-    start = design.with_other_start()
-    others = {} if start is None else {OTHER_START: start}
-    return others if design.protocol.device is None else others | {DOUBLE_PRECISION: in_double_precision(design)}
-
-
-def in_double_precision(design: Design) -> Design:
-    """Return the design simulated by the processor."""
-    return put(design, "protocol.device", None)
-
-
-def half_step(design: Design) -> Design:
-    """Return the design with half its timestep."""
-    return _with_step(design, float(design.protocol.timestep) / 2)
-
-
-def with_checks(record: Record, others: Mapping[str, Record | InputError]) -> Record:
-    """Return a record with the outcomes of second runs of its design, by difference. Designs not built are omitted."""
-    checks = [_check(name, other) for name, other in others.items() if isinstance(other, Record)]
-    return replace(record, checks=(*record.checks, *checks))
-
-
-def _check(name: str, record: Record) -> NumericalCheck:
-    return check_of(name, float(record.design.protocol.timestep), measure(record))
-
-
-def check_of(name: str, timestep: float, outcome: Outcome) -> NumericalCheck:
-    """Return the summary of a second run at a timestep, s, that a record stores."""
-    return NumericalCheck(
-        name=name,
-        timestep=timestep,
-        verdict=outcome.verdict.value,
-        goal=outcome.ending.goal,
-        status=outcome.status,
-        holds=dict(outcome.holds),
-        values=outcome_values(outcome) if outcome.verdict.conclusive else {},
-    )
 
 
 def resolved(design: Design) -> Design:
@@ -318,16 +273,11 @@ def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
         return None
     return _Attempt(
         number=attempt.number,
-        design=_with_step(attempt.design, timestep),
+        design=with_step(attempt.design, timestep),
         halvings=total,
         before=(*attempt.before, (float(attempt.design.protocol.timestep), outcome))[1 - attempt.agreeing :],
         agreeing=attempt.agreeing,
     )
-
-
-def _with_step(design: Design, timestep: float) -> Design:
-    """Return the design with a timestep, s."""
-    return design.model_copy(update={"protocol": design.protocol.model_copy(update={"timestep": timestep})})
 
 
 def _doubt(attempt: _Attempt, outcome: Outcome) -> str:
@@ -407,7 +357,7 @@ def _compile(design: Design) -> Model | InputError:
     try:
         started = with_timestep(design)
         if started is not design:
-            started = _with_step(started, 2 ** (_AGREEING - 1) * float(started.protocol.timestep))
+            started = with_step(started, 2 ** (_AGREEING - 1) * float(started.protocol.timestep))
         return compile_model(started)
     except InputError as error:
         return error
@@ -421,7 +371,7 @@ def _with_protocol(model: Model | InputError, attempt: _Attempt) -> tuple[_Attem
     """
     if isinstance(model, InputError):
         raise model
-    design = _with_step(attempt.design, float(model.design.protocol.timestep))
+    design = with_step(attempt.design, float(model.design.protocol.timestep))
     agreeing = _AGREEING if model.creases is None else _OF_NODES
     structure = with_protocol(model.structure, design)
     check_quasi_static(structure, design.protocol)

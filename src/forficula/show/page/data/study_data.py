@@ -14,8 +14,8 @@ from forficula.analysis import Verdict
 from forficula.quantities import reading_unit
 from forficula.show.page.parts.outcome_words import OTHER_LOOK, OutcomeWords, signs_of
 from forficula.show.page.parts.run_sentences import unbuilt_text
-from forficula.show.study.boundary_figure import boundary_shapes
 from forficula.show.study.bins import Bins, bins_of
+from forficula.show.study.boundary_figure import boundary_shapes
 from forficula.show.study.factor_text import display_values, number_text, plain_name, value_with_unit
 from forficula.show.study.map_panel import MapPanel
 from forficula.show.study.maps import energy_noun, missing_reasons, table_view, times_by_value
