@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Protocol
 
 import mujoco
 import numpy as np
@@ -25,9 +26,6 @@ from forficula.errors import InputError
 from forficula.structure import RestSolver
 
 Progress = Callable[[str, float, float], None]
-# whether the outcome of a structure is certain: its number, the number of its stage, the time in the stage, s, the
-# angles of the hinges in own senses, rad, (hinge,), and the energy of motion and of all elements, J
-CertainOutcome = Callable[[int, int, float, Array, float], bool]
 
 # Steps between two checks of the goals. Every step is checked and the overshoot is undone, so that no number depends on
 # this length. It is shorter if checks take a small share of the time, as for many structures and for structures whose
@@ -40,6 +38,23 @@ _FEW = 2
 # factor by which the time in a stage grows between two checks whether an outcome is certain, because a check takes as
 # much time as some ten steps; and the number of steps after which the second check takes place
 _LATER, _FIRST_CHECK = 1.3, 50
+
+
+class CertainOutcome(Protocol):
+    """A condition on the motion in a stage that makes the outcome of a structure certain."""
+
+    @property
+    def stage(self) -> int:
+        """Number of the stage."""
+
+    def is_certain(self, passed: float, angles: Array, energy: float) -> bool:
+        """Return whether the outcome is certain.
+
+        Args:
+            passed: time in the stage, s.
+            angles: angles of the hinges in their own senses, rad, (hinge,).
+            energy: energy of motion and of all elements, J.
+        """
 
 
 def simulate(models: Sequence[Model], threads: int = 0, sparse: bool = False) -> list[Record]:
@@ -66,7 +81,7 @@ def simulate_each(
     progress: Progress | None = None,
     reached: Callable[[Record], bool | None] | None = None,
     solver: RestSolver | None = None,
-    certain: CertainOutcome | None = None,
+    certain: Mapping[int, CertainOutcome] | None = None,
 ) -> Iterator[tuple[int, Record]]:
     """Simulate structures as `simulate` does, and yield every structure's number and record as soon as it is done.
 
@@ -82,7 +97,8 @@ def simulate_each(
             `TrialChains`. It returns whether a record reached the state of its trial; None if it neither reached the
             state nor stayed short of its goal. Structures that a record makes needless never run.
         solver: returns the equilibria of structures in quasi-static stages; not needed without such stages.
-        certain: if given, a structure whose outcome is certain stops, as if the time limit of its stage were over.
+        certain: conditions by the numbers of structures. A structure that meets its condition stops, as if the time
+            limit of its stage were over.
 
     Raises:
         InputError: there is not enough memory, or no solver for a quasi-static stage.
@@ -95,7 +111,7 @@ def simulate_each(
         chunk = max(1, _CHUNK // 4) if short else _CHUNK
         stepper = Stepper(models, threads, sparse, chunk)
         try:
-            yield from _records(models, stepper, chunk, sparse, progress, reached, solver, certain)
+            yield from _records(models, stepper, chunk, sparse, progress, reached, solver, certain or {})
         finally:
             stepper.close()
     except (MemoryError, mujoco.FatalError) as error:
@@ -112,7 +128,7 @@ def _records(
     progress: Progress | None,
     reached: Callable[[Record], bool | None] | None,
     solver: RestSolver | None,
-    certain: CertainOutcome | None,
+    certain: Mapping[int, CertainOutcome],
 ) -> Iterator[tuple[int, Record]]:
     """Yield the numbers and records of `simulate_each`."""
     tracker, account, waits = StageTracker(models), WorkBalance(models), Waits(models)
@@ -120,7 +136,7 @@ def _records(
     recorders = [Recorder(model, sparse) for model in models]
     starts = [stepper.state(row) for row in range(len(models))]
     trials = _HeldTrials(models if reached is not None else ())
-    checks = _CertaintyChecks(models, certain) if certain is not None else None
+    checks = _CertaintyChecks(models, certain)
     held = trials.held
     waiting = followers(models, held)
     moving = np.array([row not in waiting and row not in held for row in range(len(models))])
@@ -137,7 +153,7 @@ def _records(
         if under_way:
             rows, torques, steps = under_way.popleft()
             _advance(stepper, tracker, account, recorders, rows, torques, steps.result())
-            if checks is not None:
+            if certain:
                 leaders = {leader for leader, _ in waiting.values()}
                 checks.stop([row for row in rows.tolist() if row not in leaders], tracker, stepper)
             while tracker.waiting:
@@ -198,19 +214,18 @@ class _HeldTrials:
 class _CertaintyChecks:
     """Checks whether the outcomes of structures are certain, at the start of a stage and at ever longer intervals."""
 
-    def __init__(self, models: Sequence[Model], certain: CertainOutcome) -> None:
+    def __init__(self, models: Sequence[Model], certain: Mapping[int, CertainOutcome]) -> None:
         self._models, self._certain = models, certain
-        # stage of each structure, and the number of steps in the stage at which the next check takes place
-        self._stage, self._next = np.full(len(models), -1), np.zeros(len(models))
+        # number of steps in the stage at which the next check of each structure takes place
+        self._next = np.zeros(len(models))
 
     def stop(self, rows: Sequence[int], tracker: StageTracker, stepper: Stepper) -> None:
         """Stop the structures whose outcomes are certain."""
         for row in rows:
-            if tracker.ended[row]:
+            condition = self._certain.get(row)
+            if condition is None or tracker.ended[row] or tracker.stage[row] != condition.stage:
                 continue
             passed = int(tracker.steps[row] - tracker.stage_start[row])
-            if self._stage[row] != tracker.stage[row]:
-                self._stage[row], self._next[row] = tracker.stage[row], 0
             if passed < self._next[row]:
                 continue
             self._next[row] = max(_LATER * passed, _FIRST_CHECK)
@@ -218,8 +233,7 @@ class _CertaintyChecks:
             derived = {name: values[None] for name, values in state.derived.items()}
             series = state_series(model, state.angle[None], derived)
             energy = float(sum(values.sum() for name, values in series.items() if name.endswith("_energy")))
-            time = passed * float(model.design.protocol.timestep)
-            if self._certain(row, int(tracker.stage[row]), time, state.angle, energy):
+            if condition.is_certain(passed * float(model.design.protocol.timestep), state.angle, energy):
                 tracker.stop(row)
 
 

@@ -35,16 +35,15 @@ class CertainEnding:
     rise: float
     bound: EnergyBound
 
-    def is_certain(self, stage: int, passed: float, angles: Array, energy: float) -> bool:
+    def is_certain(self, passed: float, angles: Array, energy: float) -> bool:
         """Return whether a run of the same protocol is certain to end in this manner.
 
         Args:
-            stage: number of its present stage.
-            passed: time in this stage, s.
+            passed: time in the stage, s.
             angles: of its hinges in own senses, rad, (hinge,).
             energy: energy of motion and of all elements, J.
         """
-        if stage != self.stage or passed < self.rise:
+        if passed < self.rise:
             return False
         ends = self.bound.keeps if self.kept else self.bound.misses
         return ends(self.goal, angles, energy)

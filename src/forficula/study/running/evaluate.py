@@ -22,7 +22,6 @@ from forficula.analysis.confirmation import HALF_STEP
 from forficula.analysis.margin import NOT_TRIED, SMALL_MARGIN, margin_column, transition_margins
 from forficula.analysis.outcome import compared_outcome
 from forficula.analysis.package import smallest_package
-from forficula.arrays import Array
 from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.errors import InputError
@@ -87,11 +86,7 @@ def evaluate(
         else:
             yield row
     repeated = [item for number, item in doubtful.items() if number not in surplus]
-
-    def certain(number: int, stage: int, passed: float, angles: Array, energy: float) -> bool:
-        ending = repeated[number].ending
-        return ending is not None and ending.is_certain(stage, passed, angles, energy)
-
+    certain = {number: item.ending for number, item in enumerate(repeated) if item.ending is not None}
     halves = [half_step(item.design) for item in repeated]
     for number, result in run_each(halves, threads, sparse=True, certain=certain):
         item = repeated[number]

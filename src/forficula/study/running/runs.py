@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from forficula.analysis import Outcome, Verdict, measure
 from forficula.analysis.confirmation import same_ending
 from forficula.analysis.verdict import UNSETTLED
-from forficula.arrays import Array
 from forficula.design import Design, put
 from forficula.dynamics import (
     Model,
@@ -126,7 +125,7 @@ def run_each(
     sparse: bool = False,
     until_last: bool = False,
     progress: Progress | None = None,
-    certain: CertainOutcome | None = None,
+    certain: Mapping[int, CertainOutcome] | None = None,
 ) -> Iterator[tuple[int, Record | InputError]]:
     """Do the same as `run` with many designs side by side, and yield the index and record of each when it is done.
 
@@ -139,7 +138,7 @@ def run_each(
         until_last: whether to try designs that differ only in the strength of a drive one after another, in the
             given order. Designs that the result of one makes needless get no records, see `TrialChains`.
         progress: see `run`.
-        certain: stops runs whose outcome is certain, see `simulate_each`.
+        certain: conditions that stop runs, by the numbers of designs, see `simulate_each`.
 
     Returns:
         Records, or why a design cannot be built.
@@ -150,7 +149,7 @@ def run_each(
         _Attempt(number=number, design=design, halvings=0 if design.protocol.timestep == "auto" else None)
         for number, design in enumerate(designs)
     ]
-    options, chains = _RunOptions(threads, sparse, until_last, progress, certain), None
+    options, chains = _RunOptions(threads, sparse, until_last, progress, certain or {}), None
     while attempts:
         start = time.perf_counter()
         left = {attempt.number: attempt for attempt in attempts}
@@ -194,7 +193,7 @@ class _RunOptions:
     sparse: bool
     until_last: bool
     progress: Progress | None
-    certain: CertainOutcome | None
+    certain: Mapping[int, CertainOutcome]
 
 
 def _results(attempts: Sequence[_Attempt], options: _RunOptions) -> Iterator[tuple[_Attempt, Record | InputError]]:
@@ -227,7 +226,19 @@ def _simulated(
     for group in groups.values():
         done: set[int] = set()
         try:
-            for row, record in _side_by_side(group, options):
+            for row, record in simulate_each(
+                [model for _, model in group],
+                options.threads,
+                options.sparse,
+                None if options.progress is None else _with_timestep_shown(options.progress, group[0][0]),
+                reached_goal if options.until_last else None,
+                stage_rest_path,
+                {
+                    row: options.certain[attempt.number]
+                    for row, (attempt, _) in enumerate(group)
+                    if attempt.number in options.certain
+                },
+            ):
                 done.add(row)
                 yield group[row][0], record
         except InputError as error:
@@ -237,24 +248,6 @@ def _simulated(
             rest = [member for row, member in enumerate(group) if row not in done]
             for half in (rest[: len(rest) // 2], rest[len(rest) // 2 :]):
                 yield from _simulated(half, options)
-
-
-def _side_by_side(group: Sequence[tuple[_Attempt, Model]], options: _RunOptions) -> Iterator[tuple[int, Record]]:
-    """Simulate models of one topology."""
-    certain = options.certain
-
-    def of_attempt(row: int, stage: int, passed: float, angles: Array, energy: float) -> bool:
-        return certain is not None and certain(group[row][0].number, stage, passed, angles, energy)
-
-    yield from simulate_each(
-        [model for _, model in group],
-        options.threads,
-        options.sparse,
-        None if options.progress is None else _with_timestep_shown(options.progress, group[0][0]),
-        reached_goal if options.until_last else None,
-        stage_rest_path,
-        None if certain is None else of_attempt,
-    )
 
 
 def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
