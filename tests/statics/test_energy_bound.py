@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import forficula as ff
+from forficula.design import stage_drives
 from forficula.statics.tree.energy_bound import EnergyBound, bounds_hinges_only, has_bound, torques_of
 from forficula.structure import drive_of, goal_of, structure_of
 
@@ -13,6 +14,7 @@ WING = ff.load_design("binder2025")
 JOINT = structure_of(ff.load_design("binder2025-joint"))
 (TENDON,) = JOINT.tendons
 YIELDING = np.radians(10)  # of stops
+ENERGIES = ("kinetic_energy", "tendon_energy", "membrane_energy")
 
 
 def largest_energy(certain):
@@ -50,8 +52,32 @@ def test_a_straight_joint_must_pass_the_angle_of_the_highest_potential(torque):
     assert largest == pytest.approx(floor + 0.9 * (top - floor) + torque * angles[hinge], abs=tolerance)
 
 
-def test_no_state_of_a_run_has_less_energy_than_the_bound():
-    series = ff.run(WING, confirm=False).record.series
+@pytest.fixture(scope="module")
+def record():
+    return ff.run(WING, confirm=False).record
+
+
+def test_energy_and_potential_of_the_torques_do_not_rise_after_a_moment_without_hinges_beyond_stops(record):
+    series, structure = record.series, record.structure
+    energy = sum(values.sum(axis=-1) if values.ndim > 1 else values for values in map(series.get, ENERGIES))
+    low, high = np.array([(hinge.lower, hinge.upper) for hinge in structure.hinges]).T
+    rises = {}
+    for end in record.stages[1:]:
+        during = (record.time >= end.start - 1e-9) & (record.time <= end.end + 1e-9)
+        strengths = [drive_of(structure, name).strengths for name in stage_drives(end.stage)]
+        torques = torques_of(structure, np.sum([np.zeros(len(structure.motors)), *strengths], axis=0))
+        angles = series["hinge_angle"][during]
+        left = energy[during] - angles @ torques
+        rise = np.maximum.accumulate(left[::-1])[::-1] - left
+        within = ((angles >= low - np.radians(0.1)) & (angles <= high + np.radians(0.1))).all(axis=1)
+        assert rise[within].max() < 1e-6
+        rises[end.stage.name] = rise.max()
+    # stops give back energy
+    assert rises["unfold"] > 0.01
+
+
+def test_no_state_of_a_run_has_less_energy_than_the_bound(record):
+    series = record.series
     energy = series["tendon_energy"].sum(axis=1) + series["membrane_energy"]
     structure = structure_of(WING)
     bound = EnergyBound(structure=structure, torques=np.zeros(len(structure.hinges)))

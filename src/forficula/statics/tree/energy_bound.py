@@ -66,6 +66,11 @@ class EnergyBound:
     torques: Array
 
     @cached_property
+    def _stops(self) -> Array:
+        """Return the angles of the lower and upper stops, rad, (end, hinge)."""
+        return np.array([[getattr(hinge, end) for hinge in self.structure.hinges] for end in ("lower", "upper")])
+
+    @cached_property
     def _hinges(self) -> dict[int, _HingeEnergy]:
         """Return the energies of hinges with tendons, springs or torques, by number."""
         return {
@@ -100,8 +105,13 @@ class EnergyBound:
             upper: largest angles, as `lower`.
             angles: present angles, rad, (hinge,).
             energy: present energy of motion and of all elements, J, without the potential of the torques.
+
+        Returns:
+            Whether this is certain; False as long as a hinge is beyond its stop.
         """
-        if not np.all((angles > lower) & (angles < upper)):
+        # a hinge beyond its stop may receive energy from the stop
+        beyond = (angles < self._stops[0] - _WIDTH) | (angles > self._stops[1] + _WIDTH)
+        if beyond.any() or not np.all((angles > lower) & (angles < upper)):
             return False
         parts = {
             number: hinge.least(float(lower[number]), float(upper[number])) for number, hinge in self._hinges.items()
