@@ -153,7 +153,7 @@ def has_bound(structure: Structure, torques: Array) -> bool:
     """
     loaded = zip(structure.hinges, torques.tolist(), strict=True)
     return not (
-        structure.gravity
+        np.any(structure.gravity)
         or structure.medium is not None
         or structure.contact is not None
         or structure.closures
