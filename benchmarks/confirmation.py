@@ -21,7 +21,8 @@ from forficula.errors import InputError
 from forficula.goals.binomial_interval import binomial_interval
 from forficula.goals.deviation import default_deviations, deviating_values
 from forficula.study.running.evaluate import needs_confirmation
-from forficula.study.running.runs import check_of, half_step, run, run_each
+from forficula.study.running.runs import run, run_each
+from forficula.study.running.second_runs import check_of, half_step
 
 
 def builds(name: str, count: int, seed: int) -> list[Design]:

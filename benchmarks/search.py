@@ -31,9 +31,9 @@ from forficula.structure import drive_of, goal_of, hinges_of
 from forficula.study.running.evaluate import row_key
 from forficula.study.running.journal import Row
 from forficula.study.running.run_study import run_study
-from forficula.study.search import first_design, second_design
 from forficula.study.search_steps import Search
 from forficula.study.study import Study
+from forficula.study.study_designs import first_design, second_design
 from forficula.study.tables.study_table import StudyTable
 
 _STUDY = "binder2025-search"

@@ -16,7 +16,7 @@ from forficula.study import collect, estimate, load_study, run_study, table_csv
 from forficula.study.assumptions.choice_groups import choice_groups, count_all, count_first
 from forficula.study.running.journal import read_rows
 from forficula.study.running.kept_runs import runs_to_keep
-from forficula.study.search import point_design
+from forficula.study.study_designs import point_design
 
 ALONE = 'vary = "one-at-a-time"'
 # the second equals the value of binder2025, written differently

@@ -4,7 +4,6 @@ import json
 import math
 import subprocess
 import sys
-from types import SimpleNamespace
 
 import mujoco
 import pytest
@@ -18,7 +17,7 @@ from forficula.dynamics import compile_model
 from forficula.errors import InputError
 from forficula.structure import structure_of
 from forficula.study.running.evaluate import evaluate, outcome_row, row_key
-from forficula.study.running.runs import Needless
+from forficula.study.running.runs import trial_chains
 
 
 def test_torques_above_the_least_that_opens_do_not_run_and_the_others_keep_their_bits():
@@ -43,11 +42,9 @@ def test_torques_above_the_least_that_opens_do_not_run_and_the_others_keep_their
 
 
 @pytest.mark.parametrize(("torques", "surplus"), [((0.8, 0.4, 0.6), [0]), ((0.8, 0.6, 0.4), []), ((0.4, 0.6, 0.8), [])])
-def test_falling_torques_all_count_although_a_smaller_one_succeeds(monkeypatch, torques, surplus):
-    monkeypatch.setattr("forficula.study.running.runs.reached_goal", lambda _: True)
+def test_falling_torques_all_count_although_a_smaller_one_succeeds(torques, surplus):
     designs = [with_values(SHORT, {"protocol.unfold_torque": torque}) for torque in torques]
-    record = SimpleNamespace(structure=structure_of(SHORT))
-    assert Needless(designs).surplus(2, record) == surplus
+    assert trial_chains(designs, structure_of(SHORT)).surplus(2, reached=True) == surplus
 
 
 def test_tendons_with_and_without_branches_and_yield_are_evaluated_side_by_side():

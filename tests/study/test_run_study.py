@@ -19,7 +19,7 @@ from forficula.show.study.maps import draw_torque_maps
 from forficula.study import collect, estimate, load_study, run_study, table_csv
 from forficula.study.running.evaluate import evaluate
 from forficula.study.running.plan import StudyPlan
-from forficula.study.search import point_design
+from forficula.study.study_designs import point_design
 from tests.forks import forks
 from tests.show.study.test_maps import legend
 

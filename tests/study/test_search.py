@@ -10,14 +10,8 @@ from forficula.analysis import Ending, Verdict
 from forficula.structure import structure_of
 from forficula.study.files.search_file import read_search
 from forficula.study.running.evaluate import ending_row
-from forficula.study.search import (
-    first_design,
-    point_design,
-    release_design,
-    search_designs,
-    search_result,
-    second_design,
-)
+from forficula.study.search import search_designs, search_result
+from forficula.study.study_designs import first_design, point_design, release_design, second_design
 
 DESIGN = ff.load_design("binder2025")
 FOLD, UNFOLD = structure_of(DESIGN).transitions

@@ -5,7 +5,8 @@ from forficula.design import key_value, tendon_law, with_values
 from forficula.errors import InputError
 from forficula.study import named_studies, run_study
 from forficula.study.files.study_file import load_study, study_of
-from forficula.study.search import point_design, search_designs
+from forficula.study.search import search_designs
+from forficula.study.study_designs import point_design
 
 DRAWN = '"tendon.stiffness" = {distribution = "uniform", low = "10 N/cm", high = "20 N/cm"}'
 LISTED = '"tendon.rest_length" = ["5 cm", "7 cm"]'

@@ -18,7 +18,7 @@ import forficula as ff
 from forficula.analysis.confirmation import HALF_STEP
 from forficula.design import with_values
 from forficula.study import load_study, run_study
-from forficula.study.running.runs import half_step, with_checks
+from forficula.study.running.second_runs import half_step, with_checks
 
 
 def bits(value):

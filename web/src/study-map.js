@@ -4,7 +4,7 @@ import { elementDrawing } from "./element-drawing.js";
 import { make } from "./elements.js";
 import { scaleParts, signOf } from "./heat.js";
 import { fileName, makeSaveButtons } from "./saving.js";
-import { makeScatter } from "./study-scatter.js";
+import { makeScatter, showsBoundaries } from "./study-scatter.js";
 
 const MOST_CELLS = 20_000;
 const MOST_NUMBERS = 16; // largest number of columns for which cells contain numbers
@@ -26,7 +26,7 @@ export function makeMap(model, open) {
     const alone = view.y === null && view.quantity.values && model.sizes.every((size, index) => size === 1 || index === view.x);
     const shown = sampled || alone ? makeScatter(model, view, press) : makeGrid(model, view, press);
     place.replaceChildren(shown.element);
-    legend.replaceChildren(...legendParts(model, view.quantity, shown.points));
+    legend.replaceChildren(...legendParts(model, view.quantity, shown.points), ...(showsBoundaries(model.study, view) ? [boundaryLegend(model.study.boundaries)] : []));
     text.textContent = mapText(model, view.quantity, shown.points);
   };
   const press = (point) => {
@@ -199,6 +199,12 @@ function legendParts(model, quantity, points) {
   });
   if (reasons.length) parts.push(make("ul", {}, ...reasons));
   return parts;
+}
+
+/** The lines of a study that locates boundaries. */
+function boundaryLegend({ text }) {
+  const entry = (name, text) => make("li", {}, make("span", { className: `line ${name}`, "aria-hidden": "true" }), text);
+  return make("ul", {}, entry("boundary", `${text}, a straight line in each cell`), entry("cell-outline", "side of a cell"));
 }
 
 function countReasons(quantity, points) {

@@ -26,6 +26,7 @@ export function makeScatter(model, view, press) {
   const label = `${quantity.title} of ${study.points} ${study.noun}s; arrows move between them, enter opens one`;
   const drawing = draw("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: ["scatter", points.length > MANY && "many", view.ordered && "judged"].filter(Boolean).join(" "), role: "listbox", "aria-label": label });
   if (view.cells) drawing.append(...mapCells(view.cells, across, upwards));
+  if (showsBoundaries(study, view)) drawing.append(...boundaryParts(study.boundaries, view, across, upwards));
   drawing.append(...axisParts(across, upwards, HEIGHT), ...guides(columns[view.x], across, upwards, true), ...(view.y === null ? [] : guides(columns[view.y], upwards, across, false)));
   const places = points.map((point) => [across.place(point), upwards.place(point)]);
   if (view.joined) drawing.append(frontLine(view.front, places, columns[view.x].aim));
@@ -64,6 +65,24 @@ function mapCells(cells, across, upwards) {
   return cells.works.flatMap((column, i) =>
     column.map((works, j) => draw("rect", { class: works ? "map-works" : "map-fails", x: columns[i], width: columns[i + 1] - columns[i], y: rows[j + 1], height: rows[j] - rows[j + 1] })),
   );
+}
+
+/** Whether both axes of a view are those of the located boundaries. */
+export function showsBoundaries({ boundaries }, { x, y }) {
+  return Boolean(boundaries) && [x, y].every((index) => [boundaries.x, boundaries.y].includes(index));
+}
+
+/** Outlines of cells and the boundaries in them. */
+function boundaryParts({ cells, lines, x, y }, view, across, upwards) {
+  // of a single factor, shapes extend over the whole height
+  const place = (first, second) => {
+    if (y === null) return [across.at(first), upwards.from + second * (upwards.to - upwards.from)];
+    return view.x === x ? [across.at(first), upwards.at(second)] : [across.at(second), upwards.at(first)];
+  };
+  const path = (points, close) => `M${points.map(([left, top]) => `${left.toFixed(1)} ${top.toFixed(1)}`).join("L")}${close}`;
+  const outlines = cells.map(([low, bottom, high, top]) => path([place(low, bottom), place(high, bottom), place(high, top), place(low, top)], "Z"));
+  const pieces = lines.map(([startX, startY, endX, endY]) => path([place(startX, startY), place(endX, endY)], ""));
+  return [draw("path", { class: "cell-outline", d: outlines.join("") }), draw("path", { class: "boundary", d: pieces.join("") })];
 }
 
 /** Boundaries between the cells of values. */

@@ -2,7 +2,7 @@ from forficula.dynamics.energies.energy_balance import EnergyBalance, energy_bal
 from forficula.dynamics.engine.knobs import Knob, knobs_of
 from forficula.dynamics.engine.model import Model, compile_model, compile_structure
 from forficula.dynamics.engine.portable_model import portable_model, why_not_portable
-from forficula.dynamics.engine.trials import design_trial, needless_trials, trial_chains, tried_transition
+from forficula.dynamics.engine.trials import TrialChains, design_trial, tried_transition
 from forficula.dynamics.engine.units import design_in_model_units
 from forficula.dynamics.gpu.device import batch_key, check_available, check_device
 from forficula.dynamics.record import (
@@ -37,6 +37,7 @@ __all__ = [
     "Record",
     "StageEnd",
     "SteppedProtocol",
+    "TrialChains",
     "as_record",
     "batch_key",
     "check_available",
@@ -49,7 +50,6 @@ __all__ = [
     "goal_in_units",
     "knobs_of",
     "load_record",
-    "needless_trials",
     "portable_model",
     "save_record",
     "simulate",
@@ -57,7 +57,6 @@ __all__ = [
     "stable_timestep",
     "stepped_protocol",
     "timestep_warnings",
-    "trial_chains",
     "tried_transition",
     "versions",
     "why_not_portable",

@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from forficula.analysis import SPRUNG, Verdict
-from forficula.design import TORQUE, Design, StageSection, key_value, put, stage_drives, with_values
+from forficula.design import TORQUE, Design
 from forficula.quantities import show_quantity
-from forficula.structure import drive_keys
 from forficula.study.running.evaluate import row_key
 from forficula.study.running.journal import Row
 from forficula.study.search_steps import Search, SearchStep
+from forficula.study.study_designs import first_design, release_design, second_design
 
 Rows = Mapping[str, Row]
 
@@ -66,9 +66,9 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
     Times, work and energies of a transition belong to its least successful value; None if no value succeeds.
     `times_tried` and `outcomes_tried` have the times and outcomes of the first transition by value. A value that was
     not tried, because a larger one stayed short of its goal, has no time and the outcome of the larger one, although it
-    may fail in another manner; `tried` has the tried values. `monotony` is "assumed" if values were left out, and
-    "checked" or "violated" if all of them were tried. `residual` is the largest one of the runs that decide the least
-    values.
+    may fail in another manner; `tried` has the tried values. `monotony` is "assumed" if values were left out, "checked"
+    or "violated" if all of them were tried, and "unknown" if the search ended at a value whose result is unknown.
+    `residual` is the largest one of the runs that decide the least values.
     """
     first, second = search.first, search.second
     first_trials = _trials(design, search, rows, first)
@@ -204,63 +204,6 @@ def _ending(search: Search, done: Row, next_done: Row, used: tuple[str, str]) ->
     return ending
 
 
-def first_design(design: Design, search: Search, value: float) -> Design:
-    """Return the design with a value (SI) of the first transition; its protocol ends before the next drive, if any."""
-    stages, first = design.protocol.stages, search.first
-    if search.next_drive is not None:
-        stages = until_driven(stages, _first_driven(stages, first.drive))
-    return _with(design, stages, {first.key: first.sign * value})
-
-
-def until_driven(stages: Sequence[StageSection], last: int) -> tuple[StageSection, ...]:
-    """Return the stages up to a driven one, which takes over the final state of the release after it.
-
-    Args:
-        stages: stages of a protocol.
-        last: number of the driven stage.
-    """
-    return (*stages[:last], *(_ending_in(stage, stages[last + 1 :]) for stage in stages[last : last + 1]))
-
-
-def _ending_in(stage: StageSection, following: Sequence[StageSection]) -> StageSection:
-    """Return a driven stage with the state in which the release after it, which is removed, would end."""
-    release = next((stage_after for stage_after in following[:1] if not stage_drives(stage_after)), None)
-    if stage.state is not None or release is None or release.state is None:
-        return stage
-    return stage.model_copy(update={"state": release.state})
-
-
-def release_design(design: Design, search: Search, value: float) -> Design:
-    """Return the design with a value (SI) of the first transition, whose protocol ends before the second."""
-    stages, first = design.protocol.stages, search.first
-    return _with(design, stages[: _first_driven(stages, search.next_drive or "")], {first.key: first.sign * value})
-
-
-def second_design(design: Design, search: Search, value: float) -> Design:
-    """Return the design with the reference value of the first transition and a value (SI) of the second."""
-    if search.second is None:
-        return design
-    first, second = search.first, search.second
-    values = {first.key: first.sign * search.reference, second.key: second.sign * value}
-    return _with(design, design.protocol.stages, values)
-
-
-def _first_driven(stages: Sequence[StageSection], drive: str) -> int:
-    """Return the number of the first stage that has a drive; the number of stages if none has it."""
-    return next((number for number, stage in enumerate(stages) if drive in stage_drives(stage)), len(stages))
-
-
-def _with(design: Design, stages: Sequence[StageSection], values: Mapping[str, float]) -> Design:
-    """Replace stages and values. Strengths of drives were checked when they were read; other values are checked here.
-
-    Other values may change dependent ones: a law determines the stiffness.
-    """
-    design = put(design, "protocol.stages", tuple(stages))
-    for key, value in values.items():
-        design = put(design, key, value) if key in drive_keys(design) else with_values(design, {key: value})
-    return design
-
-
 @dataclass(frozen=True, kw_only=True)
 class _Trials:
     """Values of a transition: all of them, those to try, and those that were tried.
@@ -283,6 +226,16 @@ class _Trials:
         rows = list(self.rows.values())
         below = rows[: _last([_stays_short(row, self.step) for row in rows]) + 1]
         return not all(_fails(row, self.step) for row in below)
+
+    @property
+    def ends_unknown(self) -> bool:
+        """Whether the search ended at a value whose result is unknown, so that larger values were not tried."""
+        end = next((value for value, row in self.rows.items() if _ends(row, self.step.state)), None)
+        return (
+            end is not None
+            and not self.rows[end].get(self.step.state)
+            and any(value not in self.rows for value in self.values[self.values.index(end) :])
+        )
 
     @property
     def failures(self) -> int:
@@ -352,24 +305,6 @@ def _needed(design: Design, search: Search, trials: _Trials) -> list[float]:
     return [*(value for value in values if value in rows), *(values[place] for place in unknown)]
 
 
-def needless_runs(search: Search, runs: Mapping[str, Design], row: Row) -> list[str]:
-    """Return the keys of planned runs of a point that the row of one of them makes needless."""
-    step, value = _tried_step(search, runs[row["key"]])
-    others = {key: other for key, run in runs.items() if (other := _tried_step(search, run))[0] is step}
-    if step is search.second and row.get(step.state):
-        return [key for key, (_, other) in others.items() if other > value]
-    if search.scan == "bracket" and _misses(row, step):
-        return [key for key, (_, other) in others.items() if other < value]
-    return []
-
-
-def _tried_step(search: Search, run: Design) -> tuple[SearchStep, float]:
-    """Return the transition whose value a run tries, and the value."""
-    acting = {name for stage in run.protocol.stages for name in stage_drives(stage)}
-    step = next((step for step in reversed(search.steps) if step.drive in acting), search.first)
-    return step, abs(float(str(key_value(run, step.key))))
-
-
 def _halving(places: Sequence[int]) -> list[int]:
     """Return places in an order in which the first one that is not yet decided halves those that are undecided."""
     order, parts = [], deque([places])
@@ -397,7 +332,17 @@ def _stays_short(row: Row, step: SearchStep) -> bool:
 
 def _misses(row: Row, step: SearchStep) -> bool:
     """Return whether a run never met the goal of a transition."""
-    return bool(_fails(row, step) and row.get("short_of_goal") and row["goal"] == step.transition)
+    return reached_state(row, step.state) is False and row["goal"] == step.transition
+
+
+def reached_state(row: Row, state: str) -> bool | None:
+    """Return whether a run reached the state of the transition that it tries; False if it stayed short of the goal.
+
+    None as for `reached_goal`, which evaluates the record of a run instead of its row.
+    """
+    if not Verdict(row["verdict"]).conclusive:
+        return None
+    return True if row.get(state) else False if row.get("short_of_goal") else None
 
 
 def _fails(row: Row, step: SearchStep) -> bool:
@@ -422,24 +367,7 @@ def _monotony(every: Sequence[_Trials]) -> str:
     """Return whether least values assume that all values below one that stays short of its goal fail."""
     if any(trials.violated for trials in every):
         return "violated"
+    if any(trials.ends_unknown for trials in every):
+        return "unknown"
     left_out = any(value not in trials.rows for trials in every for value in trials.values[: trials.failures])
     return "assumed" if left_out else "checked"
-
-
-def point_design(base: Design, point: Mapping[str, object], search: Search | None = None) -> Design:
-    """Return the design at a point of a study.
-
-    Args:
-        base: the design that is varied.
-        point: values by key.
-        search: the design must also accept the values of this search.
-
-    Raises:
-        InputError: the values are not allowed together.
-    """
-    design = with_values(base, dict(point))
-    for step in search.steps if search is not None else ():
-        if step.key not in drive_keys(design):
-            for value in step.values:
-                with_values(design, {step.key: value})
-    return design

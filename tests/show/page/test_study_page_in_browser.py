@@ -13,6 +13,7 @@ from forficula.show.page.study_page import write_study_page
 from forficula.structure import drawn_points
 from forficula.study import load_study, run_study, table_csv
 from forficula.study.running.kept_runs import kept_runs, runs_to_keep
+from tests.planted import folds_if, soft
 from tests.show.page.appearance import check_shown
 from tests.show.page.conftest import until
 from tests.show.study.test_maps import many_ends, planted, sampled
@@ -476,3 +477,21 @@ def test_the_structure_plots_and_legend_do_not_overlap(opened):
     )
     check_shown(opened)
     opened.show()
+
+
+def test_the_map_of_refined_points_shows_boundaries_and_cells(watch, tmp_path, write_study_file):
+    factors = '"tendon.stiffness" = ["10 N/cm", "60 N/cm"]\n"tendon.rest_length" = ["0 cm", "9 cm"]'
+    tail = '[sampling]\nmethod = "refine"\nboundary = ["folded"]\n'
+    table = run_study(
+        load_study(write_study_file(tmp_path / "s.toml", factors, "", tail)), tmp_path, cluster=folds_if(soft)[0]
+    )
+    write_study_page(table.study, table, tmp_path / "report.html", (), 0, engine=False)
+    page = watch(tmp_path / "report.html").page
+    ends = re.findall(r"M([\d.]+) ([\d.]+)L([\d.]+) ([\d.]+)", page.locator(".scatter .boundary").get_attribute("d"))
+    outlines = page.locator(".scatter .cell-outline").get_attribute("d").split("Z")
+    assert len(outlines) > 1
+    # the boundary divides the marks of wings that fold from the others: it rises with the resting length
+    (left, low), *_, (right, high) = sorted((float(x), float(y)) for end in ends for x, y in (end[:2], end[2:]))
+    assert left < right
+    assert low > high
+    assert "boundary of the state folded" in page.locator(".map-legend").inner_text()

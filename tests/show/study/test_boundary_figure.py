@@ -9,11 +9,12 @@ import pytest
 from matplotlib.collections import LineCollection, PathCollection, PolyCollection
 
 from forficula.show.page.study_page import study_page
-from forficula.show.study.boundary_figure import draw_boundary_map
+from forficula.show.study.boundary_figure import boundary_shapes, draw_boundary_map
 from forficula.show.study.maps import map_drawings
 from forficula.show.study.study_table import print_study
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
 from forficula.study import load_study, run_study
+from forficula.study.refine.summary import boundary_text
 from tests.planted import folds_if, soft
 
 GRID = '"tendon.stiffness" = "10..60 N/cm step 10"\n"tendon.rest_length" = "0..9 cm step 1"'
@@ -64,6 +65,18 @@ def test_the_boundary_line_is_where_the_outcome_changes(table):
     ends = np.concatenate(lines.get_segments())
     assert np.abs(ends[:, 1] - (12.3 + 4.1 * ends[:, 0])).max() < 1.0
     assert [ends[:, 0].min(), ends[:, 0].max()] == pytest.approx([0, 9])
+
+
+def test_the_map_of_the_page_has_the_cells_and_boundaries_of_the_figure(table, refined):
+    drawn = boundary_shapes(table)
+    assert (drawn.x, drawn.y) == (1, 0)
+    ends = np.array([end for line in drawn.lines for end in line])
+    assert np.abs(ends[:, 1] - (12.3 + 4.1 * ends[:, 0])).max() < 1.0
+    sides = np.array([[*corners[0], *corners[2]] for corners in drawn.cells])
+    assert np.sum((sides[:, 2] - sides[:, 0]) * (sides[:, 3] - sides[:, 1])) == pytest.approx(9 * 50)
+    assert boundary_text(table) == "boundary between outcomes"
+    # the points of three factors lie in many planes
+    assert boundary_shapes(refined(THREE, "divisions = 5")) is None
 
 
 def test_regions_fill_the_map_without_overlap(table):

@@ -5,7 +5,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from forficula.statics.net.energy import fold_angle_derivatives, fold_angles
+from forficula.statics.net import energy
+from forficula.statics.net.energy import fold_angles
+
+
+def fold_angle_derivatives(sides):
+    """Return the gradient of fold angles by coordinate and side, and their Hessian by pairs of these."""
+    frames, curvature = energy._frames(sides), np.zeros((3, 3, 3, 3, sides.shape[2]))
+    shares = energy._shares(sides, frames)
+    slope = energy._slopes(frames, shares)
+    energy._add_curvature(curvature, frames, shares, slope, np.ones(sides.shape[2]))
+    return slope, curvature
 
 
 def sides(angle, left=(0.3, 1.0), right=(0.6, 0.8)):

@@ -43,46 +43,58 @@ def design_trial(design: Design, structure: Structure) -> DriveTrial | None:
     )
 
 
-def trial_chains(trials: Sequence[DriveTrial | None]) -> list[list[int]]:
-    """Return chains of trials by number: those of one chain run one after another, in the given order.
+class TrialChains:
+    """Trials in chains: those of one chain run one after another, in their order, until others are needless.
 
     Trials of the last transition form a chain in any order. Those of an earlier transition form a chain only if their
     strengths fall, because all of them are needed as long as they succeed.
+
+    Attributes:
+        chains: numbers of the trials of each chain, in their order.
     """
-    chains: dict[Hashable, list[int]] = {}
-    for number, trial in enumerate(trials):
-        if trial is not None:
-            chains.setdefault(trial.others, []).append(number)
-    return [chain for chain in chains.values() if len(chain) > 1 and _runs_in_turn([trials[row] for row in chain])]
 
+    def __init__(self, trials: Sequence[DriveTrial | None]) -> None:
+        """Start with the trials of designs, see `design_trial`."""
+        self._trials = trials
+        similar: dict[Hashable, list[int]] = {}
+        for number, trial in enumerate(trials):
+            if trial is not None:
+                similar.setdefault(trial.others, []).append(number)
+        self.chains = [chain for chain in similar.values() if len(chain) > 1 and self._runs_in_turn(chain)]
+        self._chain_of = {number: chain for chain in self.chains for number in chain}
 
-def _runs_in_turn(trials: Sequence[DriveTrial | None]) -> bool:
-    known = [trial for trial in trials if trial is not None]
-    strengths = [trial.strength for trial in known]
-    return known[0].last or strengths == sorted(strengths, reverse=True)
+    def needless(self, number: int, *, reached: bool | None) -> list[int]:
+        """Return the trials that the result of one of their chain makes needless.
 
+        A trial of the last transition that reached its state makes larger strengths needless. A trial that stayed short
+        of its goal makes smaller strengths needless, because a smaller drive is taken to stay short of the goal, too.
 
-def needless_trials(
-    trials: Sequence[DriveTrial | None], chain: Sequence[int], done: int, *, reached: bool | None
-) -> list[int]:
-    """Return the trials of a chain that the result of one of them makes needless.
+        Args:
+            number: number of the trial whose result is known.
+            reached: whether it reached its state; None if it neither reached its state nor stayed short of its goal.
+        """
+        known = self._trials[number]
+        if known is None or reached is None or (reached and not known.last):
+            return []
+        strengths = self._strengths(chain := self._chain_of.get(number, []))
+        return [
+            other
+            for other, strength in zip(chain, strengths, strict=True)
+            if (strength > known.strength if reached else strength < known.strength)
+        ]
 
-    A trial of the last transition that reached its state makes larger strengths needless. A trial that stayed short of
-    its goal makes smaller strengths needless, because a smaller drive is taken to stay short of the goal, too.
+    def surplus(self, number: int, *, reached: bool | None) -> list[int]:
+        """Return the trials whose results do not count if one of their chain reached its state.
 
-    Args:
-        trials: all trials.
-        chain: numbers of the trials of the chain.
-        done: number of the trial whose result is known.
-        reached: whether it reached its state; None if it neither reached its state nor stayed short of its goal.
-    """
-    known = trials[done]
-    if known is None or reached is None:
-        return []
+        They have larger strengths. If the strengths of a chain fall, every result counts.
+        """
+        strengths = self._strengths(self._chain_of.get(number, []))
+        counts = strengths == sorted(strengths, reverse=True) or not reached
+        return [] if counts else self.needless(number, reached=True)
 
-    def needless(trial: DriveTrial | None) -> bool:
-        if trial is None:
-            return False
-        return known.last and trial.strength > known.strength if reached else trial.strength < known.strength
+    def _strengths(self, chain: Sequence[int]) -> list[float]:
+        return [trial.strength for number in chain if (trial := self._trials[number]) is not None]
 
-    return [number for number in chain if needless(trials[number])]
+    def _runs_in_turn(self, chain: Sequence[int]) -> bool:
+        first, strengths = self._trials[chain[0]], self._strengths(chain)
+        return (first is not None and first.last) or strengths == sorted(strengths, reverse=True)

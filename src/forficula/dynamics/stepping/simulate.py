@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Protocol
 
 import mujoco
 import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
+from forficula.dynamics.energies.energy import state_series
 from forficula.dynamics.energies.work_balance import WorkBalance
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.sharing import followers
-from forficula.dynamics.engine.trials import design_trial, needless_trials, trial_chains
+from forficula.dynamics.engine.trials import TrialChains, design_trial
 from forficula.dynamics.record import Record
 from forficula.dynamics.recorder import Chunk, Recorder, keep_rows
 from forficula.dynamics.stepping.quasi_static_stages import QuasiStaticStages
@@ -33,6 +35,26 @@ _CHUNK = 400
 _MANY = 8
 # number of structures per thread below which all are stepped at once
 _FEW = 2
+# factor by which the time in a stage grows between two checks whether an outcome is certain, because a check takes as
+# much time as some ten steps; and the number of steps after which the second check takes place
+_LATER, _FIRST_CHECK = 1.3, 50
+
+
+class CertainOutcome(Protocol):
+    """A condition on the motion in a stage that makes the outcome of a structure certain."""
+
+    @property
+    def stage(self) -> int:
+        """Number of the stage."""
+
+    def is_certain(self, passed: float, angles: Array, energy: float) -> bool:
+        """Return whether the outcome is certain.
+
+        Args:
+            passed: time in the stage, s.
+            angles: angles of the hinges in their own senses, rad, (hinge,).
+            energy: energy of motion and of all elements, J.
+        """
 
 
 def simulate(models: Sequence[Model], threads: int = 0, sparse: bool = False) -> list[Record]:
@@ -59,6 +81,7 @@ def simulate_each(
     progress: Progress | None = None,
     reached: Callable[[Record], bool | None] | None = None,
     solver: RestSolver | None = None,
+    certain: Mapping[int, CertainOutcome] | None = None,
 ) -> Iterator[tuple[int, Record]]:
     """Simulate structures as `simulate` does, and yield every structure's number and record as soon as it is done.
 
@@ -71,10 +94,11 @@ def simulate_each(
         sparse: as in `simulate`.
         progress: called repeatedly with a stage's name, the time so far and the longest possible time, s.
         reached: if given, structures that differ only in the strength of a drive run one after another, see
-            `trial_chains`. It returns whether a record reached the state of its trial; None if it neither reached the
-            state nor stayed short of its goal. Structures that a record makes needless, see `needless_trials`, never
-            run.
+            `TrialChains`. It returns whether a record reached the state of its trial; None if it neither reached the
+            state nor stayed short of its goal. Structures that a record makes needless never run.
         solver: returns the equilibria of structures in quasi-static stages; not needed without such stages.
+        certain: conditions by the numbers of structures. A structure that meets its condition stops, as if the time
+            limit of its stage were over.
 
     Raises:
         InputError: there is not enough memory, or no solver for a quasi-static stage.
@@ -87,7 +111,7 @@ def simulate_each(
         chunk = max(1, _CHUNK // 4) if short else _CHUNK
         stepper = Stepper(models, threads, sparse, chunk)
         try:
-            yield from _records(models, stepper, chunk, sparse, progress, reached, solver)
+            yield from _records(models, stepper, chunk, sparse, progress, reached, solver, certain or {})
         finally:
             stepper.close()
     except (MemoryError, mujoco.FatalError) as error:
@@ -104,13 +128,15 @@ def _records(
     progress: Progress | None,
     reached: Callable[[Record], bool | None] | None,
     solver: RestSolver | None,
+    certain: Mapping[int, CertainOutcome],
 ) -> Iterator[tuple[int, Record]]:
     """Yield the numbers and records of `simulate_each`."""
     tracker, account, waits = StageTracker(models), WorkBalance(models), Waits(models)
     quasi_static = QuasiStaticStages(models, solver)
     recorders = [Recorder(model, sparse) for model in models]
     starts = [stepper.state(row) for row in range(len(models))]
-    trials = _TrialChains(models if reached is not None else ())
+    trials = _HeldTrials(models if reached is not None else ())
+    checks = _CertaintyChecks(models, certain)
     held = trials.held
     waiting = followers(models, held)
     moving = np.array([row not in waiting and row not in held for row in range(len(models))])
@@ -127,6 +153,9 @@ def _records(
         if under_way:
             rows, torques, steps = under_way.popleft()
             _advance(stepper, tracker, account, recorders, rows, torques, steps.result())
+            if certain:
+                leaders = {leader for leader, _ in waiting.values()}
+                checks.stop([row for row in rows.tolist() if row not in leaders], tracker, stepper)
             while tracker.waiting:
                 waits.go_on(tracker.waiting.pop(), tracker, stepper, account)
         for row in resting[:1]:
@@ -156,7 +185,7 @@ def _records(
                 moving[following] = following not in waiting
 
 
-class _TrialChains:
+class _HeldTrials:
     """Structures that run one after another because the result of one can make others needless.
 
     Attributes:
@@ -164,9 +193,9 @@ class _TrialChains:
     """
 
     def __init__(self, models: Sequence[Model]) -> None:
-        self._trials = [design_trial(model.design, model.structure) for model in models]
+        self._trials = TrialChains([design_trial(model.design, model.structure) for model in models])
         # trials of each chain that are left, in their order, by the number of the trial that runs
-        self._left = {chain[0]: chain[1:] for chain in trial_chains(self._trials)}
+        self._left = {chain[0]: chain[1:] for chain in self._trials.chains}
         self.held = {row for chain in self._left.values() for row in chain}
 
     def next_after(self, row: int, record: Record, reached: Callable[[Record], bool | None]) -> int | None:
@@ -174,12 +203,38 @@ class _TrialChains:
         left = self._left.pop(row, None)
         if not left:
             return None
-        needless = needless_trials(self._trials, left, row, reached=reached(record))
+        needless = self._trials.needless(row, reached=reached(record))
         remaining = [number for number in left if number not in needless]
         if not remaining:
             return None
         self._left[remaining[0]] = remaining[1:]
         return remaining[0]
+
+
+class _CertaintyChecks:
+    """Checks whether the outcomes of structures are certain, at the start of a stage and at ever longer intervals."""
+
+    def __init__(self, models: Sequence[Model], certain: Mapping[int, CertainOutcome]) -> None:
+        self._models, self._certain = models, certain
+        # number of steps in the stage at which the next check of each structure takes place
+        self._next = np.zeros(len(models))
+
+    def stop(self, rows: Sequence[int], tracker: StageTracker, stepper: Stepper) -> None:
+        """Stop the structures whose outcomes are certain."""
+        for row in rows:
+            condition = self._certain.get(row)
+            if condition is None or tracker.ended[row] or tracker.stage[row] != condition.stage:
+                continue
+            passed = int(tracker.steps[row] - tracker.stage_start[row])
+            if passed < self._next[row]:
+                continue
+            self._next[row] = max(_LATER * passed, _FIRST_CHECK)
+            model, state = self._models[row], stepper.state(row)
+            derived = {name: values[None] for name, values in state.derived.items()}
+            series = state_series(model, state.angle[None], derived)
+            energy = float(sum(values.sum() for name, values in series.items() if name.endswith("_energy")))
+            if condition.is_certain(passed * float(model.design.protocol.timestep), state.angle, energy):
+                tracker.stop(row)
 
 
 def _next_rows(moving: Flags, under_way: Sequence[Indices], few: int) -> Indices:

@@ -141,8 +141,7 @@ class StageTracker:
             if sound[place] < min(end[place], count):
                 row = int(rows[place])
                 self.diverged_at[row] = float((self.steps[row] + 1) * self._plan.timestep[row])
-                self._end_stage(row, None, at_rest=False, at_goal=False)
-                self.ended[row] = self._stopped[row] = True
+                self.stop(row)
             elif end[place] <= count:
                 if settling[place] and passage.held[place] and not passage.arrived[place]:
                     self.at_rest[rows[place]] = True
@@ -216,6 +215,11 @@ class StageTracker:
     def end_wait(self, row: int) -> None:
         """End the stage of a structure that has waited and is at rest."""
         self._end_stage(row, int(self.steps[row] - self._plan.hold[row, self.stage[row]]), at_rest=True, at_goal=True)
+
+    def stop(self, row: int) -> None:
+        """End the stage and the run of a structure short of the stage's goal."""
+        self._end_stage(row, None, at_rest=False, at_goal=False)
+        self.ended[row] = self._stopped[row] = True
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Copy the progress of another structure, which has had the same motion so far."""

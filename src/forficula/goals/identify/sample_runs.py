@@ -10,7 +10,7 @@ from forficula.errors import InputError
 from forficula.structure import structure_of
 from forficula.study.running.evaluate import row_key
 from forficula.study.running.journal import Row
-from forficula.study.search import until_driven
+from forficula.study.study_designs import until_driven
 
 Rows = Mapping[str, Row]
 Values = Mapping[str, object]

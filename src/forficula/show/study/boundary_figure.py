@@ -85,6 +85,38 @@ class _Plane:
         return [(left, low), (right, low), (right, high), (left, high)]
 
 
+@dataclass(frozen=True, kw_only=True)
+class BoundaryShapes:
+    """Regions, cells and boundaries in a plane, as polygons and lines of values in display units.
+
+    Attributes:
+        x: index of the factor on the horizontal axis.
+        y: index of the factor on the vertical axis; None if one factor varies, whose shapes extend from 0 to 1.
+        regions: polygons by label.
+        cells: outlines of cells.
+        lines: boundaries.
+    """
+
+    x: int
+    y: int | None
+    regions: dict[str, list[Corners]]
+    cells: list[Corners]
+    lines: list[Corners]
+
+
+def boundary_shapes(table: Dataset) -> BoundaryShapes | None:
+    """Return the shapes between boundaries over one or two factors; None for three factors, which have several planes.
+
+    Args:
+        table: table of a study that locates boundaries.
+    """
+    regions = boundary_map(table)
+    if len(regions.plan.axes) > 2:
+        return None
+    (plane,), _ = _planes(regions)
+    return _shapes(table, regions, plane)
+
+
 def draw_boundary_map(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
     """Draw the regions between boundaries over one or two factors; of a third factor, some values have a panel.
 
@@ -135,8 +167,7 @@ def _planes(regions: BoundaryMap) -> tuple[list[_Plane], str]:
     return [_Plane(x=1, y=0, z=2, place=places[index]) for index in chosen], note
 
 
-def _draw_plane(axes: Axes, table: Dataset, regions: BoundaryMap, plane: _Plane, looks: dict[str, OutcomeLook]) -> None:
-    """Draw regions, outlines of cells, boundaries and points in a plane."""
+def _shapes(table: Dataset, regions: BoundaryMap, plane: _Plane) -> BoundaryShapes:
     last = regions.plan.axes[plane.z].size - 1 if plane.z is not None else 0
     cells = [cell for cell in regions.located.cells if plane.contains(cell, last)]
     to_axes = _transform(table, regions, plane)
@@ -147,17 +178,28 @@ def _draw_plane(axes: Axes, table: Dataset, regions: BoundaryMap, plane: _Plane,
         for label, corners in parts:
             polygons.setdefault(label, []).append(to_axes(corners))
         lines.extend(to_axes(line) for line in _boundary_lines(parts))
-    for label, shapes in polygons.items():
+    return BoundaryShapes(
+        x=plane.x,
+        y=plane.y,
+        regions=polygons,
+        cells=[to_axes(plane.rectangle(_sides(cell))) for cell in cells],
+        lines=lines,
+    )
+
+
+def _draw_plane(axes: Axes, table: Dataset, regions: BoundaryMap, plane: _Plane, looks: dict[str, OutcomeLook]) -> None:
+    """Draw regions, outlines of cells, boundaries and points in a plane."""
+    drawn = _shapes(table, regions, plane)
+    for label, shapes in drawn.regions.items():
         look = looks.get(label) or OutcomeLook(face="0.8", hatch="", marker="o")
         axes.add_collection(PolyCollection(shapes, facecolors=look.face, edgecolors="none", alpha=0.55, lw=0))
         if look.hatch:
             axes.add_collection(
                 PolyCollection(shapes, facecolors="none", edgecolors=INK, hatch=look.hatch, lw=0.0, alpha=0.35)
             )
-    if len(cells) <= _CELL_LINES:
-        outlines = [to_axes(plane.rectangle(_sides(cell))) for cell in cells]
-        axes.add_collection(PolyCollection(outlines, facecolors="none", edgecolors="0.6", linewidths=0.3))
-    axes.add_collection(LineCollection(lines, colors=BLACK, linewidths=1.0, capstyle="round"))
+    if len(drawn.cells) <= _CELL_LINES:
+        axes.add_collection(PolyCollection(drawn.cells, facecolors="none", edgecolors="0.6", linewidths=0.3))
+    axes.add_collection(LineCollection(drawn.lines, colors=BLACK, linewidths=1.0, capstyle="round"))
     _draw_points(axes, table, regions, plane, looks)
     for name, index in (("x", plane.x), ("y", plane.y)):
         if index is None:

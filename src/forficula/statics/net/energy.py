@@ -343,23 +343,6 @@ def fold_angles(sides: Array, near: Array) -> Array:
     return _turned(_frames(sides), near)
 
 
-def fold_angle_derivatives(sides: Array) -> tuple[Array, Array]:
-    """Compute gradient and Hessian of fold angles by their sides.
-
-    Args:
-        sides: as for `fold_angles`, (3, side, crease).
-
-    Returns:
-        Gradient by coordinate and side, 1/m, (3, side, crease), and Hessian by pairs of coordinates, then of sides,
-        1/m^2, (3, 3, side, side, crease).
-    """
-    frames, curvature = _frames(sides), np.zeros((3, 3, 3, 3, sides.shape[2]))
-    shares = _shares(sides, frames)
-    slope = _slopes(frames, shares)
-    _add_curvature(curvature, frames, shares, slope, np.ones(sides.shape[2]))
-    return slope, curvature
-
-
 class _Frames(NamedTuple):
     """Unit vectors at creases and at the panels on their left and right.
 

@@ -21,7 +21,8 @@ from forficula.results import Result
 from forficula.serial import Joules, Key, Seconds, WithUnit, Written
 from forficula.structure import Structure
 from forficula.study.assumptions.modelling_assumptions import ASSUMPTIONS, Assumption, Variant, variant_of
-from forficula.study.running.runs import half_step, run_each, with_checks
+from forficula.study.running.runs import run_each
+from forficula.study.running.second_runs import half_step, with_checks
 
 if TYPE_CHECKING:
     from xarray import Dataset

@@ -22,7 +22,7 @@ from forficula.material.law.material_law import area_for
 from forficula.names import one_of
 from forficula.quantities import as_written, show_quantity, show_value
 from forficula.structure import structure_of
-from forficula.study.running.runs import half_step
+from forficula.study.running.second_runs import half_step
 
 # [chosen] rise time of a slow torque in units of the structure's time scale t*; 0.2 s for binder2025. Without a tendon
 # or spring that defines t*, it is this fraction of the shortest time limit of a driven stage, here again 0.2 s.

@@ -65,6 +65,14 @@ def boundary_map(table: Dataset) -> BoundaryMap:
     return BoundaryMap(plan=plan, labels=labels, located=locate(plan, labels))
 
 
+def boundary_text(table: Dataset) -> str:
+    """Return what the boundaries of a table separate, such as "boundary of the state folded"."""
+    states = read_plan(table.attrs["boundaries"]).boundary
+    if isinstance(states, str):
+        return f"boundary between {states}s"
+    return f"boundary of the {'state' if len(states) == 1 else 'states'} {listed(states)}"
+
+
 def boundary_sentences(table: Dataset) -> list[str]:
     """Return sentences on the number of points, the width of boundaries, and the islands that may be missed."""
     regions = boundary_map(table)

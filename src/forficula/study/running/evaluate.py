@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -24,8 +25,10 @@ from forficula.analysis.package import smallest_package
 from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.errors import InputError
+from forficula.study.running.certain_ending import CertainEnding, certain_ending
 from forficula.study.running.journal import SCHEMA, Row
-from forficula.study.running.runs import Needless, check_of, half_step, in_double_precision, reached_goal, run_each
+from forficula.study.running.runs import reached_goal, run_each, trial_chains
+from forficula.study.running.second_runs import check_of, half_step, in_double_precision
 
 
 def row_key(design: Design, *, whole: bool = False) -> str:
@@ -47,6 +50,7 @@ def evaluate(
     (see `needs_confirmation`) is repeated at half the timestep; a run on a device that reached or missed a transition
     by a small margin is repeated in double precision, too. `confirmed` is whether the verdicts agree; None if the run
     was not repeated. If they differ, the verdict is "undecided", and each margin is the smaller one.
+    The repetition ends as soon as it is certain that the verdicts agree, see `certain_ending`.
 
     If designs are tried one after another, a run that would have to be repeated has no row if a smaller strength of the
     drive also reached the state: it does not decide the least strength.
@@ -58,8 +62,8 @@ def evaluate(
         whole: whether to keep whole records, which the columns of `whole_row` need.
     """
     keys = [row_key(design, whole=whole) for design in designs]
-    doubtful: dict[int, tuple[Row, Outcome, Design]] = {}
-    needless, surplus = Needless(designs), set[int]()
+    doubtful: dict[int, _Doubtful] = {}
+    chains, surplus = None, set[int]()
     for number, result in run_each(designs, threads, sparse=not whole, until_last=until_last):
         if isinstance(result, InputError):
             yield {"key": keys[number], **ending_row(Ending(verdict=Verdict.NOT_BUILT, why=str(result)))}
@@ -68,18 +72,42 @@ def evaluate(
         more = whole_row(result, outcome) if whole else {}
         margins = transition_margins(result, outcome)
         if until_last:
-            surplus.update(needless.surplus(number, result))
+            chains = chains or trial_chains(designs, result.structure)
+            surplus.update(chains.surplus(number, reached=reached_goal(result)))
         row = {"key": keys[number], **_row(result, outcome, margins), **more}
         if needs_confirmation(result, outcome, margins):
             close = result.design.protocol.device is not None and _is_close(margins)
-            doubtful[number] = row, outcome, in_double_precision(result.design) if close else result.design
+            doubtful[number] = _Doubtful(
+                row=row,
+                outcome=outcome,
+                design=in_double_precision(result.design) if close else result.design,
+                ending=certain_ending(result, outcome),
+            )
         else:
             yield row
     repeated = [item for number, item in doubtful.items() if number not in surplus]
-    halves = [half_step(design) for _, _, design in repeated]
-    for number, result in run_each(halves, threads, sparse=True):
-        row, outcome, design = repeated[number]
-        yield row if isinstance(result, InputError) else _confirmed(row, outcome, design, result)
+    certain = {number: item.ending for number, item in enumerate(repeated) if item.ending is not None}
+    halves = [half_step(item.design) for item in repeated]
+    for number, result in run_each(halves, threads, sparse=True, certain=certain):
+        item = repeated[number]
+        yield item.row if isinstance(result, InputError) else _confirmed(item.row, item.outcome, item.design, result)
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Doubtful:
+    """A run whose verdict may depend on the timestep.
+
+    Attributes:
+        row: row of the run.
+        outcome: outcome of the run.
+        design: design that is repeated at half its timestep.
+        ending: when the repetition is certain to have the same outcome; None if this is not known before its end.
+    """
+
+    row: Row
+    outcome: Outcome
+    design: Design
+    ending: CertainEnding | None
 
 
 def _row(record: Record, outcome: Outcome, margins: Mapping[str, float]) -> Row:

@@ -27,9 +27,9 @@ from forficula.study.running.evaluate import outcome_row, row_key
 from forficula.study.running.journal import Row
 from forficula.study.running.law_timestep import with_timestep_for_law
 from forficula.study.running.runs import run_each
-from forficula.study.search import first_design, point_design, release_design, second_design
 from forficula.study.search_steps import SearchStep
 from forficula.study.study import Study
+from forficula.study.study_designs import first_design, point_design, release_design, second_design
 
 if TYPE_CHECKING:
     from xarray import Dataset

@@ -16,8 +16,8 @@ from forficula.errors import InputError
 from forficula.study.points import GridPoints, SampledPoints
 from forficula.study.running.evaluate import key_of_hash, row_key
 from forficula.study.running.law_timestep import may_change_timestep, with_timestep_for_law
-from forficula.study.search import point_design
 from forficula.study.study import Study
+from forficula.study.study_designs import point_design
 
 # Number of designs in memory, about 6 kB each: a study with fewer points builds each design once. [chosen]
 _MOST_DESIGNS = 4096

@@ -9,15 +9,18 @@ from typing import TYPE_CHECKING
 
 from forficula.cores import usable_cores
 from forficula.design import Design
+from forficula.dynamics import tried_transition
 from forficula.errors import InputError
 from forficula.names import check_whole
+from forficula.structure import Structure, structure_of
 from forficula.study.refine.rounds import refined_study
 from forficula.study.running.attempt_writer import attempt
 from forficula.study.running.evaluate import evaluate, row_key
 from forficula.study.running.journal import Row, are_others_complete, open_journal, stored_rows
 from forficula.study.running.plan import StudyPlan
+from forficula.study.running.runs import trial_chains
 from forficula.study.running.stored_rows import StoredRows
-from forficula.study.search import most_runs, needless_runs, search_designs
+from forficula.study.search import most_runs, reached_state, search_designs
 from forficula.study.study import Study
 from forficula.study.tables.table import build_table
 
@@ -128,7 +131,7 @@ def _run_points(
     folder = Path(out)
     rows, plan = stored_rows(folder, study.base, shard), StudyPlan(study)
     points_of_shard = range(shard[0] - 1, len(plan), shard[1])
-    count = RunCount(0, len(points_of_shard))
+    count, searches = RunCount(0, len(points_of_shard)), study.search is not None
     with open_journal(folder, study.base, shard) as journal, attempt(journal, study) as writer:
         # the first points run before the designs of the last ones are built
         for first in range(0, len(points_of_shard), _WINDOW):
@@ -137,13 +140,12 @@ def _run_points(
             count.reach(len(window), len(done | _known(study, designs, rows)))
             while missing := _missing_by_point(study, designs, rows):
                 count.plan(missing)
-                planned = {key: point for point in missing for key in point}
-                todo = list(_joined(missing).values())
-                searches, complete = study.search is not None, first + len(window) - len(missing)
+                planned = _joined(missing)
+                todo, complete = list(planned.values()), first + len(window) - len(missing)
+                trials = Trials(structure_of(study.base), planned) if searches else None
                 for row in _in_batches(todo, threads, batch, searches) if cluster is None else cluster(todo, searches):
                     rows.add(row, journal.path, writer.append(row))
-                    needless = () if study.search is None else needless_runs(study.search, planned[row["key"]], row)
-                    count.count(row["key"], needless)
+                    count.count(row["key"], () if trials is None else trials.needless(row))
                     writer.report(complete if searches else count.done, count.needed - count.done)
                     if progress is not None:
                         progress(count.done, count.needed, row)
@@ -299,6 +301,23 @@ def _missing_by_point(
 def _joined(points: Iterable[Mapping[str, Design]]) -> dict[str, Design]:
     """Return the runs of all points; shared runs occur once."""
     return {key: design for point in points for key, design in point.items()}
+
+
+class Trials:
+    """Planned runs of a search. The row of a run can make others needless, see `TrialChains`."""
+
+    def __init__(self, structure: Structure, planned: Mapping[str, Design]) -> None:
+        """Start with planned runs by the keys of their rows, and with a structure that has their drives."""
+        self._keys, self._numbers = list(planned), {key: number for number, key in enumerate(planned)}
+        self._chains = trial_chains(list(planned.values()), structure)
+        tried = [tried_transition(design, structure) for design in planned.values()]
+        self._states = ["" if transition is None else transition.state for transition in tried]
+
+    def needless(self, row: Row) -> list[str]:
+        """Return the keys of the runs that a row makes needless."""
+        number = self._numbers[row["key"]]
+        needless = self._chains.needless(number, reached=reached_state(row, self._states[number]))
+        return [self._keys[other] for other in needless]
 
 
 class RunCount:

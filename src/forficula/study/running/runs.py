@@ -8,32 +8,30 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from forficula.analysis import Outcome, Verdict, measure
-from forficula.analysis.confirmation import DOUBLE_PRECISION, HALF_STEP, OTHER_START, same_ending
-from forficula.analysis.outcome import outcome_values
+from forficula.analysis.confirmation import same_ending
 from forficula.analysis.verdict import UNSETTLED
 from forficula.design import Design, put
 from forficula.dynamics import (
     Model,
     NumericalCheck,
     Record,
+    TrialChains,
     batch_key,
     check_available,
     check_device,
     compile_model,
     design_in_model_units,
     design_trial,
-    needless_trials,
     simulate_each,
-    trial_chains,
     tried_transition,
     with_timestep,
 )
-from forficula.dynamics.engine.trials import DriveTrial
-from forficula.dynamics.stepping.simulate import Progress
+from forficula.dynamics.stepping.simulate import CertainOutcome, Progress
 from forficula.errors import InputError
 from forficula.quantities import show_duration, show_value
 from forficula.statics.survey import check_quasi_static, stage_rest_path
-from forficula.structure import drive_keys, structure_of, with_protocol
+from forficula.structure import Structure, drive_keys, structure_of, with_protocol
+from forficula.study.running.second_runs import check_of, other_designs, second_designs, with_checks, with_step
 
 # Allowed relative difference of times between two timesteps; the shorter one is used.
 _TIME_TOLERANCE = 0.02
@@ -92,7 +90,7 @@ def run(design: Design, progress: Progress | None = None, *, confirm: bool = Fal
     Raises:
         InputError: the design cannot be built.
     """
-    others = _second_designs(design) if confirm and design.protocol.timestep != "auto" else {}
+    others = second_designs(design) if confirm and design.protocol.timestep != "auto" else {}
     runs: dict[int, Record | InputError] = {}
     for number, result in run_each([design, *others.values()], progress=progress):
         if number == 0 and isinstance(result, InputError):
@@ -101,54 +99,9 @@ def run(design: Design, progress: Progress | None = None, *, confirm: bool = Fal
     record = runs[0]
     assert isinstance(record, Record)
     if confirm and design.protocol.timestep == "auto":
-        others = _other_designs(record.design)
+        others = other_designs(record.design)
         runs |= {number + 1: checked for number, checked in run_each([*others.values()], progress=progress)}
     return with_checks(record, {name: runs[number] for number, name in enumerate(others, start=1)})
-
-
-def _second_designs(design: Design) -> dict[str, Design]:
-    """Return the designs of the second runs that confirm one with a given timestep, by the name of the difference."""
-    return {HALF_STEP: half_step(design)} | _other_designs(design)
-
-
-def _other_designs(design: Design) -> dict[str, Design]:
-    """Return the designs of the second runs at the same timestep, by the name of the difference."""
-    start = design.with_other_start()
-    others = {} if start is None else {OTHER_START: start}
-    return others if design.protocol.device is None else others | {DOUBLE_PRECISION: in_double_precision(design)}
-
-
-def in_double_precision(design: Design) -> Design:
-    """Return the design simulated by the processor."""
-    return put(design, "protocol.device", None)
-
-
-def half_step(design: Design) -> Design:
-    """Return the design with half its timestep."""
-    return _with_step(design, float(design.protocol.timestep) / 2)
-
-
-def with_checks(record: Record, others: Mapping[str, Record | InputError]) -> Record:
-    """Return a record with the outcomes of second runs of its design, by difference. Designs not built are omitted."""
-    checks = [_check(name, other) for name, other in others.items() if isinstance(other, Record)]
-    return replace(record, checks=(*record.checks, *checks))
-
-
-def _check(name: str, record: Record) -> NumericalCheck:
-    return check_of(name, float(record.design.protocol.timestep), measure(record))
-
-
-def check_of(name: str, timestep: float, outcome: Outcome) -> NumericalCheck:
-    """Return the summary of a second run at a timestep, s, that a record stores."""
-    return NumericalCheck(
-        name=name,
-        timestep=timestep,
-        verdict=outcome.verdict.value,
-        goal=outcome.ending.goal,
-        status=outcome.status,
-        holds=dict(outcome.holds),
-        values=outcome_values(outcome) if outcome.verdict.conclusive else {},
-    )
 
 
 def resolved(design: Design) -> Design:
@@ -172,6 +125,7 @@ def run_each(
     sparse: bool = False,
     until_last: bool = False,
     progress: Progress | None = None,
+    certain: Mapping[int, CertainOutcome] | None = None,
 ) -> Iterator[tuple[int, Record | InputError]]:
     """Do the same as `run` with many designs side by side, and yield the index and record of each when it is done.
 
@@ -182,8 +136,9 @@ def run_each(
         threads: number of threads; 0 for one per core.
         sparse: whether to keep only what an outcome needs, see `simulate`.
         until_last: whether to try designs that differ only in the strength of a drive one after another, in the
-            given order. Designs that the result of one makes needless get no records, see `needless_trials`.
+            given order. Designs that the result of one makes needless get no records, see `TrialChains`.
         progress: see `run`.
+        certain: conditions that stop runs, by the numbers of designs, see `simulate_each`.
 
     Returns:
         Records, or why a design cannot be built.
@@ -194,11 +149,11 @@ def run_each(
         _Attempt(number=number, design=design, halvings=0 if design.protocol.timestep == "auto" else None)
         for number, design in enumerate(designs)
     ]
-    needless = Needless(designs)
+    options, chains = _RunOptions(threads, sparse, until_last, progress, certain or {}), None
     while attempts:
         start = time.perf_counter()
         left = {attempt.number: attempt for attempt in attempts}
-        for attempt, result in _results(attempts, threads, sparse, until_last, progress):
+        for attempt, result in _results(attempts, options):
             if left.pop(attempt.number, None) is None:  # needless in the meantime
                 continue
             if isinstance(result, InputError):
@@ -214,7 +169,8 @@ def run_each(
             doubt = _doubt(attempt, outcome)
             yield attempt.number, replace(result, doubt=doubt, checks=_coarser(attempt, outcome))
             if until_last and not doubt:
-                for number in needless.after(attempt.number, result):
+                chains = chains or trial_chains(designs, result.structure)
+                for number in chains.needless(attempt.number, reached=reached_goal(result)):
                     left.pop(number, None)
         attempts = [left[number] for number in sorted(left)]
 
@@ -230,9 +186,18 @@ def topology(model: Model) -> tuple[int | str, ...]:
     return (*sizes, *others, len(driven), *driven, *creases)
 
 
-def _results(
-    attempts: Sequence[_Attempt], threads: int, sparse: bool, until_last: bool, progress: Progress | None
-) -> Iterator[tuple[_Attempt, Record | InputError]]:
+@dataclass(frozen=True)
+class _RunOptions:
+    """How designs are simulated, see `run_each`."""
+
+    threads: int
+    sparse: bool
+    until_last: bool
+    progress: Progress | None
+    certain: Mapping[int, CertainOutcome]
+
+
+def _results(attempts: Sequence[_Attempt], options: _RunOptions) -> Iterator[tuple[_Attempt, Record | InputError]]:
     """Build models and simulate them: the first ones soon, then larger batches each time."""
     by_engine: dict[str, list[_Attempt]] = {}
     for attempt in attempts:
@@ -247,29 +212,34 @@ def _results(
             except InputError as error:
                 yield attempt, error
         if time.perf_counter() - start > seconds:
-            yield from _simulated(built, threads, sparse, until_last, progress)
+            yield from _simulated(built, options)
             seconds, start, built = 2 * seconds, time.perf_counter(), []
-    yield from _simulated(built, threads, sparse, until_last, progress)
+    yield from _simulated(built, options)
 
 
 def _simulated(
-    built: Sequence[tuple[_Attempt, Model]],
-    threads: int,
-    sparse: bool,
-    until_last: bool,
-    progress: Progress | None,
+    built: Sequence[tuple[_Attempt, Model]], options: _RunOptions
 ) -> Iterator[tuple[_Attempt, Record | InputError]]:
     """Simulate models, those of one topology side by side. A batch that exceeds the memory is halved."""
     groups: dict[tuple[int | str, ...], list[tuple[_Attempt, Model]]] = {}
     for attempt, model in built:
         groups.setdefault(topology(model), []).append((attempt, model))
-    reached = reached_goal if until_last else None
     for group in groups.values():
-        callback = None if progress is None else _with_timestep_shown(progress, group[0][0])
         done: set[int] = set()
         try:
-            models = [model for _, model in group]
-            for row, record in simulate_each(models, threads, sparse, callback, reached, stage_rest_path):
+            for row, record in simulate_each(
+                [model for _, model in group],
+                options.threads,
+                options.sparse,
+                None if options.progress is None else _with_timestep_shown(options.progress, group[0][0]),
+                reached_goal if options.until_last else None,
+                stage_rest_path,
+                {
+                    row: options.certain[attempt.number]
+                    for row, (attempt, _) in enumerate(group)
+                    if attempt.number in options.certain
+                },
+            ):
                 done.add(row)
                 yield group[row][0], record
         except InputError as error:
@@ -278,7 +248,7 @@ def _simulated(
                 continue
             rest = [member for row, member in enumerate(group) if row not in done]
             for half in (rest[: len(rest) // 2], rest[len(rest) // 2 :]):
-                yield from _simulated(half, threads, sparse, until_last, progress)
+                yield from _simulated(half, options)
 
 
 def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
@@ -297,16 +267,11 @@ def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
         return None
     return _Attempt(
         number=attempt.number,
-        design=_with_step(attempt.design, timestep),
+        design=with_step(attempt.design, timestep),
         halvings=total,
         before=(*attempt.before, (float(attempt.design.protocol.timestep), outcome))[1 - attempt.agreeing :],
         agreeing=attempt.agreeing,
     )
-
-
-def _with_step(design: Design, timestep: float) -> Design:
-    """Return the design with a timestep, s."""
-    return design.model_copy(update={"protocol": design.protocol.model_copy(update={"timestep": timestep})})
 
 
 def _doubt(attempt: _Attempt, outcome: Outcome) -> str:
@@ -339,36 +304,9 @@ def _same_ending(before: Outcome, after: Outcome) -> bool:
     return same_ending(after.ending, check_of("", 0.0, before))
 
 
-class Needless:
-    """Designs that the results of others make needless."""
-
-    def __init__(self, designs: Sequence[Design]) -> None:
-        self._designs = designs
-        self._trials: list[DriveTrial | None] = []
-        self._chains: dict[int, list[int]] = {}
-
-    def after(self, number: int, record: Record) -> list[int]:
-        """Return the numbers of the designs that the record of one of them makes needless."""
-        chain = self._chain(number, record)
-        return needless_trials(self._trials, chain, number, reached=reached_goal(record)) if chain else []
-
-    def surplus(self, number: int, record: Record) -> list[int]:
-        """Return the numbers of the designs whose results do not count if one of them reached its state.
-
-        They have larger strengths. If all strengths of a chain fall, every result counts, see `trial_chains`.
-        """
-        chain = self._chain(number, record)
-        strengths = [trial.strength for row in chain if (trial := self._trials[row]) is not None]
-        if strengths == sorted(strengths, reverse=True) or not reached_goal(record):
-            return []
-        return needless_trials(self._trials, chain, number, reached=True)
-
-    def _chain(self, number: int, record: Record) -> Sequence[int]:
-        """Return the chain of a design; empty if it does not belong to one."""
-        if not self._trials:
-            self._trials = [design_trial(design, record.structure) for design in self._designs]
-            self._chains = {row: chain for chain in trial_chains(self._trials) for row in chain}
-        return self._chains.get(number, ())
+def trial_chains(designs: Sequence[Design], structure: Structure) -> TrialChains:
+    """Return the chains of the trials among designs, whose structures have the drives of one of them."""
+    return TrialChains([design_trial(design, structure) for design in designs])
 
 
 def reached_goal(record: Record) -> bool | None:
@@ -413,7 +351,7 @@ def _compile(design: Design) -> Model | InputError:
     try:
         started = with_timestep(design)
         if started is not design:
-            started = _with_step(started, 2 ** (_AGREEING - 1) * float(started.protocol.timestep))
+            started = with_step(started, 2 ** (_AGREEING - 1) * float(started.protocol.timestep))
         return compile_model(started)
     except InputError as error:
         return error
@@ -427,7 +365,7 @@ def _with_protocol(model: Model | InputError, attempt: _Attempt) -> tuple[_Attem
     """
     if isinstance(model, InputError):
         raise model
-    design = _with_step(attempt.design, float(model.design.protocol.timestep))
+    design = with_step(attempt.design, float(model.design.protocol.timestep))
     agreeing = _AGREEING if model.creases is None else _OF_NODES
     structure = with_protocol(model.structure, design)
     check_quasi_static(structure, design.protocol)

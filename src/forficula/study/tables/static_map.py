@@ -22,9 +22,9 @@ from forficula.structure import Structure, Transition, goal_of, static_keys, str
 from forficula.study.factors import read_factor
 from forficula.study.files.search_file import read_search
 from forficula.study.points import grid_points
-from forficula.study.search import point_design
 from forficula.study.search_steps import Search
 from forficula.study.study import Study
+from forficula.study.study_designs import point_design
 from forficula.study.tables.outcome_kinds import transitions_text
 from forficula.study.tables.table import table_axes
 

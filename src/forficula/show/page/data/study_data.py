@@ -15,12 +15,14 @@ from forficula.quantities import reading_unit
 from forficula.show.page.parts.outcome_words import OTHER_LOOK, OutcomeWords, signs_of
 from forficula.show.page.parts.run_sentences import unbuilt_text
 from forficula.show.study.bins import Bins, bins_of
+from forficula.show.study.boundary_figure import boundary_shapes
 from forficula.show.study.factor_text import display_values, number_text, plain_name, value_with_unit
 from forficula.show.study.map_panel import MapPanel
 from forficula.show.study.maps import energy_noun, missing_reasons, table_view, times_by_value
 from forficula.study import Study
 from forficula.study.assumptions.choices import CHOICE
 from forficula.study.changes import CHANGE
+from forficula.study.refine.summary import boundary_text, locates_boundaries
 from forficula.study.tables.outcome_kinds import table_transitions
 
 if TYPE_CHECKING:
@@ -41,28 +43,22 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
 
     Returns:
         Every list with one entry for each point has the study's order, in which the last factor varies fastest. Numbers
-        are
-        in the unit beside them; None if there is no value.
+        are in the unit beside them; None if there is no value.
 
         - `noun`: noun for one point; `file`: file that lists all; `points`: their number; `sampled`: whether they were
           drawn.
-          were drawn.
         - `keeps`: sentence on which runs are kept.
         - `factors`: `key`, `name`, `unit`, `log` (whether values were drawn by their logarithms), and `values`: those
-        of the
-            grid, or one for each drawn point. If factors are varied one at a time, the first of these factors is the
-            choice.
-          first of these.
+          of the grid, or one for each drawn point. If factors are varied one at a time, the first of these factors is
+          the choice.
         - `axes`: indices of the factors in the order in which maps use them as axes; `cuts`: index of each factor's
-        value
-            at which maps of the other factors are drawn.
-        - `words`: outcomes, the best first: `word`, `sign`, and `count` of the points with this
-            outcome.
+          value at which maps of the other factors are drawn.
+        - `words`: outcomes, the best first: `word`, `sign`, and `count` of the points with this outcome.
         - `verdicts`: index into `words` for each point; `statuses`: full texts; `built`: whether the point could run.
         - `quantities`: for maps and for the table's columns: `name`, `title`, `group`, `unit`, `values`, `reasons`
-        (index
-            into `words` for each point, None if there is a value) and `transition` (index of the transition that the
-            quantity belongs to, or None). The first quantity is the verdict and has no values.
+          (index into `words` for each point, None if there is a value) and `transition` (index of the transition that
+          the quantity belongs to, or None). The first quantity is the verdict and has no values.
+        - `boundaries`: of a study that locates boundaries over one or two factors, else None; see `_boundary_data`.
     """
     bins = page_bins(table)
     if bins is not None:
@@ -96,7 +92,23 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         "quantities": quantities,
         "words": words.data(verdicts),
         "other": OTHER_LOOK,
+        "boundaries": _boundary_data(table) if locates_boundaries(table) else None,
     }
+
+
+def _boundary_data(table: Dataset) -> dict[str, Any] | None:
+    """Return cells and boundaries as data for JSON; None for three factors.
+
+    `x` and `y` are the indices of the factors on the axes; `y` is None for one factor. Every entry of `cells` has the
+    least and the largest value of both factors, and every entry of `lines` the two ends of a piece of a boundary.
+    `text` says what the boundaries separate.
+    """
+    shapes = boundary_shapes(table)
+    if shapes is None:
+        return None
+    cells = [[rounded(value) for corner in (corners[0], corners[2]) for value in corner] for corners in shapes.cells]
+    lines = [[rounded(value) for end in line for value in end] for line in shapes.lines]
+    return {"x": shapes.x, "y": shapes.y, "cells": cells, "lines": lines, "text": boundary_text(table)}
 
 
 def page_bins(table: Dataset) -> Bins | None:
