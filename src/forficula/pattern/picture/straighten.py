@@ -19,7 +19,7 @@ _ROUNDS = 60
 _EXACT = 1e-12  # rad, residual at which a condition holds
 _NEAR = 1e-9  # rad, residual that is reported as exact, above the rounding of long computations
 
-# a sum of directions of edges that is zero: (from vertex, to vertex, factor), and the sum that counts as zero
+# a sum of directions of edges, (from vertex, to vertex, factor), and its value, rad, up to multiples of twice the value
 _Condition = tuple[list[tuple[int, int, int]], float]
 
 
@@ -143,7 +143,7 @@ def _directions(points: Array, conditions: Sequence[_Condition]) -> tuple[Array,
     """Return the residuals of conditions, rad, shape (C,), and their derivatives, shape (C, 2 N)."""
     residual = np.zeros(len(conditions))
     slopes = np.zeros((len(conditions), len(points), 2))
-    for row, (terms, period) in enumerate(conditions):
+    for row, (terms, value) in enumerate(conditions):
         total = 0.0
         for start, end, factor in terms:
             x, y = (points[end] - points[start]).tolist()
@@ -151,17 +151,9 @@ def _directions(points: Array, conditions: Sequence[_Condition]) -> tuple[Array,
             slope = factor * np.array([-y, x]) / (x * x + y * y)
             slopes[row, end] += slope
             slopes[row, start] -= slope
-        # directions are known up to whole turns; the sum that is nearest to the condition counts
-        residual[row] = _rest(total, period, len(terms))
+        # directions are known up to whole turns
+        residual[row] = math.remainder(total - value, 2 * value)
     return residual, slopes.reshape(len(conditions), -1)
-
-
-def _rest(total: float, period: float, terms: int) -> float:
-    """Return the deviation of a sum of directions from its condition, rad."""
-    if terms == 2:  # two edges in line: their directions differ by half a turn
-        return math.remainder(total - period, 2 * math.pi)
-    # twice the alternating sum of directions is a multiple of a whole turn, for which twice a half turn counts
-    return math.remainder(total, 2 * period)
 
 
 def _symmetries(pattern: CreasePattern, reach: float) -> tuple[list[tuple[Array, Indices]], tuple[str, ...]]:
