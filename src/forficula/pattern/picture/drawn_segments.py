@@ -20,6 +20,7 @@ _LEAST_GAP = 9.0  # pixels
 _LONG, _SHORTEST = 10.0, 3.0  # [chosen] line widths, least length of a segment in the first and the second round
 _SHORTEST_PIXELS = 10.0  # least length of a segment
 _LEAST_SHARE = 0.25  # [chosen] least number of points for every pixel of a segment
+_FAINT = 0.3  # [chosen] ink of a short segment relative to that of long ones, below which it is left out
 _INTO = 10.0  # [chosen] line widths by which a segment continues into a junction, at most
 _SAME_INK = 0.5  # [chosen] share of the ink of a segment with which it continues
 _ROUNDS = 400  # extensions of one segment
@@ -106,6 +107,7 @@ def drawn_segments(ridges: RidgePoints, ink: Ink) -> tuple[list[DrawnSegment], I
             reach = (segment.start - line_width, segment.end + line_width)
             for beside, angle in ((line_width, _SAME_ANGLE), (0.6 * line_width, np.pi)):
                 free[_band(ridges, segment.middle, segment.along, *reach, beside, angle)] = False
+    segments = _without_faint(segments, ink)
     return [_into_junctions(segment, ink) for segment in segments], np.flatnonzero(free)
 
 
@@ -259,6 +261,21 @@ def _fitted(ridges: RidgePoints, members: Indices, margin: float) -> DrawnSegmen
         longest_gap=float(np.diff(position).max(initial=0.0)),
         count=len(kept),
     )
+
+
+def _without_faint(segments: list[DrawnSegment], ink: Ink) -> list[DrawnSegment]:
+    """Return the segments without short ones of little ink, such as artefacts of JPEG beside a line."""
+    strengths = [
+        float(np.percentile(_ink_along(ink, segment, np.linspace(segment.start, segment.end, 48)), 75))
+        for segment in segments
+    ]
+    is_long = [segment.length > _LONG * ink.line_width for segment in segments]
+    typical = np.median([strength for strength, long in zip(strengths, is_long, strict=True) if long] or [0.0])
+    return [
+        segment
+        for segment, strength, long in zip(segments, strengths, is_long, strict=True)
+        if long or strength > _FAINT * typical
+    ]
 
 
 def _into_junctions(segment: DrawnSegment, ink: Ink) -> DrawnSegment:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from dataclasses import dataclass
 
@@ -14,7 +15,8 @@ from forficula.errors import InputError
 _BLOCKS = 64  # [chosen] blocks along the longer side in which the brightness of the paper is measured
 _EVERY = 2  # pixels of which one is measured, along each axis
 _DARKEST = 0.08  # [chosen] brightness of paper below which colours are not distinguished
-_INK = 0.3  # [chosen] absorbed share above which a pixel counts as ink, at least
+_INK = 0.08  # [chosen] absorbed share above which a pixel counts as ink, at least
+_SMOOTH = 1.0  # pixels, of the smoothing before the width of lines is measured
 _WIDEST = 0.02  # [chosen] of the picture's longer side, width of a line
 
 
@@ -95,12 +97,16 @@ def _paper(pixels: Array, inside: Flags) -> Array:
 
 
 def _line_width(strength: Array, noise: float) -> float:
-    """Return the typical width of the lines, pixels: from the mean distance of their pixels from the rim."""
-    dark = strength > max(_INK, 8 * noise)
+    """Return the typical width of the lines at half their ink, pixels, from the mean distance of pixels from the rim."""
+    smooth = ndimage.gaussian_filter(strength, _SMOOTH)
+    # smoothing of the already smoothed noise
+    dark = smooth > max(_INK, 5 * noise / (2 * _SMOOTH))
     if not dark.any():
         raise InputError("need lines on the sheet, got none that are darker than its noise")
+    dark = smooth > 0.5 * float(np.percentile(smooth[dark], 80))
     # in a strip of odd width the mean distance of pixels from the rim is (width + 1)^2 / (4 width)
-    width = 4 * float(ndimage.distance_transform_edt(dark)[dark].mean()) - 2.2
+    seen = 4 * float(ndimage.distance_transform_edt(dark)[dark].mean()) - 2.2
+    width = math.sqrt(max(seen**2 - (2.355 * _SMOOTH) ** 2, 0.0))
     if width > _WIDEST * max(strength.shape) + 10:
         raise InputError(f"need thin lines on bright paper, got dark areas about {width:.0f} pixels wide")
     return max(1.5, width)

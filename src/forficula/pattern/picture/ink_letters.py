@@ -36,6 +36,7 @@ _CLEAR = 1.5  # [chosen] line widths beside each end that are not used
 _FEWEST = 6  # least number of pixels along an edge that decide on its colour
 _SOLID = 0.97  # [chosen] share of a solid line that is inked
 _BROKEN = 0.7  # [chosen] share of a line that is inked, below which it is broken where its dashes are not recognised
+_SPARSE = 0.3  # [chosen] share of a dashed line that is inked, below which it is no line
 _PERIODS = 2  # [chosen] least number of dashes and gaps by which dashes are recognised
 _MERGED = 0.6  # [chosen] share of an edge in which lines merge, above which its colour is doubtful
 
@@ -116,8 +117,8 @@ def ink_along_edge(ink: Ink, start: Array, end: Array, merged: float = 0.0) -> I
         ground, doubt = "", "the line is as faint as the noise of the picture"
     elif ground and share < _AGREEMENT:
         ground, doubt = "", f"the colour changes along the edge, only {100 * share:.0f} % agree"
-    elif dashes == "broken":
-        ground, doubt = "", "the line is broken"
+    elif inked.mean() < _SPARSE:
+        ground, doubt = "", f"the line is broken, only {100 * inked.mean():.0f} % are inked"
     return InkOfEdge(
         ground=ground,
         dashes=dashes,

@@ -14,7 +14,8 @@ from forficula.arrays import Array, Indices
 from forficula.pattern.picture.drawn_segments import DrawnSegment
 
 _CROSSING = np.radians(3.0)  # [chosen] least angle between lines whose crossing is computed
-_BEYOND = 2.0  # [chosen] line widths by which segments are extended to a crossing
+_BEYOND = 2.5  # [chosen] line widths by which segments are extended to a crossing
+_GAPS = 1.5  # [chosen] gaps between dashes by which dashed segments are extended in addition
 _LEAST_BEYOND = 6.0  # pixels
 _TOGETHER = 2.0  # [chosen] line widths within which crossings are one junction
 _LEAST_TOGETHER = 5.0  # pixels
@@ -108,7 +109,7 @@ def _crossings(segments: Sequence[DrawnSegment], beyond: float) -> list[tuple[Ar
     """Return the crossings of pairs of segments, with the numbers of both."""
     middles = np.array([segment.middle for segment in segments]).reshape(-1, 2)
     along = np.array([segment.along for segment in segments]).reshape(-1, 2)
-    reach = np.array([beyond + min(segment.longest_gap, 2 * beyond) for segment in segments])
+    reach = np.array([beyond + min(_GAPS * segment.longest_gap, 3 * beyond) for segment in segments])
     low = np.array([segment.ink_start for segment in segments]) - reach
     high = np.array([segment.ink_end for segment in segments]) + reach
     found: list[tuple[Array, int, int]] = []
@@ -205,7 +206,7 @@ def _edges(
     free_ends = []
     for number, (segment, at) in enumerate(zip(segments, on, strict=True)):
         positions = sorted((float((places[junction] - segment.middle) @ segment.along), junction) for junction in at)
-        reach = beyond + segment.longest_gap
+        reach = beyond + _GAPS * segment.longest_gap
         if not positions or positions[0][0] > segment.start + reach:
             free_ends.append(segment.place(segment.start))
         if not positions or positions[-1][0] < segment.end - reach:

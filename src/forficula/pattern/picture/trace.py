@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Annotated, Literal
 
 import numpy as np
@@ -13,8 +14,9 @@ from scipy.spatial import cKDTree
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.errors import InputError
-from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern
+from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.facts.flat_folding import VertexCheck, vertex_checks
+from forficula.pattern.files.fold_writer import write_fold
 from forficula.pattern.picture.drawn_segments import drawn_segments
 from forficula.pattern.picture.homography import (
     check_corners,
@@ -518,12 +520,6 @@ def _doubts(free_ends: Sequence[PicturePoint], left_over: Sequence[PicturePoint]
     return sentences
 
 
-def letter_counts(trace: Trace) -> dict[str, int]:
-    """Return the number of edges by letter, in the order of `ASSIGNMENTS`."""
-    letters = [edge.letter for edge in trace.edges]
-    return {letter: letters.count(letter) for letter in ASSIGNMENTS if letter in letters}
-
-
 def straightened_trace(trace: Trace, tolerance: float) -> Trace:
     """Return a trace with the least movement of vertices to exact symmetry and flat-foldability.
 
@@ -546,4 +542,34 @@ def straightened_trace(trace: Trace, tolerance: float) -> Trace:
         height=height,
         straightening=straightening,
         vertices=tuple(replace(new, doubt=old.doubt) for new, old in zip(vertices, trace.vertices, strict=True)),
+    )
+
+
+def write_trace(trace: Trace, path: Path) -> None:
+    """Write the pattern of a trace to a FOLD file, with the scale of the picture and what is doubtful.
+
+    Args:
+        trace: the trace.
+        path: path of the file; an existing file is replaced.
+
+    Raises:
+        InputError: the file cannot be written.
+    """
+    name = trace.name or "a picture"
+    write_fold(
+        trace.pattern,
+        path,
+        extra={
+            "vertices_standardError": [vertex.standard_error for vertex in trace.vertices],
+            "edges_doubt": [edge.doubt or None for edge in trace.edges],
+        },
+        description=f"Traced in {name}; one pixel in the middle of the pattern is {show_value(trace.pixel_size, 'm')}.",
+        metadata={
+            "picture": {
+                "name": trace.name,
+                "metres_per_pixel": trace.pixel_size,
+                "homography_from_pixels_to_m": [list(row) for row in trace.homography],
+                "corners": [[corner.x, corner.y] for corner in trace.corners],
+            }
+        },
     )
