@@ -21,10 +21,10 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from forficula.dynamics import versions  # noqa: E402
-from forficula.design import design_pattern, load_design  # noqa: E402
-from forficula.errors import InputError  # noqa: E402
-from forficula.pattern import (  # noqa: E402
+from forficula.design import design_pattern, load_design
+from forficula.dynamics import versions
+from forficula.errors import InputError
+from forficula.pattern import (
     CreasePattern,
     miura_pattern,
     pleat_pattern,
@@ -34,9 +34,10 @@ from forficula.pattern import (  # noqa: E402
     waterbomb_pattern,
     yoshimura_pattern,
 )
-from forficula.pattern.picture.picture_file import picture_of_array  # noqa: E402
-from forficula.pattern.picture.trace import Trace, trace_picture  # noqa: E402
-from tests.pattern.picture.drawn_pictures import (  # noqa: E402
+from forficula.pattern.picture.picture_file import picture_of_array
+from forficula.pattern.picture.trace import Trace
+from forficula.pattern.picture.trace_picture import trace_picture
+from tests.pattern.picture.drawn_pictures import (
     INKS,
     Distortion,
     Photograph,
@@ -68,7 +69,7 @@ def patterns() -> dict[str, CreasePattern]:
     }
 
 
-def traced(pattern: CreasePattern, photograph: Photograph) -> Trace:
+def traced(photograph: Photograph) -> Trace:
     """Trace a photograph with the page's width and height and its corners."""
     return trace_picture(picture_of_array(photograph.pixels), photograph.page, photograph.corners)
 
@@ -134,7 +135,7 @@ def random_picture(number: int, size: tuple[int, int]) -> dict[str, Any]:
     row: dict[str, Any] = {"number": number, "pattern": name, "dashed": dashed, "line": line}
     row |= {key: getattr(distortion, key) for key in ("turn", "light", "blur", "noise", "quality")}
     try:
-        trace = traced(pattern, photograph)
+        trace = traced(photograph)
     except InputError as error:
         return {**row, "fault": str(error)}
     return {**row, **_numbers(pattern, photograph, trace)}

@@ -58,16 +58,13 @@ def trace(
     (9, 0)
     """
     from forficula.pattern.picture.picture_file import picture_of_array, read_picture
-    from forficula.pattern.picture.trace import straightened_trace, trace_picture
     from forficula.pattern.picture.trace_options import read_corners, read_length, read_size
+    from forficula.pattern.picture.trace_picture import straightened_trace, trace_picture
 
     lengths = read_size(size)
     places, rectify = read_corners(corners)
     tolerance = None if straighten is None else read_length(straighten, "straighten")
-    if isinstance(picture, str | os.PathLike):
-        shown = read_picture(picture)
-    else:
-        shown = picture_of_array(picture)
+    shown = read_picture(picture) if isinstance(picture, str | os.PathLike) else picture_of_array(picture)
     try:
         traced = trace_picture(shown, lengths, places, rectify=rectify)
     except InputError as error:

@@ -8,7 +8,6 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from forficula.options import OpenReport, Out, check_folder, finish_folder, note_replaced, options_named
-from forficula.terminal import note
 
 
 def trace(
@@ -33,7 +32,7 @@ def trace(
     straighten: Annotated[
         str | None,
         Parameter(
-            help='Make the pattern exactly symmetric and flat-foldable, if no vertex moves by more than this, such as'
+            help="Make the pattern exactly symmetric and flat-foldable, if no vertex moves by more than this, such as"
             ' "0.5 mm".'
         ),
     ] = None,
@@ -62,5 +61,5 @@ def trace(
     if is_file:
         write_trace(result, out)
     pattern = out if is_file else folder / PATTERN_FILE
-    note(f"fold it with: forficula run {pattern}")
+    print(f"fold it with: forficula run {pattern}")
     finish_folder(folder, "trace", show=open_report)

@@ -75,8 +75,6 @@ from .kinematics import folded_coordinates as folded_coordinates
 from .kinematics import folded_frames as folded_frames
 from .picture.picture_file import Picture as Picture
 from .picture.trace import Trace as Trace
-from .picture.trace import straightened_trace as straightened_trace
-from .picture.trace import trace_picture as trace_picture
 from .picture.trace import write_trace as write_trace
 from .triangulation import Triangulation as Triangulation
 from .triangulation import triangulated as triangulated

@@ -237,7 +237,9 @@ def compared(pattern: CreasePattern, photograph: Photograph, trace) -> Compariso
     nearest = distance.argmin(axis=1)
     near = distance.min(axis=1) < 0.01 * np.ptp(photograph.vertices, axis=0).max()
     drawn, traced = pattern.vertices_coords[near, :2], trace.pattern.vertices_coords[nearest[near], :2]
-    offset = np.full((1, 2), np.nan) if not near.any() else (traced - traced.mean(axis=0)) - (drawn - drawn.mean(axis=0))
+    offset = (
+        np.full((1, 2), np.nan) if not near.any() else (traced - traced.mean(axis=0)) - (drawn - drawn.mean(axis=0))
+    )
     back = {int(place): int(vertex) for vertex, place in enumerate(nearest) if near[vertex]}
     letters = {
         frozenset(ends): letter

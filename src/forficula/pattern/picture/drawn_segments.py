@@ -112,7 +112,13 @@ def drawn_segments(ridges: RidgePoints, ink: Ink) -> tuple[list[DrawnSegment], I
 
 
 def _band(
-    ridges: RidgePoints, middle: Array, along: Array, start: float, end: float, beside: float, angle: float = _SAME_ANGLE
+    ridges: RidgePoints,
+    middle: Array,
+    along: Array,
+    start: float,
+    end: float,
+    beside: float,
+    angle: float = _SAME_ANGLE,
 ) -> Indices:
     """Return the numbers of the points within a distance of a line whose strokes have its direction."""
     height, width = ridges.number_at.shape
@@ -175,7 +181,7 @@ def _grown(ridges: RidgePoints, free: Array, seed: int, window: float, gap: floa
 
 
 def _free(free: Array, numbers: Indices) -> Indices:
-    return numbers[free[numbers]]
+    return np.asarray(numbers[free[numbers]], dtype=np.int64)
 
 
 def _continuous(numbers: Indices, position: Array, low: float, high: float, gap: float) -> Indices:
@@ -210,7 +216,7 @@ def _bend(position: Array, beside: Array) -> int | None:
     if count < 24:
         return None
     sums = [np.cumsum(values) for values in (position, beside, position**2, position * beside, beside**2)]
-    sizes = np.arange(1, count + 1)
+    sizes = np.arange(1.0, count + 1)
 
     def rest(n: Array, x: Array, y: Array, xx: Array, xy: Array, yy: Array) -> Array:
         with np.errstate(divide="ignore", invalid="ignore"):

@@ -97,7 +97,7 @@ def _paper(pixels: Array, inside: Flags) -> Array:
 
 
 def _line_width(strength: Array, noise: float) -> float:
-    """Return the typical width of the lines at half their ink, pixels, from the mean distance of pixels from the rim."""
+    """Return the typical width of lines at half their ink, pixels, from the mean distance of pixels from the rim."""
     smooth = ndimage.gaussian_filter(strength, _SMOOTH)
     # smoothing of the already smoothed noise
     dark = smooth > max(_INK, 5 * noise / (2 * _SMOOTH))

@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 from scipy import ndimage
 
-from forficula.arrays import Array, Indices
+from forficula.arrays import Array, Flags, Indices
 from forficula.pattern.picture.ink import Ink
 
 Dashes = Literal["solid", "dashed", "dash-dotted", "dotted", "broken", "short"]
@@ -160,13 +160,13 @@ def _compatible(colour: Array, ground: Ground) -> bool:
     return any(least - 12 <= hue <= most + 12 for least, most, name in _HUES if name == ground)
 
 
-def _dashes(inked: Array, line_width: float) -> Dashes:
+def _dashes(inked: Flags, line_width: float) -> Dashes:
     """Recognise the pattern of dashes from the inked positions, which are half a pixel apart."""
     if inked.mean() >= _SOLID:
         return "solid"
     changes = np.flatnonzero(np.diff(inked.astype(np.int8)))
     runs = np.diff(changes) / 2  # the first and the last run are cut off
-    state = ~inked[changes[:-1]] if len(changes) > 1 else np.zeros(0, dtype=bool)
+    state: Flags = ~inked[changes[:-1]] if len(changes) > 1 else np.zeros(0, dtype=bool)
     on, off = runs[state], runs[~state]
     if len(on) < _PERIODS or len(off) < _PERIODS:
         # a few gaps say nothing about a pattern
@@ -178,7 +178,7 @@ def _dashes(inked: Array, line_width: float) -> Dashes:
     if on.max() <= 2.2 * on.min():
         return "dashed"
     middle = (on.max() + on.min()) / 2
-    long = on > middle
+    long: Flags = on > middle
     alternate = np.mean(long[1:] != long[:-1])
     return "dash-dotted" if alternate >= 0.75 and on[~long].max() < 0.6 * on[long].min() else "broken"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -72,7 +73,9 @@ def junctions(segments: Sequence[DrawnSegment], line_width: float) -> Junctions:
         near = points[groups == group].mean(axis=0)
         places[group], errors[group] = least_squares_point([segments[line] for line in sorted(through[group])], near)
     edges, numbers, free_ends = _edges(segments, places, through, beyond)
-    return Junctions(places=places, errors=errors, edges=edges, lines=tuple(segments), segments=numbers, free_ends=free_ends)
+    return Junctions(
+        places=places, errors=errors, edges=edges, lines=tuple(segments), segments=numbers, free_ends=free_ends
+    )
 
 
 def _without_blots(segments: Sequence[DrawnSegment], beyond: float, line_width: float) -> Sequence[DrawnSegment]:
@@ -211,7 +214,7 @@ def _edges(
             free_ends.append(segment.place(segment.start))
         if not positions or positions[-1][0] < segment.end - reach:
             free_ends.append(segment.place(segment.end))
-        for (_, one), (_, other) in zip(positions, positions[1:], strict=False):
+        for (_, one), (_, other) in itertools.pairwise(positions):
             if one != other:
                 key = (min(one, other), max(one, other))
                 known = pairs.get(key)

@@ -112,7 +112,7 @@ def _decoded(content: bytes, expected: str) -> Array:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # sizes are checked below
         try:
-            with Image.open(io.BytesIO(content), formats=tuple(_FORMATS)) as picture:
+            with Image.open(io.BytesIO(content), formats=("PNG", "JPEG")) as picture:
                 _check_kind(picture, content, expected)
                 turned = ImageOps.exif_transpose(picture)
                 return _rgb(picture if turned is None else turned)

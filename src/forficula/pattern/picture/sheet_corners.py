@@ -57,12 +57,15 @@ def find_corners(brightness: Array) -> SheetCorners | None:
 
 def _blocks(values: Array, step: int) -> Array:
     height, width = (size // step * step for size in values.shape)
-    return values[:height, :width].reshape(height // step, step, width // step, step).mean(axis=(1, 3))
+    blocks = values[:height, :width].reshape(height // step, step, width // step, step)
+    return np.asarray(blocks.mean(axis=(1, 3)))
 
 
 def _bright_part(coarse: Array) -> Flags | None:
     """Return the largest bright connected part of a coarse picture with its holes filled; None without contrast."""
     smooth = ndimage.median_filter(coarse, 5)
+    if np.ptp(smooth) < _LEAST_CONTRAST:
+        return None
     threshold = _between_classes(smooth)
     bright = smooth > threshold
     if bright.all() or not bright.any():
@@ -121,7 +124,8 @@ def _largest_quadrilateral(hull: Array) -> Array:
     cross = cross - offset[:, :, np.newaxis, 1] * offset[:, np.newaxis, :, 0]
     total = cross.max(axis=2) - cross.min(axis=2)
     one, other = np.unravel_index(int(np.argmax(total)), total.shape)
-    return hull[[one, int(np.argmax(cross[one, other])), other, int(np.argmin(cross[one, other]))]]
+    corners = [int(one), int(np.argmax(cross[one, other])), int(other), int(np.argmin(cross[one, other]))]
+    return hull[corners]
 
 
 def _refined(brightness: Array, corners: Array, reach: float) -> SheetCorners | None:

@@ -160,8 +160,8 @@ def _symmetries(pattern: CreasePattern, reach: float) -> tuple[list[tuple[Array,
     """Find the symmetries of a pattern about its centre.
 
     Returns:
-        Matrix, shape (2, 2), and image of every vertex, shape (N,), of every symmetry with the identity: the matrix maps
-        vertex v to the position of vertex image[v]; and the symmetries in words.
+        Matrix, shape (2, 2), and image of every vertex, shape (N,), of every symmetry with the identity: the matrix
+        maps vertex v to the position of vertex image[v]; and the symmetries in words.
     """
     points = pattern.vertices_coords[:, :2]
     offset = points - points.mean(axis=0)
@@ -195,9 +195,7 @@ def _symmetries(pattern: CreasePattern, reach: float) -> tuple[list[tuple[Array,
     if any(permutation(_rotation(turn)) is None for turn in exact):
         exact, order = [0.0], 1
     axes = [
-        axis
-        for other in near.tolist()
-        if permutation(_mirror(axis := (angles[first] + angles[other]) / 2)) is not None
+        axis for other in near.tolist() if permutation(_mirror(axis := (angles[first] + angles[other]) / 2)) is not None
     ]
     matrices = [_rotation(turn) for turn in exact]
     words = [f"rotation by {360 / order:.4g} deg"] if order > 1 else []

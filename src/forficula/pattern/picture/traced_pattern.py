@@ -68,7 +68,7 @@ def enclosed_faces(points: Array, edges: Indices) -> EnclosedFaces:
 
 def _largest_part(count: int, edges: Indices, kept: Indices) -> Indices:
     parts = parts_of(count, edges[kept])[edges[kept][:, 0]]
-    return kept[parts == np.bincount(parts).argmax()]
+    return np.asarray(kept[parts == np.bincount(parts).argmax()], dtype=np.int64)
 
 
 def _face_counts(edges: Indices, faces: Sequence[Sequence[int]]) -> Indices:

@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
-from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
@@ -37,7 +37,8 @@ _FADED = 0.45  # opacity of the photograph under the lines
 _AROUND = 0.06  # of the pattern's size, shown around it
 _WIDEST = 5.2  # inch
 _TALLEST = 1.3  # largest height by width
-_LEAST_RESIDUAL = 1e-3  # deg, lower end of the scale of Kawasaki's residuals
+_LEAST_RESIDUAL = 1e-3  # deg, least end of the scale of Kawasaki's residuals
+_BAR = 0.55  # inch, height of the scale
 
 
 def draw_trace(trace: Trace, width: float = PAGE_WIDTH) -> Figure:
@@ -71,7 +72,9 @@ def draw_trace(trace: Trace, width: float = PAGE_WIDTH) -> Figure:
                 look = {"marker": marker, "ls": "none", "ms": 7, "mfc": "none", "mec": ORANGE, "mew": 1.4}
                 axes.plot([point.x for point in points], [point.y for point in points], zorder=5, **look)  # type: ignore[arg-type]
                 handles.append(Line2D([], [], label=label, **look))  # type: ignore[arg-type]
-        axes.set(xlabel="x (pixels)", ylabel="y (pixels)", xlim=(left - 0.5, right - 0.5), ylim=(bottom - 0.5, top - 0.5))
+        axes.set(
+            xlabel="x (pixels)", ylabel="y (pixels)", xlim=(left - 0.5, right - 0.5), ylim=(bottom - 0.5, top - 0.5)
+        )
         if in_column(axes):
             axes.locator_params(nbins=5)
         add_sheet_legend(figure, handles, 4)
@@ -87,11 +90,8 @@ def _window(trace: Trace, points: Array) -> tuple[int, int, int, int]:
     return left, top, right, bottom
 
 
-def _draw_edges(trace: Trace, axes: object, places: Array) -> list[Artist]:
+def _draw_edges(trace: Trace, axes: Axes, places: Array) -> list[Artist]:
     """Draw the edges, the doubtful ones on a broad band; return the legend's entries."""
-    from matplotlib.axes import Axes
-
-    assert isinstance(axes, Axes)
     handles = list[Artist]()
     doubtful = [places[list(edge.vertices)] for edge in trace.edges if edge.doubt]
     if doubtful:
@@ -134,23 +134,24 @@ def draw_deviations(trace: Trace, width: float = PAGE_WIDTH) -> Figure:
         figure, axes = sheet_axes(points, factor * size, unit, width)
         handles = draw_creases(axes, flat_net(trace.pattern), factor)
         if residuals:
-            most = max(*residuals.values(), 10 * _LEAST_RESIDUAL)
-            values = np.maximum(list(residuals.values()), _LEAST_RESIDUAL)
             dots = axes.scatter(
-                *points[list(residuals)].T,
-                c=values,
+                points[list(residuals), 0],
+                points[list(residuals), 1],
+                c=list(residuals.values()),
                 cmap=QUANTITY_COLOURS,
-                norm=LogNorm(_LEAST_RESIDUAL, most),
+                vmin=0.0,
+                vmax=max(*residuals.values(), _LEAST_RESIDUAL),
                 s=34,
                 ec=BLACK,
                 lw=0.5,
                 zorder=3,
             )
-            figure.colorbar(dots, ax=axes, label="deviation from Kawasaki (deg)", shrink=0.85, pad=0.02)
-        for chosen, marker, label in (
-            ([item.vertex for item in trace.vertices if item.creases is not None and item.creases % 2], "D", "odd number of creases"),
-            ([item.vertex for item in trace.vertices if item.maekawa], "s", "Maekawa fails"),
-        ):
+            label = "deviation from Kawasaki's condition (deg)"
+            figure.colorbar(dots, ax=axes, label=label, orientation="horizontal", aspect=30, pad=0.02)
+            figure.set_figheight(figure.get_figheight() + _BAR)
+        odd = [item.vertex for item in trace.vertices if item.creases is not None and item.creases % 2]
+        failing = [item.vertex for item in trace.vertices if item.maekawa]
+        for chosen, marker, label in ((odd, "D", "odd number of creases"), (failing, "s", "Maekawa fails")):
             if chosen:
                 look = {"marker": marker, "ls": "none", "ms": 9, "mfc": "none", "mec": VERMILION, "mew": 1.2}
                 axes.plot(*points[chosen].T, zorder=4, **look)  # type: ignore[arg-type]
