@@ -26,7 +26,7 @@ PATTERNS = {
     "waterbomb": waterbomb_base(0.1),
     "pleats": pleat_pattern([0.03, 0.02, 0.04], 0.07, "MV"),
     "vertex": vertex_pattern([math.radians(angle) for angle in (60, 100, 120, 80)], 0.06, "MMMV"),
-    "strip": strip_pattern(0.12, 0.1, math.radians(20), math.radians(20), 0.04, valley=True),
+    "strip": strip_pattern(0.12, 0.1, math.radians(20), math.radians(20), 0.08, valley=True),
 }
 BLACK = dict.fromkeys(INKS, (20, 20, 20))
 

@@ -12,7 +12,8 @@ from scipy import ndimage
 from forficula.arrays import Array, Flags
 from forficula.errors import InputError
 
-_BLOCKS = 64  # [chosen] blocks along the longer side in which the brightness of the paper is measured
+_BLOCKS = 32  # [chosen] blocks along the longer side in which the brightness of the paper is measured
+_BRIGHT = 65  # [chosen] percentile of the brightness in a block that is paper; lines may cover a third of a block
 _EVERY = 2  # pixels of which one is measured, along each axis
 _DARKEST = 0.08  # [chosen] brightness of paper below which colours are not distinguished
 _INK = 0.08  # [chosen] absorbed share above which a pixel counts as ink, at least
@@ -42,7 +43,7 @@ class Ink:
 def ink_of(pixels: Array, inside: Flags) -> Ink:
     """Compute the absorbed light, relative to the paper around every pixel.
 
-    The brightness of the paper is the median over blocks, in which lines cover less than half of the area.
+    The brightness of the paper is a percentile over blocks, in which lines cover less than a third of the area.
 
     Args:
         pixels: red, green and blue, 0 to 1, shape (height, width, 3).
@@ -53,6 +54,7 @@ def ink_of(pixels: Array, inside: Flags) -> Ink:
     """
     paper = _paper(pixels, inside)
     absorbed = np.where(inside[..., np.newaxis], 1 - pixels / np.maximum(paper, 1e-3), 0.0)
+    absorbed -= np.where(inside[..., np.newaxis], np.median(absorbed[inside][::7], axis=0), 0.0)
     np.clip(absorbed, -0.5, 1.0, out=absorbed)
     strength = np.max([ndimage.gaussian_filter(absorbed[..., channel], 0.8) for channel in range(3)], axis=0)
     sample = strength[inside][:: max(1, int(inside.sum()) // 200_000)]
@@ -80,7 +82,7 @@ def _paper(pixels: Array, inside: Flags) -> Array:
     blocks = blocks.reshape(rows, side, columns, side, 3).transpose(0, 2, 4, 1, 3).reshape(rows, columns, 3, -1)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)  # blocks without paper
-        level = np.nanmedian(blocks, axis=-1).astype(np.float64)
+        level = np.nanpercentile(blocks, _BRIGHT, axis=-1).astype(np.float64)
     few = np.isfinite(blocks[:, :, 0]).mean(axis=-1) < 0.25
     level[few] = np.nan
     known = np.isfinite(level[..., 0])

@@ -29,9 +29,13 @@ _HUES: tuple[tuple[float, float, Ground], ...] = (
 _LETTERS: dict[Ground, str] = {"red": "M", "blue": "V", "yellow": "F", "green": "C", "magenta": "U"}
 _COLOURLESS, _COLOURED = 0.22, 0.4  # [chosen] saturation below and above which an ink is black or coloured
 _BLACK, _GREY = 0.8, 0.68  # [chosen] ink relative to the border's, above which it is black and below which grey
+# [chosen] least darkness of a border, and largest saturation of a crease, at which black and grey creases have a meaning:
+# pictures of less contrast lose the colours of thin lines
+_CONTRAST, _GREY_SATURATION = 0.45, 0.18
 _SAME_WIDTH = 0.85  # [chosen] least width of a grey line relative to the border's: a thin black line looks grey, too
 _AGREEMENT = 0.8  # [chosen] least share of an edge whose colour agrees
 _FAINT = 5.0  # least ink, in standard deviations of its noise along an edge
+_PIECE = 8  # [chosen] pixels, least length of a piece whose colour is compared
 _CLEAR = 1.5  # [chosen] line widths beside each end that are not used
 _FEWEST = 6  # least number of pixels along an edge that decide on its colour
 _SOLID = 0.97  # [chosen] share of a solid line that is inked
@@ -97,8 +101,10 @@ def ink_along_edge(ink: Ink, start: Array, end: Array, merged: float = 0.0) -> I
     )  # (position, offset, channel)
     total = 0.5 * profile.sum(axis=1)  # pixels of full ink, (position, channel)
     most = total.max(axis=1)
-    level = float(np.percentile(ndimage.gaussian_filter1d(most, 1.0), 85))
-    inked = ndimage.gaussian_filter1d(most, 1.0) > 0.5 * level
+    smooth = ndimage.gaussian_filter1d(most, 1.0)
+    # the middle half, because other lines begin beside the ends
+    quarter = len(smooth) // 4
+    inked = smooth > 0.5 * float(np.percentile(smooth[quarter : len(smooth) - quarter], 85))
     dashes = _dashes(inked, ink.line_width)
     used = ndimage.binary_erosion(inked, iterations=1, border_value=1)
     used = used if used.sum() >= _FEWEST else inked
@@ -108,8 +114,8 @@ def ink_along_edge(ink: Ink, start: Array, end: Array, merged: float = 0.0) -> I
     darkness = float(np.median(profile[used][:, centre].max(axis=-1).mean(axis=1)))
     width = float(colour.max()) / max(darkness, 1e-6)
     ground, doubt = _ground(hue, saturation)
-    # pieces of about a line width are independent observations
-    size = max(1, int(2 * ink.line_width))
+    # JPEG files store one colour for 2 x 2 pixels and less detail of colours, so that short pieces vary
+    size = max(2 * _PIECE, int(6 * ink.line_width))
     pieces = [total[used][at : at + size].mean(axis=0) for at in range(0, int(used.sum()), size)]
     share = float(np.mean([_compatible(piece, ground) for piece in pieces])) if ground else 0.0
     noise = ink.noise * np.sqrt(len(offsets)) / 2 / np.sqrt(max(1.0, used.sum() / 4))
@@ -202,14 +208,21 @@ def letters_of_ink(inks: Sequence[InkOfEdge], face_counts: Indices) -> tuple[lis
     width = float(np.median([ink.width for ink in rim])) if rim else np.nan
     letters, doubts = [], []
     for ink, count in zip(inks, face_counts.tolist(), strict=True):
-        letter, doubt = _letter(ink, count == 1, ink.darkness / black, ink.width / width)
+        letter, doubt = _letter(ink, count == 1, black, ink.width / width)
         letters.append(letter)
         doubts.append(doubt)
     return letters, doubts
 
 
-def _letter(ink: InkOfEdge, at_rim: bool, darkness: float, width: float) -> tuple[str, str]:
-    """Return the letter of one edge, and why it is doubtful."""
+def _letter(ink: InkOfEdge, at_rim: bool, black: float, width: float) -> tuple[str, str]:
+    """Return the letter of one edge, and why it is doubtful.
+
+    Args:
+        ink: ink of the edge.
+        at_rim: whether the edge is at the rim of the sheet.
+        black: darkness of the black border; nan without one.
+        width: width of the line relative to that of the border.
+    """
     if at_rim:
         if ink.ground == "black":
             return "B", ""
@@ -219,8 +232,11 @@ def _letter(ink: InkOfEdge, at_rim: bool, darkness: float, width: float) -> tupl
         return "U", ink.doubt
     if ink.ground != "black":
         return _LETTERS[ink.ground], ""
-    if np.isnan(darkness):
+    if np.isnan(black):
         return "U", "no black border to compare with"
+    if black < _CONTRAST or ink.saturation > _GREY_SATURATION:
+        return "U", "black or grey, or a colour that the picture does not show"
+    darkness = ink.darkness / black
     if darkness < _GREY and width >= _SAME_WIDTH:
         if ink.dashes in ("solid", "dotted"):
             return "F", ""
