@@ -74,16 +74,16 @@ def traced(photograph: Photograph) -> Trace:
     return trace_picture(picture_of_array(photograph.pixels), photograph.page, photograph.corners)
 
 
-def family(name: str, pattern: CreasePattern, size: tuple[int, int], *, dashed: bool, given: bool) -> dict[str, Any]:
+def family(name: str, pattern: CreasePattern, size: tuple[int, int], *, dashed: bool) -> dict[str, Any]:
     """Trace one photograph of a pattern with moderate distortions."""
     distortion = Distortion(size=size, blur=1.0 if size == _SMALL else 2.0)
     page = drawn_page(pattern, round(1.1 * max(size)), dashed=dashed)
     photograph = photographed(*page, distortion, seed=1)
     picture = picture_of_array(photograph.pixels)
     start = time.process_time()
-    row: dict[str, Any] = {"pattern": name, "dashed": dashed, "corners": "given" if given else "found"}
+    row: dict[str, Any] = {"pattern": name, "dashed": dashed}
     try:
-        trace = trace_picture(picture, photograph.page, photograph.corners if given else None)
+        trace = trace_picture(picture, photograph.page, None)
     except InputError as error:
         return {**row, "fault": str(error)}
     row["cpu_s"] = time.process_time() - start
@@ -179,8 +179,8 @@ def main() -> None:
     for name, pattern in patterns().items():
         if arguments.only is not None and name not in arguments.only:
             continue
-        for dashed, given in ((False, False), (True, False)):
-            rows.append(row := family(name, pattern, size, dashed=dashed, given=given))
+        for dashed in (False, True):
+            rows.append(row := family(name, pattern, size, dashed=dashed))
             print(_line(row), flush=True)
     random = []
     for number in range(arguments.pictures):

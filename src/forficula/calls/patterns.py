@@ -53,9 +53,12 @@ def trace(
         InputError: a picture that cannot be read, a size or corners that are not allowed, no lines that enclose faces,
             or a movement beyond `straighten`.
 
-    >>> found = ff.trace("drawing.png", "10 cm", corners="none")
-    >>> len(found.vertices), sum(bool(edge.doubt) for edge in found.edges)
-    (9, 0)
+    >>> import numpy as np
+    >>> drawing = np.full((300, 400), 255)
+    >>> drawing[[50, 51, 250, 251], 50:352] = 0
+    >>> drawing[50:252, [50, 51, 200, 201, 350, 351]] = 0
+    >>> ff.trace(drawing, "15 cm", corners="none")
+    <Trace of a picture: 6 vertices, 7 edges, 1 doubtful>
     """
     from forficula.pattern.picture.picture_file import picture_of_array, read_picture
     from forficula.pattern.picture.trace_options import read_corners, read_length, read_size

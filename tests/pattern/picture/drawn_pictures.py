@@ -252,12 +252,12 @@ def compared(pattern: CreasePattern, photograph: Photograph, trace) -> Compariso
         right += letter == edge.letter
         unassigned += letter not in (None, edge.letter) and edge.letter == "U"
         wrong += letter not in (None, edge.letter) and edge.letter != "U"
-    found = right + wrong + unassigned
-    incomplete = not near.all() or found < len(letters) or extra or unassigned or wrong
+    matched = right + wrong + unassigned
+    incomplete = not near.all() or matched < len(letters) or extra or unassigned or wrong
     return Comparison(
         vertices=(len(near), int(near.sum())),
         error=float(np.linalg.norm(offset, axis=1).max() / np.ptp(pattern.vertices_coords, axis=0).max()),
-        edges=(len(letters), found),
+        edges=(len(letters), matched),
         right=right,
         wrong=wrong,
         unassigned=unassigned,

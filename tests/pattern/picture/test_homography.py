@@ -50,15 +50,15 @@ def test_the_scale_of_a_pixel_agrees_with_the_area_of_its_image():
 
 @pytest.mark.parametrize("ratio", [0.6, 1.0, 1.414])
 def test_a_tilted_rectangle_shows_the_ratio_of_its_sides(ratio):
-    found, by_perspective = side_ratio(camera_view(ratio, 0.5), np.array([640.0, 480.0]))
+    estimate, by_perspective = side_ratio(camera_view(ratio, 0.5), np.array([640.0, 480.0]))
     assert by_perspective
-    assert found == pytest.approx(ratio, rel=1e-9)
+    assert estimate == pytest.approx(ratio, rel=1e-9)
 
 
 def test_a_rectangle_seen_from_above_shows_its_ratio_without_perspective():
-    found, by_perspective = side_ratio(camera_view(1.414, 0.0), np.array([640.0, 480.0]))
+    estimate, by_perspective = side_ratio(camera_view(1.414, 0.0), np.array([640.0, 480.0]))
     assert not by_perspective
-    assert found == pytest.approx(1.414, rel=1e-9)
+    assert estimate == pytest.approx(1.414, rel=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -169,11 +169,11 @@ def _grown(ridges: RidgePoints, free: Array, seed: int, window: float, gap: floa
         position = (ridges.places[members] - middle) @ along
         low, high = float(position.min()), float(position.max())
         reach = gap + max(4.0, min(0.5 * (high - low), 200.0))
-        found = _free(free, _band(ridges, middle, along, low - reach, high + reach, _BESIDE))
-        found = _continuous(found, (ridges.places[found] - middle) @ along, low, high, gap)
-        grew = len(found) > len(members) or step == 0
-        if len(found) >= 5:
-            members = found
+        candidates = _free(free, _band(ridges, middle, along, low - reach, high + reach, _BESIDE))
+        candidates = _continuous(candidates, (ridges.places[candidates] - middle) @ along, low, high, gap)
+        grew = len(candidates) > len(members) or step == 0
+        if len(candidates) >= 5:
+            members = candidates
             middle, along, _ = _line(ridges.places[members])
         if not grew:
             break

@@ -16,7 +16,7 @@ def homography(picture_points: Array, sheet_points: Array) -> Array:
     """Compute the homography that maps points of a picture to points of a sheet.
 
     Least squares of the direct linear transformation, with both sets of points centred and scaled (Hartley 1997). Four
-    points, of which no three lie on a line, determine the homography exactly.
+    points determine the homography exactly if no three of them lie on a line.
 
     Args:
         picture_points: pixels, shape (N, 2), N at least 4.
@@ -43,9 +43,9 @@ def homography(picture_points: Array, sheet_points: Array) -> Array:
     )
     _, singular, right = np.linalg.svd(rows)
     if singular[7] < 1e-9 * singular[0]:
-        raise InputError("need points of which no three lie on a line")
-    found = np.linalg.solve(to_sheet, right[-1].reshape(3, 3) @ to_picture)
-    return np.asarray(found / found[2, 2])
+        raise InputError("need points such that no three lie on a line")
+    scaled = np.linalg.solve(to_sheet, right[-1].reshape(3, 3) @ to_picture)
+    return np.asarray(scaled / scaled[2, 2])
 
 
 def _scaling(points: Array) -> Array:

@@ -14,7 +14,7 @@ from forficula.errors import InputError
 
 _BLOCKS = 32  # [chosen] blocks along the longer side in which the brightness of the paper is measured
 _BRIGHT = 65  # [chosen] percentile of the brightness in a block that is paper; lines may cover a third of a block
-_EVERY = 2  # pixels of which one is measured, along each axis
+_EVERY = 2  # pixels between measured pixels, along each axis
 _DARKEST = 0.08  # [chosen] brightness of paper below which colours are not distinguished
 _INK = 0.08  # [chosen] absorbed share above which a pixel counts as ink, at least
 _SMOOTH = 1.0  # pixels, of the smoothing before the width of lines is measured

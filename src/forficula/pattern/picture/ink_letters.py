@@ -29,7 +29,7 @@ _HUES: tuple[tuple[float, float, Ground], ...] = (
 _LETTERS: dict[Ground, str] = {"red": "M", "blue": "V", "yellow": "F", "green": "C", "magenta": "U"}
 _COLOURLESS, _COLOURED = 0.22, 0.4  # [chosen] saturation below and above which an ink is black or coloured
 _BLACK, _GREY = 0.8, 0.68  # [chosen] ink relative to the border's, above which it is black and below which grey
-# [chosen] least darkness of a border, and largest saturation of a crease, at which black and grey creases have a meaning:
+# [chosen] least darkness of a border, and largest saturation of a crease, at which black and grey have a meaning:
 # pictures of less contrast lose the colours of thin lines
 _CONTRAST, _GREY_SATURATION = 0.45, 0.18
 _SAME_WIDTH = 0.85  # [chosen] least width of a grey line relative to the border's: a thin black line looks grey, too

@@ -115,7 +115,7 @@ def _crossings(segments: Sequence[DrawnSegment], beyond: float) -> list[tuple[Ar
     reach = np.array([beyond + min(_GAPS * segment.longest_gap, 3 * beyond) for segment in segments])
     low = np.array([segment.ink_start for segment in segments]) - reach
     high = np.array([segment.ink_end for segment in segments]) + reach
-    found: list[tuple[Array, int, int]] = []
+    crossings: list[tuple[Array, int, int]] = []
     for one in range(len(segments)):
         others = np.arange(one + 1, len(segments))
         sine = along[one, 0] * along[others, 1] - along[one, 1] * along[others, 0]
@@ -125,13 +125,15 @@ def _crossings(segments: Sequence[DrawnSegment], beyond: float) -> list[tuple[Ar
             second = (offset[:, 0] * along[one, 1] - offset[:, 1] * along[one, 0]) / sine
         crosses = np.abs(sine) >= np.sin(_CROSSING)
         crosses &= (first >= low[one]) & (first <= high[one]) & (second >= low[others]) & (second <= high[others])
-        found += [(segments[one].place(float(first[k])), one, int(others[k])) for k in np.flatnonzero(crosses).tolist()]
+        crossings += [
+            (segments[one].place(float(first[k])), one, int(others[k])) for k in np.flatnonzero(crosses).tolist()
+        ]
         # lines that continue each other with a slight bend, or with another colour
         for k in np.flatnonzero(np.abs(sine) < np.sin(_CROSSING)).tolist():
             point = _continuation(segments[one], segments[int(others[k])], beyond)
             if point is not None:
-                found.append((point, one, int(others[k])))
-    return found
+                crossings.append((point, one, int(others[k])))
+    return crossings
 
 
 def _continuation(one: DrawnSegment, other: DrawnSegment, beyond: float) -> Array | None:

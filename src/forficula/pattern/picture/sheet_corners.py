@@ -10,7 +10,7 @@ from scipy.spatial import ConvexHull, QhullError
 
 from forficula.arrays import Array, Flags
 
-_COARSE = 400  # [chosen] pixels along the longer side of the picture in which the sheet is found
+_COARSE = 400  # [chosen] pixels along the longer side of the picture in which the sheet is intersections
 _LEAST_AREA, _MOST_AREA = 0.1, 0.98  # [chosen] of the picture
 _LEAST_CONTRAST = 0.12  # [chosen] difference of the brightness of sheet and ground
 _SAMPLES = 240  # positions along each side at which the edge is measured
@@ -155,10 +155,10 @@ def _refined(brightness: Array, corners: Array, reach: float) -> SheetCorners | 
         normal, distance, residual = fitted
         lines.append((normal, distance))
         residuals.append(residual)
-    found = []
+    intersections = []
     for (one, first), (other, second) in zip([lines[-1], *lines[:-1]], lines, strict=True):
-        found.append(np.linalg.solve(np.stack([one, other]), [first, second]))
-    return SheetCorners(corners=np.array(found), residual=float(np.sqrt(np.mean(np.square(residuals)))))
+        intersections.append(np.linalg.solve(np.stack([one, other]), [first, second]))
+    return SheetCorners(corners=np.array(intersections), residual=float(np.sqrt(np.mean(np.square(residuals)))))
 
 
 def _trimmed_line(points: Array) -> tuple[Array, float, float] | None:

@@ -8,7 +8,6 @@ from dataclasses import replace
 from typing import Literal
 
 import numpy as np
-from matplotlib.path import Path as Polygon
 from scipy import ndimage
 from scipy.spatial import cKDTree
 
@@ -75,8 +74,8 @@ def trace_picture(
     height, width = picture.pixels.shape[:2]
     if corners is not None:
         check_corners(corners, width, height)
-    found = find_corners(picture.pixels.mean(axis=2)) if rectify or corners is not None else None
-    inside = _searched(width, height, found, corners)
+    sheet = find_corners(picture.pixels.mean(axis=2)) if rectify or corners is not None else None
+    inside = _searched(width, height, sheet, corners)
     reduced, ink = _reduced_ink(picture.pixels, inside)
     ridges = ridge_points(ink)
     segments, left = drawn_segments(ridges, ink)
@@ -85,7 +84,7 @@ def trace_picture(
         raise InputError("need lines that meet, got none")
     places = _full(network.places, reduced)
     doubts: list[str] = []
-    frame = _frame(size, corners, found, places, (width, height), doubts)
+    frame = _frame(size, corners, sheet, places, (width, height), doubts)
     if frame is None and rectify:
         doubts.append(_NO_SHEET)
     upwards = np.array([[1.0, 0, 0], [0, -1.0, height - 1.0], [0, 0, 1]])
@@ -108,7 +107,7 @@ def trace_picture(
         points=points,
         source=source,
         corners=None if frame is None else frame[0],
-        found=found,
+        sheet=sheet,
         doubts=doubts,
     )
 
@@ -119,11 +118,11 @@ def _check_size(size: tuple[float, float | None]) -> None:
             raise InputError(f"size: need a length from 1 um to 1 km, got {length:g} m")
 
 
-def _searched(width: int, height: int, found: SheetCorners | None, corners: Array | None) -> Flags:
+def _searched(width: int, height: int, sheet: SheetCorners | None, corners: Array | None) -> Flags:
     """Return the pixels in which lines are searched: the sheet without its rim."""
     inside = np.zeros((height, width), dtype=bool)
-    if found is not None:
-        polygon, share = found.corners, -_RIM
+    if sheet is not None:
+        polygon, share = sheet.corners, -_RIM
     elif corners is not None:
         polygon, share = corners, _AROUND
     else:
@@ -136,8 +135,10 @@ def _searched(width: int, height: int, found: SheetCorners | None, corners: Arra
     low = np.clip(np.floor(moved.min(axis=0)).astype(int), 0, [width, height])
     high = np.clip(np.ceil(moved.max(axis=0)).astype(int) + 1, 0, [width, height])
     y, x = np.mgrid[low[1] : high[1], low[0] : high[0]]
-    grid = np.column_stack([x.ravel(), y.ravel()])
-    inside[low[1] : high[1], low[0] : high[0]] = Polygon(moved).contains_points(grid).reshape(y.shape)
+    within = np.ones(x.shape, dtype=bool)
+    for (left, top), (right, bottom) in zip(moved, np.roll(moved, -1, axis=0), strict=True):
+        within &= (right - left) * (y - top) >= (bottom - top) * (x - left)  # clockwise, because y is downwards
+    inside[low[1] : high[1], low[0] : high[0]] = within
     return inside
 
 
@@ -168,7 +169,7 @@ def _full(places: Array, reduced: int) -> Array:
 def _frame(
     size: tuple[float, float | None],
     corners: Array | None,
-    found: SheetCorners | None,
+    sheet: SheetCorners | None,
     places: Array,
     extent: tuple[int, int],
     doubts: list[str],
@@ -176,10 +177,10 @@ def _frame(
     """Return the corners of the sheet in the picture and in m; None where the picture is not rectified."""
     if corners is not None:
         reach = _SNAP * float(np.linalg.norm(corners[2] - corners[0]))
-        known = places if found is None else np.concatenate([found.corners, places])
+        known = places if sheet is None else np.concatenate([sheet.corners, places])
         used, _ = snapped_points(corners, known, reach)
-    elif found is not None:
-        used = found.corners
+    elif sheet is not None:
+        used = sheet.corners
     else:
         return None
     ratio, by_perspective = side_ratio(used, (np.array(extent) - 1) / 2)
@@ -230,7 +231,7 @@ def _trace_of(
     points: Array,
     source: CornerSource,
     corners: Array | None,
-    found: SheetCorners | None,
+    sheet: SheetCorners | None,
     doubts: list[str],
 ) -> Trace:
     """Collect the trace of a network of lines."""
@@ -265,7 +266,7 @@ def _trace_of(
         corners=()
         if corners is None
         else tuple(PicturePoint(x=x, y=y, what="corner of the sheet") for x, y in corners.tolist()),
-        corner_residual=found.residual if found is not None and source == "sheet" else None,
+        corner_residual=sheet.residual if sheet is not None and source == "sheet" else None,
         line_width=ink.line_width * reduced,
         line_residual=float(np.sqrt(np.mean([line.residual**2 for line in network.lines]))) * reduced,
         vertices=vertices,
@@ -377,11 +378,11 @@ def _left_over(
     # dots and letters that are not far from each other are one piece
     pairs = cKDTree(points).query_pairs(_APART * ink.line_width, output_type="ndarray")
     parts = parts_of(len(points), pairs)
-    found = []
+    pieces = []
     for part in np.flatnonzero(np.bincount(parts) >= _LEFT_OVER * ink.line_width + 2).tolist():
         x, y = _full(points[parts == part].mean(axis=0), reduced).tolist()
-        found.append(PicturePoint(x=x, y=y, what="ink that is no line of the pattern"))
-    return tuple(found)
+        pieces.append(PicturePoint(x=x, y=y, what="ink that is no line of the pattern"))
+    return tuple(pieces)
 
 
 def _ink_of_edges(ink: Ink, places: Array, edges: Indices) -> Array:

@@ -32,7 +32,7 @@ from forficula.show.style import (
 
 # colours of edges, as in other drawings of patterns; solid, because the photograph shows the dashes
 _COLOURS = {"M": VERMILION, "V": BLUE, "B": BLACK, "C": GREEN, "F": "0.45", "U": PURPLE}
-_MOST_PIXELS = 1000  # along the longer side of a drawn photograph
+_MOST_PIXELS = 800  # along the longer side of a drawn photograph
 _FADED = 0.45  # opacity of the photograph under the lines
 _AROUND = 0.06  # of the pattern's size, shown around it
 _WIDEST = 5.2  # inch
