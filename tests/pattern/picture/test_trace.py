@@ -2,6 +2,7 @@ import json
 import math
 from functools import cache
 
+import jsonschema
 import numpy as np
 import pytest
 
@@ -213,6 +214,7 @@ def test_the_command_writes_a_fold_file_that_designs_accept_and_a_report(tmp_pat
     out = tmp_path / "found.fold"
     main(["trace", str(tmp_path / "sheet.png"), "--size", size, "--straighten", "1 mm", "--out", str(out), "--json"])
     written = json.loads(capsys.readouterr().out)
+    jsonschema.validate(written, ff.results.json_schema("trace"))
     assert written["name"] == "sheet.png"
     assert written["straightening"]["largest_m"] < 1e-3
     assert len(written["vertices"]) == 16

@@ -370,8 +370,11 @@ def _left_over(
         along = places[other] - places[one]
         share = np.clip((points - places[one]) @ along / (along @ along), 0, 1)
         np.minimum(near, np.linalg.norm(places[one] + share[:, np.newaxis] * along - points, axis=1), out=near)
+    rows, columns = (np.array(ink.strength.shape) - 1).tolist()
     x, y = np.rint(points).astype(np.int64).T
-    inked = ink.strength[y, x] > _DARK * float(np.median(_ink_of_edges(ink, places, edges)))
+    inked = ink.strength[np.clip(y, 0, rows), np.clip(x, 0, columns)] > _DARK * float(
+        np.median(_ink_of_edges(ink, places, edges))
+    )
     points = points[(near > 1.5 * ink.line_width + 1) & inked]
     if not len(points):
         return ()
