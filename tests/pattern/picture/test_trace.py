@@ -5,6 +5,7 @@ from functools import cache
 import jsonschema
 import numpy as np
 import pytest
+from PIL import ImageDraw
 
 import forficula as ff
 from forficula import InputError
@@ -111,6 +112,16 @@ def test_a_missing_piece_of_the_border_is_no_border():
     rim = [edge for edge in trace.edges if "not a black border" in edge.doubt]
     assert rim
     assert {edge.letter for edge in rim} == {"U"}
+
+
+def test_words_beside_the_pattern_are_reported_and_not_part_of_it():
+    page, places, size = drawn_page(PATTERNS["waterbomb"], 600)
+    ImageDraw.Draw(page).text((30, 30), "Waterbomb base, 10 cm", fill=(0, 0, 0), font_size=24)
+    scan = scanned(page, places, size)
+    trace = ff.trace(scan.pixels, "10 cm", corners="none")
+    assert compared(PATTERNS["waterbomb"], scan, trace).complete
+    assert trace.free_ends
+    assert "not part of the pattern" in " ".join(trace.doubts)
 
 
 def test_lines_that_merge_at_the_hub_of_a_fan_are_doubtful():
