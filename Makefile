@@ -62,6 +62,7 @@ benchmarks: $(INSTALLED)  ## run every benchmark in its smallest size, as a chec
 	$(BIN)/python benchmarks/size.py --short
 	$(BIN)/python benchmarks/slow_ramps.py --fans 1
 	$(BIN)/python benchmarks/timestep.py --designs 1
+	$(BIN)/python benchmarks/tracing.py --small --pictures 2 --only pleats fan
 
 docs: $(INSTALLED_DOCS)  ## build the documentation into docs/_build/html; this runs everything that it shows
 	$(BIN)/python -m sphinx -W --keep-going -q -j 2 -d docs/_build/doctrees docs docs/_build/html

@@ -31,6 +31,7 @@ from .calls import run_study as run_study
 from .calls import save as save
 from .calls import sweep as sweep
 from .calls import tolerance as tolerance
+from .calls import trace as trace
 from .design import Design as Design
 from .design import load_design as load_design
 from .design import save_design as save_design

@@ -18,7 +18,7 @@ from typing import Annotated, Any
 
 from cyclopts import App, CycloptsError, Group, MissingArgumentError, Parameter, UnusedCliTokensError
 
-from forficula.commands import citations, designs, goals, landscapes, materials, parts, runs, schemas, studies
+from forficula.commands import citations, designs, goals, landscapes, materials, parts, runs, schemas, studies, tracing
 from forficula.commands.new import new
 from forficula.errors import InputError
 from forficula.names import listed
@@ -141,6 +141,15 @@ _COMMANDS = (
         call=designs.scale,
         group=_DESIGN,
         examples=("scale binder2025 --length 1/2 --out half.toml", "scale my-wing.toml --length 10"),
+    ),
+    _Command(
+        call=tracing.trace,
+        group=_DESIGN,
+        examples=(
+            'trace photograph.jpg --size "29.7 x 21 cm"',
+            'trace scan.png --size "20 cm" --corners none --out sheet.fold',
+        ),
+        has_json=True,
     ),
     _Command(
         call=materials.material,

@@ -238,6 +238,16 @@ KINDS: tuple[ResultKind, ...] = (
         marker="material.json",
         named_by="material",
     ),
+    ResultKind(
+        name="trace",
+        module="trace_folder",
+        classes=("Trace",),
+        data="trace.json",
+        json="trace",
+        shape="forficula.pattern.picture.trace:Trace",
+        marker="trace.json",
+        named_by="name",
+    ),
     ResultKind(name="bill of parts", module="parts_folder", classes=("PartSet",), data="bill.json", marker="bill.json"),
     ResultKind(
         name="optimisation",

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 from forficula.design import AnyDesign, as_design
+from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 
 if TYPE_CHECKING:
-    from forficula.pattern import PatternFacts
+    from forficula.pattern import PatternFacts, Trace
 
 
 def pattern_facts(design: AnyDesign | CreasePattern) -> PatternFacts:
@@ -24,3 +27,49 @@ def pattern_facts(design: AnyDesign | CreasePattern) -> PatternFacts:
     from forficula.pattern import pattern_facts as facts_of
 
     return facts_of(design if isinstance(design, CreasePattern) else design_pattern(as_design(design)))
+
+
+def trace(
+    picture: Any,
+    size: str | float | Sequence[float],
+    *,
+    corners: str | Sequence[Sequence[float]] | None = None,
+    straighten: str | float | None = None,
+) -> Trace:
+    """Trace a drawn crease pattern in a photograph, a scan or a drawing, as `forficula trace` does.
+
+    Args:
+        picture: path of a PNG or JPEG file, or an array of shape (height, width) or (height, width, 3) with whole
+            numbers from 0 to 255, or numbers from 0 to 1.
+        size: width and height of the sheet whose corners are found or given, such as "29.7 x 21 cm" or (0.297, 0.21) in
+            m. One length is that of its longer side; the other side is then estimated. Without corners the size is that
+            of the pattern.
+        corners: corners of the sheet, x and y in pixels from the upper left corner of the picture, clockwise from the
+            upper left one; "none" for a scan. If not given, they are found where the sheet is brighter than its ground.
+        straighten: largest movement, such as "0.5 mm" or in m, by which vertices may move to make the pattern exactly
+            symmetric and flat-foldable. By default nothing moves.
+
+    Raises:
+        InputError: a picture that cannot be read, a size or corners that are not allowed, no lines that enclose faces,
+            or a movement beyond `straighten`.
+
+    >>> import numpy as np
+    >>> drawing = np.full((300, 400), 255)
+    >>> drawing[[50, 51, 250, 251], 50:352] = 0
+    >>> drawing[50:252, [50, 51, 200, 201, 350, 351]] = 0
+    >>> ff.trace(drawing, "15 cm", corners="none")
+    <Trace of a picture: 6 vertices, 7 edges, 1 doubtful>
+    """
+    from forficula.pattern.picture.picture_file import picture_of_array, read_picture
+    from forficula.pattern.picture.trace_options import read_corners, read_length, read_size
+    from forficula.pattern.picture.trace_picture import straightened_trace, trace_picture
+
+    lengths = read_size(size)
+    places, rectify = read_corners(corners)
+    tolerance = None if straighten is None else read_length(straighten, "straighten")
+    shown = read_picture(picture) if isinstance(picture, str | os.PathLike) else picture_of_array(picture)
+    try:
+        traced = trace_picture(shown, lengths, places, rectify=rectify)
+    except InputError as error:
+        raise InputError(f"{shown.name}: {error}" if shown.name else str(error)) from None
+    return traced if tolerance is None else straightened_trace(traced, tolerance)

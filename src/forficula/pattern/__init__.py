@@ -6,6 +6,7 @@ _PUBLIC = (
     "CreasePattern",
     "EarwigFan",
     "PatternFacts",
+    "Trace",
     "earwig_pattern",
     "read_fold",
     "read_folded_frames",

@@ -73,5 +73,8 @@ from .kinematics import degree4_fold_angles as degree4_fold_angles
 from .kinematics import fan_fold_angles as fan_fold_angles
 from .kinematics import folded_coordinates as folded_coordinates
 from .kinematics import folded_frames as folded_frames
+from .picture.picture_file import Picture as Picture
+from .picture.trace import Trace as Trace
+from .picture.trace import write_trace as write_trace
 from .triangulation import Triangulation as Triangulation
 from .triangulation import triangulated as triangulated

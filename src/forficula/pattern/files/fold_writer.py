@@ -27,6 +27,8 @@ def write_fold(
     *,
     frames: Sequence[Frame] = (),
     extra: Mapping[str, Sequence[object]] | None = None,
+    description: str = "",
+    metadata: Mapping[str, object] | None = None,
 ) -> None:
     """Write a pattern, and folded states of it, to a FOLD 1.2 file.
 
@@ -42,6 +44,9 @@ def write_fold(
             nan where there is none.
         extra: further values of the vertices, edges or faces, numbers, text or None, by key, such as "edges_stiffness".
             In the file the keys are in the namespace "forficula:", which other programs ignore.
+        description: description of the frame for readers, such as its source.
+        metadata: further values of the whole file that JSON can contain, by key, such as "picture". In the file the
+            keys are in the namespace "forficula:".
 
     Raises:
         InputError: a folded state has another shape or positions that are not finite, `extra` has another number of
@@ -62,6 +67,10 @@ def write_fold(
         "faces_vertices": [list(face) for face in pattern.faces_vertices],
         ROLES: list(pattern.edges_role),
     }
+    if description:
+        document["frame_description"] = description
+    for key, value in (metadata or {}).items():
+        document[f"forficula:{key}"] = value
     for key, values in (extra or {}).items():
         document[f"forficula:{key}"] = _own_values(pattern, key, values)
     if frames:
