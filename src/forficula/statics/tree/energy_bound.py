@@ -148,16 +148,24 @@ class EnergyBound:
 def has_bound(structure: Structure, torques: Array) -> bool:
     """Return whether energies of hinges bound the energy of a structure from below, and its energy only decreases.
 
-    Weight, flow, contact and closures of loops can add energy, and the barrier of an element that yields decreases.
+    Weight, flow, contact and closures of loops can add energy, and the barrier of an element that yields or wears
+    decreases. Dry friction only takes energy. The energy of springs with other moments is not computed here.
     Hinges with torques need stops, because the potential of a torque is otherwise not bounded.
     """
     loaded = zip(structure.hinges, torques.tolist(), strict=True)
     return not (
         np.any(structure.gravity)
         or structure.medium is not None
-        or structure.contact is not None
+        or structure.has_contacts
         or structure.closures
-        or any(hinge.flaps is not None or math.isfinite(hinge.yield_angle) for hinge in structure.hinges)
+        or any(
+            hinge.flaps is not None
+            or hinge.remembers
+            or math.isfinite(hinge.yield_angle)
+            or hinge.quadratic
+            or hinge.cubic
+            for hinge in structure.hinges
+        )
         or any(not math.isfinite(hinge.upper - hinge.lower) for hinge, torque in loaded if torque)
     )
 
