@@ -266,7 +266,11 @@ class Crease(Section):
     )
     branches: Annotated[tuple[CreaseBranch, ...], Field(description="Maxwell branches parallel to the spring")] = ()
     damage: Annotated[
-        CreaseDamage | None, Field(description="loss of the moment of a crease over many folds; none if not given")
+        CreaseDamage | None,
+        Field(
+            description="loss of the moment of a crease over many folds; none if not given",
+            examples=[{"loss": 0.3, "turn": "36000 deg"}],
+        ),
     ] = None
     damping: float | None = quantity(
         CREASE_DAMPING,
