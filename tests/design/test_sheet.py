@@ -451,7 +451,7 @@ def test_a_new_file_describes_every_key_and_gives_the_same_design(tmp_path):
     # with the angles of letter-fold, so that every goal lies within its stops
     angles = ("rest_angle", "fold_limit", "back_limit", "start")
     assert [getattr(group, key) for key in angles] == [getattr(LETTER.crease, key) for key in angles]
-    assert put(design, "crease.group", ()).hash == LETTER.hash
+    assert put(put(design, "crease.group", ()), "crease.branches", ()).hash == LETTER.hash
 
 
 def test_a_new_file_for_a_fold_file_has_no_values_of_a_particular_sheet(tmp_path):

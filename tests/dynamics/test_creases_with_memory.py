@@ -185,6 +185,8 @@ def test_a_group_switches_off_what_all_creases_have():
     hinge = structure_of(design).hinges[0]
     assert (hinge.yield_angle, hinge.hardening, hinge.branches, hinge.damage) == (np.inf, 0.0, (), None)
     assert with_values(strip(), design.as_tables()) == design
+    crease = changed("plates", laws=BRANCHES | DAMAGE, off={"crease.branches": "none", "crease.damage": "none"}).crease
+    assert (crease.branches, crease.damage) == ((), None)
 
 
 @pytest.mark.parametrize(

@@ -77,7 +77,7 @@ def _held(annotation: Any, section: Section | None, prefix: str) -> Iterator[Des
             yield _law(key, field, value)
         if isinstance(value, Section):
             yield from _held(field.annotation, value, f"{key}.")
-        elif isinstance(value, tuple) and not value:
+        elif (isinstance(value, tuple) and not value) or (section is not None and value is None and entry is not None):
             yield _empty(key, field, section_fields(entry))
         elif isinstance(value, tuple):
             for number, item in enumerate(value):

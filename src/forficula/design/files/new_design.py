@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -122,7 +122,9 @@ def _example(key: str, entry: FieldInfo) -> str:
 
 
 def _line(key: str, value: object) -> str:
-    """Return a key and its value on one line."""
+    """Return a key and its value on one line; a table is written inline."""
+    if isinstance(value, Mapping):
+        return f"{key} = {{ {', '.join(_line(inner, part) for inner, part in value.items())} }}"
     text = re.sub(r"\[\n\s+", "[", tomli_w.dumps({key: value}).strip())
     return re.sub(r",\n\s+", ", ", re.sub(r",\n\s*\]", "]", text))
 

@@ -85,6 +85,11 @@ def _without_branches(value: object) -> object:
     return () if value == NONE else value
 
 
+def _without_damage(value: object) -> object:
+    """Read the word that switches the damage of all creases off as an absent section."""
+    return None if value == NONE else value
+
+
 class CreaseBranch(Section):
     """A Maxwell branch of a crease: a spring and a damper in series."""
 
@@ -273,9 +278,18 @@ class Crease(Section):
         at_least=0,
         examples=["1e-3 N m/rad/m"],
     )
-    branches: Annotated[tuple[CreaseBranch, ...], Field(description="Maxwell branches parallel to the spring")] = ()
+    branches: Annotated[
+        tuple[CreaseBranch, ...],
+        BeforeValidator(_without_branches),
+        Field(description="Maxwell branches parallel to the spring"),
+    ] = ()
     damage: Annotated[
-        CreaseDamage | None, Field(description="loss of the moment of a crease over many folds; none if not given")
+        CreaseDamage | None,
+        BeforeValidator(_without_damage),
+        Field(
+            description="loss of the moment of a crease over many folds; none if not given",
+            examples=[{"loss": 0.3, "turn": "36000 deg"}],
+        ),
     ] = None
     damping: float | None = quantity(
         CREASE_DAMPING,

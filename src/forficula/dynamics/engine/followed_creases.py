@@ -59,6 +59,27 @@ class JointSprings:
 
 
 @dataclass(frozen=True, kw_only=True)
+class FollowedEngine:
+    """Writable numbers of one structure in the engine's model.
+
+    Attributes:
+        rows: of its flexes, (row, 17).
+        stiffness: of its joints, (joint,).
+        rests: rest positions of its springs, (position,).
+    """
+
+    rows: Array
+    stiffness: Array
+    rests: Array
+
+
+def followed_engine(engine: mujoco.MjModel) -> FollowedEngine:
+    """Return the writable numbers of an engine's model."""
+    stiffness = np.asarray(engine.jnt_stiffness).reshape(engine.njnt, -1)[:, 0]
+    return FollowedEngine(rows=engine_rows(engine), stiffness=stiffness, rests=np.asarray(engine.qpos_spring))
+
+
+@dataclass(frozen=True, kw_only=True)
 class FollowedCreases:
     """The creases of structures of one topology whose numbers in the engine are computed every few steps.
 
@@ -79,12 +100,12 @@ class FollowedCreases:
         )
 
     def update(
-        self, engines: Sequence[mujoco.MjModel], positions: Array, velocities: Array, efforts: Array, past: Past
+        self, engines: Sequence[FollowedEngine], positions: Array, velocities: Array, efforts: Array, past: Past
     ) -> tuple[Array, Array]:
         """Change the numbers of the engine's models for states of their structures.
 
         Args:
-            engines: models of the structures.
+            engines: numbers of the structures in the engine.
             positions: (structure, position).
             velocities: (structure, dof).
             efforts: settings of the motors, (structure, motor).
@@ -93,18 +114,19 @@ class FollowedCreases:
         Returns:
             Angles of the creases, rad, (structure, crease), and their memory, (slot, structure, crease).
         """
-        count = past.angles.shape[1] - (0 if self.springs is None else len(self.springs.joints))
         parts: list[tuple[Array, Array]] = []
+        count = past.angles.shape[1] - (0 if self.springs is None else len(self.springs.joints))
         if self.rows is not None:
-            angles, memory, values = self.rows.follow(positions, velocities, efforts, past.some(slice(count)))
+            flaps = past if self.springs is None else past.some(slice(count))
+            angles, memory, values = self.rows.follow(positions, velocities, efforts, flaps)
             for engine, numbers in zip(engines, values, strict=True):
-                engine_rows(engine)[self.rows.rows] = numbers
+                engine.rows[self.rows.rows] = numbers
             parts.append((angles, memory))
         if self.springs is not None:
             angles, memory, values = self.springs.follow(positions, efforts, past.some(slice(count, None)))
             for engine, (stiffness, rest) in zip(engines, values, strict=True):
-                engine.jnt_stiffness[self.springs.joints] = stiffness.reshape(-1, *engine.jnt_stiffness.shape[1:])
-                engine.qpos_spring[self.springs.positions] = rest
+                engine.stiffness[self.springs.joints] = stiffness
+                engine.rests[self.springs.positions] = rest
             parts.append((angles, memory))
         if len(parts) == 1:
             return parts[0]

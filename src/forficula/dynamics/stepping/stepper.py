@@ -21,7 +21,7 @@ from forficula.dynamics.energies.crease_moments import Past
 from forficula.dynamics.energies.energy import state_series
 from forficula.dynamics.engine.crease_rows import without_jump
 from forficula.dynamics.engine.drag import KINEMATICS, stacked_drag
-from forficula.dynamics.engine.followed_creases import FollowedCreases, followed_creases
+from forficula.dynamics.engine.followed_creases import FollowedCreases, followed_creases, followed_engine
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.warnings import quiet
 from forficula.dynamics.stepping.folds import joint_address, slide_name
@@ -107,6 +107,10 @@ class Stepper:
         # memory is reused, because fresh memory costs as much time as reading it
         self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
         self._creases = followed_creases(models)
+        # writable numbers of the engine's models
+        self._followed = [] if self._creases is None else [followed_engine(model) for model in self._models]
+        # durations of blocks of steps with constant numbers of creases, (structure, 1)
+        self._block_times = np.array([[model.followed * model.timestep] for model in models])
         # angles and memory of creases at the start of each block
         slots, blocks = 1 + len(self._past), chunk // models[0].followed
         self._blocks = deque([np.empty((slots, len(models), blocks, len(self._angles[0]))) for _ in range(2)])
@@ -392,10 +396,9 @@ class Stepper:
         The angles and memory before are those of the same states, or of states a block earlier if `later` is true.
         """
         position, velocity = self._motion(state)
-        models = [self._structures[row] for row in rows.tolist()]
-        block = np.array([[model.followed * model.timestep] for model in models])
+        block = self._block_times[rows]
         past = Past(angles=before[0], memory=before[1:], elapsed=block * later, block=block)
-        return creases.update([self._models[row] for row in rows.tolist()], position, velocity, efforts, past)
+        return creases.update([self._followed[row] for row in rows.tolist()], position, velocity, efforts, past)
 
 
 def _device_engine(

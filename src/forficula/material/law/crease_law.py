@@ -6,6 +6,7 @@ import copy
 import dataclasses
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -152,12 +153,12 @@ class CreaseLaw:
         if not np.all(np.isinf(self.yield_angle) | (np.asarray(self.hardening) < np.asarray(self.stiffness))):
             raise InputError("hardening: need a slope below the stiffness, got one that is not")
 
-    @property
+    @cached_property
     def yields(self) -> bool:
         """Return whether any crease yields."""
         return bool(np.isfinite(self.yield_angle).any())
 
-    @property
+    @cached_property
     def relaxes(self) -> bool:
         """Return whether any crease has a Maxwell branch."""
         return bool(np.any(np.where(np.isinf(self.branch_limit), self.branch_stiffness, 0.0)))
@@ -167,12 +168,12 @@ class CreaseLaw:
         """Return whether any crease has dry friction."""
         return bool(np.isfinite(self.branch_limit).any())
 
-    @property
+    @cached_property
     def wears(self) -> bool:
         """Return whether any crease loses its moment while it turns."""
         return bool(np.any(self.damage_loss))
 
-    @property
+    @cached_property
     def bends(self) -> bool:
         """Return whether the moment of any crease is a nonlinear function of its angle within its linear range."""
         return bool(np.any(self.quadratic) or np.any(self.cubic))
