@@ -10,6 +10,7 @@ from forficula.arrays import Array, Indices
 from forficula.dynamics.energies.crease_work import crease_works, displacement_force, engine_work, motor_travel
 from forficula.dynamics.energies.energy import CLAMPING_FIELDS, branch_losses, clamping_work, energy_of
 from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
+from forficula.dynamics.engine.contact import has_engine_contact
 from forficula.dynamics.engine.model import Model, joint_ranges
 from forficula.dynamics.stepping.steps import EngineState, Steps
 from forficula.structure import RestPath
@@ -92,14 +93,19 @@ class WorkBalance:
             before_step = np.concatenate([self._set[rows, None], torques[:, :-1]], axis=1)
             work, of_creases = self._driven(rows, steps, travel, torques, before_step)
             if "qfrc_applied" in steps.derived:
-                work["drag_work"] = np.sum(steps.derived["qfrc_applied"] * travel, axis=2)
+                drag = steps.derived["qfrc_applied"] - (0.0 if steps.contact is None else steps.contact)
+                work["drag_work"] = np.sum(drag * travel, axis=2)
+            touched = None if steps.contact is None else np.sum(steps.contact * travel, axis=2)
             if self._explicit:
                 work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
                 outside = [motor_work_name(number) for number in range(len(self._motors))]
                 done = sum((work[name] for name in (*outside, "drag_work") if name in work), np.zeros(travel.shape[:2]))
+                done = done if touched is None else done + touched
                 self._add_stops(work, done, rows, steps, taken)
             else:
                 self._add_losses(work, rows, steps, travel, of_creases)
+            if touched is not None:
+                work["contact_work"] = work.get("contact_work", 0.0) + touched
             if (self._models[0].hinge_creep >= 0).any():
                 self._add_yielding(work, rows, steps)
             for place, row in enumerate(rows.tolist()):
@@ -273,7 +279,7 @@ class WorkBalance:
             work["friction_work"] = np.sum(friction * travel, axis=2)
             constraints = constraints - friction
         work["stop_work"] = np.sum(constraints * travel, axis=2)
-        if self._models[0].structure.contact is not None:
+        if has_engine_contact(self._models[0].structure):
             self._add_contacts(work, rows, steps, travel)
 
     def _motor_travel(self, rows: Indices, position: Array, travel: Array, number: int) -> Array:

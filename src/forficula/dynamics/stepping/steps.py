@@ -40,6 +40,8 @@ class Steps:
         sets: permanent folds of the creases in every block, rad, (structure, block, crease); None without creases.
         sets_before: those before the first block, (structure, crease).
         followed: number of steps of a block.
+        contact: generalised forces of the contacts of facets and plates in each step, (structure, step, dof); None
+            without such contacts.
     """
 
     positions: int
@@ -54,6 +56,7 @@ class Steps:
     sets: Array | None = None
     sets_before: Array | None = None
     followed: int = 1
+    contact: Array | None = None
 
     @property
     def count(self) -> int:
