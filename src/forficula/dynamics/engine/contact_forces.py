@@ -37,6 +37,15 @@ _DEEPEST = 15 / 16
 _SKINS = (2.0, 0.1)
 # factor on the largest speed in the estimate of the number of steps without contact
 _FASTER = 2.0
+# [chosen] largest overlap as a share of the thickness: beyond it, parts may have passed through each other
+LARGEST_OVERLAP = 0.5
+# why a run with a larger overlap is unreliable
+OVERLAP_TEXT = (
+    "parts that touch overlap by {share} % of their thickness, so that they may have passed through each other: need a"
+    " contact.time_constant shorter than {constant} and a timestep that resolves it"
+)
+# largest number of steps without contact
+_MANY = 1000
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -210,7 +219,7 @@ class ContactForces:
         self._touching = [touching for model in models if (touching := touching_of(model)) is not None]
         self._neighbours: dict[int, _Neighbours] = {}
 
-    def forces(self, rows: Indices, position: Array, velocity: Array) -> tuple[Array, int]:
+    def forces(self, rows: Indices, position: Array, velocity: Array) -> tuple[Array, Array, int]:
         """Compute the generalised forces on structures, and the number of steps for which they hold.
 
         Args:
@@ -219,15 +228,16 @@ class ContactForces:
             velocity: of the engine, (structure, dof).
 
         Returns:
-            Forces, (structure, dof), and the number: 1 where something touches, else an estimate of the number of steps
+            Forces, (structure, dof), largest overlaps, (structure,), and the number: 1 where something touches, else an estimate of the number of steps
             until something touches, which `apart` checks.
         """
-        forces, steps = np.zeros_like(velocity), np.iinfo(np.int64).max
+        forces, overlaps, steps = np.zeros_like(velocity), np.zeros(len(rows)), _MANY
         for place, row in enumerate(rows.tolist()):
             # a diverging structure has no distances
             if np.isfinite(position[place]).all() and np.isfinite(velocity[place]).all():
-                steps = min(steps, self._push(row, position[place], velocity[place], forces[place]))
-        return forces, int(steps)
+                overlaps[place], count = self._push(row, position[place], velocity[place], forces[place])
+                steps = min(steps, count)
+        return forces, overlaps, steps
 
     def apart(self, rows: Indices, position: Array) -> bool:
         """Return whether nothing touched since the last call of `forces`, in which nothing touched.
@@ -244,8 +254,8 @@ class ContactForces:
                     return False
         return True
 
-    def _push(self, row: int, position: Array, velocity: Array, forces: Array) -> int:
-        """Add the forces on one structure, (dof,), and return the number of steps for which they hold."""
+    def _push(self, row: int, position: Array, velocity: Array, forces: Array) -> tuple[float, int]:
+        """Add the forces on one structure, (dof,); return its overlap and the number of steps for which they hold."""
         touching = self._touching[row]
         if touching.explicit:
             position = position.copy()
@@ -255,16 +265,19 @@ class ContactForces:
         nearest = near.pairs.nearest(places)
         overlaps = near.pairs.thickness - nearest.distances
         speeds = touching.velocities(pose, arms, velocity)
-        active = overlaps > 0
+        active, step = overlaps > 0, _FASTER * _largest(speeds) * touching.timestep
+        deepest = float(overlaps.max(initial=-np.inf))
+        if step > touching.contact.thickness and deepest > -step:
+            # parts could pass through each other within a step
+            deepest = max(deepest, touching.contact.thickness)
         if active.any():
             near.slack = 0.0
             pushes = _pushes(touching, near.pairs.some(active), nearest.some(active), places, speeds)
             forces += touching.loads(pose, arms, pushes)
-            return 1
+            return deepest, 1
         clear = min(-float(overlaps.max(initial=-np.inf)), touching.skin - 2 * _largest(places - near.listed_at))
         near.known_at, near.slack = places, clear / 2
-        step = _FASTER * _largest(speeds) * touching.timestep
-        return max(1, int(min(near.slack / step, 1e9))) if step else np.iinfo(np.int64).max
+        return max(deepest, 0.0), max(1, int(min(near.slack / step, _MANY))) if step else _MANY
 
     def _near(self, row: int, places: Array) -> _Neighbours:
         """Return the listed pairs of a structure; list them again if nodes have moved far."""

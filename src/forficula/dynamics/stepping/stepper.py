@@ -28,7 +28,7 @@ from forficula.dynamics.engine.plate_creases import PlateRows, plate_rows
 from forficula.dynamics.engine.warnings import quiet
 from forficula.dynamics.stepping.folds import joint_address, slide_name
 from forficula.dynamics.stepping.start_states import start_creases, start_folds, start_position, start_states
-from forficula.dynamics.stepping.steps import MOVING, SETS, STATE, EngineState, Steps
+from forficula.dynamics.stepping.steps import MOVING, SETS, STATE, EngineState, StepContacts, Steps
 from forficula.structure import RestShape
 
 if TYPE_CHECKING:
@@ -115,8 +115,9 @@ class Stepper:
             [np.empty((2, len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
         )
         self._contact = ContactForces(models) if touching_of(models[0]) is not None else None
+        memory = (len(models), chunk if self._contact else 0)
         self._contacts = deque(
-            [np.zeros((len(models), chunk if self._contact else 0, models[0].engine.nv)) for _ in range(2)]
+            [StepContacts(np.zeros((*memory, models[0].engine.nv)), np.zeros(memory)) for _ in range(2)]
         )
         self.threads = int(Batch(model, len(models), threads or usable_cores()).nthread)
         # least number of structures per worker, if there are enough
@@ -146,7 +147,7 @@ class Stepper:
         self._memory.rotate()
         self._blocks.rotate()
         self._contacts.rotate()
-        contacts = None if self._contact is None else self._contacts[0][: len(rows)]
+        contacts = None if self._contact is None else _some(self._contacts[0], slice(len(rows)))
         fields = {name: field[: len(rows)] for name, field in self._memory[0].items()}
         followed = None if self._structures[0].creases is None else self._blocks[0][:, : len(rows)]
         bounds = np.linspace(0, len(rows), self._parts(len(rows)) + 1).astype(int).tolist()
@@ -174,7 +175,7 @@ class Stepper:
                     {name: field[part] for name, field in fields.items()},
                     {name: field[part] for name, field in (late or {}).items()},
                     None if followed is None else followed[:, part],
-                    None if contacts is None else contacts[part],
+                    None if contacts is None else _some(contacts, part),
                 )
                 for part in parts
             ],
@@ -334,7 +335,7 @@ class Stepper:
         memory: Mapping[str | int, Array],
         late: Mapping[str, Array],
         followed: Array | None,
-        contacts: Array | None,
+        contacts: StepContacts | None,
     ) -> None:
         """Take a chunk of steps of some structures and write the results to memory.
 
@@ -380,7 +381,7 @@ class Stepper:
         controls: Array,
         memory: Mapping[str | int, Array],
         late: Mapping[str, Array],
-        contacts: Array,
+        contacts: StepContacts,
         block: slice,
     ) -> None:
         """Take a block of steps of structures whose parts may touch, step by step where they do."""
@@ -388,7 +389,7 @@ class Stepper:
         drag, begun = state[:, self._applied], block.start
         while begun < block.stop:
             position, velocity = self._motion(state)
-            forces, count = self._contact.forces(rows, position, velocity)
+            forces, overlaps, count = self._contact.forces(rows, position, velocity)
             state[:, self._applied] = drag + forces
             count = min(count, block.stop - begun)
             while True:
@@ -408,7 +409,7 @@ class Stepper:
                 values[:, steps] = out[name]
             for field, values in late.items():
                 values[:, steps] = of_late[field]
-            contacts[:, steps] = forces[:, None]
+            contacts.forces[:, steps], contacts.overlaps[:, steps] = forces[:, None], overlaps[:, None]
             state[:, self._moving] = ended
             begun += count
         state[:, self._applied] = drag
@@ -471,6 +472,11 @@ def _memory(models: Sequence[Model], names: Sequence[str], chunk: int, moving: i
     data = mujoco.MjData(models[0].engine)
     shapes = {MOVING: (moving,), **{name: getattr(data, name).shape for name in names}}
     return {name: np.empty((len(models), chunk, *shape)) for name, shape in shapes.items()}
+
+
+def _some(contacts: StepContacts, rows: slice) -> StepContacts:
+    """Select structures."""
+    return StepContacts(contacts.forces[rows], contacts.overlaps[rows])
 
 
 def _block(memory: Array, steps: int) -> Array:
