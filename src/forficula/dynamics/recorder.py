@@ -16,12 +16,11 @@ from forficula.dynamics.energies.work_balance import (
     motor_work_name,
 )
 from forficula.dynamics.engine.closures import APART_TEXT, LARGEST_GAP
-from forficula.dynamics.engine.contact_forces import LARGEST_OVERLAP, OVERLAP_TEXT
+from forficula.dynamics.engine.contact_forces import overlap_doubt
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.record import Record, StageEnd
 from forficula.dynamics.stepping.stage_plan import NEVER
 from forficula.dynamics.stepping.steps import SETS, EngineState, Steps
-from forficula.quantities import show_value
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -224,12 +223,8 @@ class Recorder:
 
     def _contact_doubt(self, account: Mapping[str, float]) -> str:
         """Return why the run is unreliable if parts that touch overlap by more than half their thickness."""
-        contact, overlap = self.model.structure.contact, account.get("contact_overlap", 0.0)
-        if contact is None or overlap <= LARGEST_OVERLAP * contact.thickness:
-            return ""
-        return OVERLAP_TEXT.format(
-            share=f"{100 * overlap / contact.thickness:.0f}", constant=show_value(contact.stops.time_constant, "s")
-        )
+        contact = self.model.structure.contact
+        return "" if contact is None else overlap_doubt(contact, account.get("contact_overlap", 0.0))
 
     def _works(self, account: Mapping[str, Array]) -> dict[str, Array]:
         """Return works and powers, those of all motors as one array each, (row, motor)."""

@@ -18,7 +18,7 @@ from forficula.design.section import SMALL_LENGTH
 from forficula.dynamics.engine.placement import Placement, Pose, placement_of
 from forficula.dynamics.stepping.start_states import start_position
 from forficula.errors import InputError
-from forficula.quantities import show_quantity
+from forficula.quantities import show_quantity, show_value
 from forficula.structure import Contact
 from forficula.structure.contact.distances import Nearest, crossing_share, row_cross
 from forficula.structure.contact.pairs import Pairs, near_pairs, parts_that_cross
@@ -38,12 +38,7 @@ _SKINS = (2.0, 0.1)
 # factor on the largest speed in the estimate of the number of steps without contact
 _FASTER = 2.0
 # [chosen] largest overlap as a share of the thickness: beyond it, parts may have passed through each other
-LARGEST_OVERLAP = 0.5
-# why a run with a larger overlap is unreliable
-OVERLAP_TEXT = (
-    "parts that touch overlap by {share} % of their thickness, so that they may have passed through each other: need a"
-    " contact.time_constant shorter than {constant} and a timestep that resolves it"
-)
+_LARGEST_OVERLAP = 0.5
 # largest number of steps without contact
 _MANY = 1000
 
@@ -162,6 +157,17 @@ def check_start(model: Model) -> None:
     need, got = sizes
     room = f"need <= {need}" if most > 0 else "need parts that are further apart"
     raise InputError(f"contact.thickness: {' and '.join(names)} are nearer than that at the start: {room}, got {got}")
+
+
+def overlap_doubt(contact: Contact, overlap: float) -> str:
+    """Return why a run in which parts overlapped by a length, m, is unreliable; empty for a slight overlap."""
+    if overlap <= _LARGEST_OVERLAP * contact.thickness:
+        return ""
+    return (
+        f"parts that touch overlap by {100 * overlap / contact.thickness:.0f} % of their thickness, so that they may have"
+        " passed through each other: need a contact.time_constant shorter than"
+        f" {show_value(contact.stops.time_constant, 's')} and a timestep that resolves it"
+    )
 
 
 def _mobilities(touching: Touching) -> Array:
