@@ -6,6 +6,7 @@ meet at a vertex pass through each other, and parallel triangles that cover each
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 from dataclasses import dataclass, replace
@@ -54,6 +55,7 @@ class Touching:
         carriers: number of the body of each node, (node,); the number of bodies for the ground.
         places: positions of the nodes in the axes of their bodies, (node, 3).
         mobilities: largest acceleration of each node per force on it, as built, (node,).
+        levers: largest distance of a node from the axis of each joint in any shape, (joint,).
         skin: distance within which pairs are listed.
         timestep: of the model.
         engine: the compiled model.
@@ -66,6 +68,7 @@ class Touching:
     carriers: Indices
     places: Array
     mobilities: Array
+    levers: Array
     skin: float
     timestep: float
     engine: mujoco.MjModel
@@ -84,6 +87,17 @@ class Touching:
             np.concatenate([values, np.zeros((1, 3))])[self.carriers] for values in self.placement.rates(pose, velocity)
         )
         return moves + row_cross(turns, arms)
+
+    def most_moved(self, shift: Array) -> float:
+        """Return an upper bound of the motion of any node for a change of the position, or a velocity, (position,).
+
+        It is infinite if bodies turn freely.
+        """
+        if len(self.placement.free):
+            return np.inf
+        slides = self.placement.slides
+        slid = float(np.abs(shift[slides[slides >= 0]]).max(initial=0.0)) * math.sqrt(3)
+        return slid + float(np.abs(shift[self.placement.hinges]) @ self.levers)
 
     def loads(self, pose: Pose, arms: Array, forces: Array) -> Array:
         """Return the generalised forces of forces on the nodes, (dof,)."""
@@ -110,6 +124,7 @@ def touching_of(model: Model) -> Touching | None:
         carriers=carriers,
         places=np.array([point.place for point in points]),
         mobilities=np.zeros(len(points)),
+        levers=np.zeros(0),
         skin=0.0,
         timestep=model.timestep,
         engine=model.engine,
@@ -121,8 +136,20 @@ def touching_of(model: Model) -> Touching | None:
     return replace(
         touching,
         mobilities=_mobilities(touching),
+        levers=_levers(touching),
         skin=max(_SKINS[0] * contact.thickness, _SKINS[1] * length),
     )
+
+
+def _levers(touching: Touching) -> Array:
+    """Return the largest distance of a node from the axis of each joint in any shape, (joint,)."""
+    placement = touching.placement
+    radii = np.zeros(len(placement.parents) + 1)
+    np.maximum.at(radii, touching.carriers, np.linalg.norm(touching.places, axis=1))
+    for level in reversed(placement.levels[1:]):
+        reach = np.linalg.norm(placement.positions[level], axis=1) + radii[level]
+        np.maximum.at(radii, placement.parents[level], reach)
+    return radii[placement.hinged]
 
 
 def check_start(model: Model) -> None:
@@ -200,12 +227,14 @@ class _Neighbours:
         listed_at: positions of the nodes when the pairs were listed, (node, 3).
         pairs: the pairs.
         known_at: positions of the nodes when their distances were last computed, (node, 3).
+        position: position of the engine at that moment, (position,).
         slack: distance by which every node could then move without touching.
     """
 
     listed_at: Array
     pairs: Pairs
     known_at: Array
+    position: Array
     slack: float = 0.0
 
 
@@ -255,6 +284,8 @@ class ContactForces:
         for place, row in enumerate(rows.tolist()):
             near = self._neighbours.get(row)
             if near is not None and np.isfinite(position[place]).all():
+                if self._touching[row].most_moved(position[place] - near.position) <= near.slack:
+                    continue
                 _, places, _ = self._touching[row].nodes(position[place])
                 if _largest(places - near.known_at) > near.slack:
                     return False
@@ -262,7 +293,12 @@ class ContactForces:
 
     def _push(self, row: int, position: Array, velocity: Array, forces: Array) -> tuple[float, int]:
         """Add the forces on one structure, (dof,); return its overlap and the number of steps for which they hold."""
-        touching = self._touching[row]
+        touching, near = self._touching[row], self._neighbours.get(row)
+        if near is not None and near.slack:
+            left = near.slack - touching.most_moved(position - near.position)
+            step = _FASTER * touching.most_moved(self._rates(row, velocity)) * touching.timestep
+            if left > step:
+                return 0.0, int(min(left / step, _MANY)) if step else _MANY
         if touching.explicit:
             position = position.copy()
             mujoco.mj_integratePos(touching.engine, position, velocity, touching.timestep / 2)
@@ -282,15 +318,21 @@ class ContactForces:
             forces += touching.loads(pose, arms, pushes)
             return deepest, 1
         clear = min(-float(overlaps.max(initial=-np.inf)), touching.skin - 2 * _largest(places - near.listed_at))
-        near.known_at, near.slack = places, clear / 2
+        near.known_at, near.position, near.slack = places, position, clear / 2
         return max(deepest, 0.0), max(1, int(min(near.slack / step, _MANY))) if step else _MANY
+
+    def _rates(self, row: int, velocity: Array) -> Array:
+        """Return the rates of the numbers of a position, where no body turns freely, (position,)."""
+        return velocity[self._touching[row].placement.velocities]
 
     def _near(self, row: int, places: Array) -> _Neighbours:
         """Return the listed pairs of a structure; list them again if nodes have moved far."""
         touching, near = self._touching[row], self._neighbours.get(row)
         if near is None or 2 * _largest(places - near.listed_at) >= touching.skin:
             pairs = near_pairs(touching.parts, places, touching.skin)
-            near = self._neighbours[row] = _Neighbours(listed_at=places, pairs=pairs, known_at=places)
+            near = self._neighbours[row] = _Neighbours(
+                listed_at=places, pairs=pairs, known_at=places, position=np.zeros(0)
+            )
         return near
 
 

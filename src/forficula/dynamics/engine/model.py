@@ -39,7 +39,7 @@ from forficula.structure import Measure, Structure, structure_of
 # a step of more bodies takes tens of milliseconds and gigabytes
 _MOST_BODIES = 2002
 # number of steps at a time without contact
-_BETWEEN_CONTACTS = 20
+_BETWEEN_CONTACTS = 100
 
 
 @dataclass(frozen=True, kw_only=True)
