@@ -10,7 +10,8 @@ import forficula as ff
 from forficula.analysis.contact_overlap import contact_overlap, overlap_of
 from forficula.analysis.run_warnings import run_warnings
 from forficula.dynamics import compile_model, with_timestep
-from forficula.dynamics.engine.contact_forces import ContactForces, touching_of
+from forficula.dynamics.engine.contact_forces import ContactForces
+from forficula.dynamics.engine.touching import touching_of
 from forficula.errors import InputError
 from forficula.structure import built_points, structure_of
 from forficula.structure.contact.distances import crossing_share, node_from_triangle, side_from_side
