@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import mujoco
 import numpy as np
@@ -20,6 +21,18 @@ STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
 MOVING = STATE & ~mujoco.mjtState.mjSTATE_USER.value
 # name of the memory of creases among the fields of a state
 MEMORY = "crease_memory"
+
+
+class StepContacts(NamedTuple):
+    """Contacts of facets and plates in steps of structures, in their models' units.
+
+    Attributes:
+        forces: generalised forces in each step, (structure, step, dof).
+        overlaps: largest overlap in each step as a share of the thickness, (structure, step).
+    """
+
+    forces: Array
+    overlaps: Array
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,6 +55,7 @@ class Steps:
         memory: of the creases in every block, see `CreaseLaw`, (slot, structure, block, crease); None without creases.
         memory_before: that before the first block, (slot, structure, crease).
         followed: number of steps of a block.
+        contact: contacts of facets and plates; None without such contacts.
     """
 
     positions: int
@@ -56,6 +70,7 @@ class Steps:
     memory: Array | None = None
     memory_before: Array | None = None
     followed: int = 1
+    contact: StepContacts | None = None
 
     @property
     def count(self) -> int:

@@ -1,0 +1,225 @@
+"""Contact forces between facets, plates and bars, as generalised forces on the engine's velocities.
+
+The engine's own contact of flexes is not used for facets: it ignores triangles that share a node, so that facets that
+meet at a vertex pass through each other, and parallel triangles that cover each other do not repel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import mujoco
+import numpy as np
+
+from forficula.arrays import Array, Indices
+from forficula.dynamics.engine.touching import Touching, touching_of
+from forficula.structure import Contact
+from forficula.structure.contact.distances import Nearest, crossing_share
+from forficula.structure.contact.pairs import Pairs, near_pairs
+
+if TYPE_CHECKING:
+    from forficula.dynamics.engine.model import Model
+
+# squared sine of the angle of two sides, below which their contact fades, because nodes and triangles replace it
+_PARALLEL = 0.01
+# share of the thickness up to which the force grows as that of the law; beyond, it grows linearly
+_DEEPEST = 15 / 16
+# factor on the largest speed in the estimate of the number of steps without contact
+_FASTER = 2.0
+# largest number of steps without contact
+_MANY = 1000
+
+
+@dataclass(kw_only=True, eq=False)
+class _Neighbours:
+    """Listed pairs of one structure.
+
+    Attributes:
+        listed_at: positions of the nodes when the pairs were listed, (node, 3).
+        pairs: the pairs.
+        known_at: positions of the nodes when their distances were last computed, (node, 3).
+        position: position of the engine at that moment, (position,).
+        slack: distance by which every node could then move without touching.
+    """
+
+    listed_at: Array
+    pairs: Pairs
+    known_at: Array
+    position: Array
+    slack: float = 0.0
+
+
+class ContactForces:
+    """Contact forces on structures of one topology.
+
+    The law of a pair at a distance d of its middle surfaces, with touching distance t and s = 1 - d / t > 0, is that of
+    `Stops` for slight overlaps: the energy is k t^2 (-s - ln(1 - s)) with k = m / (T zeta)^2, its force k t s / (1 - s)
+    grows without bound as middle surfaces approach each other. The damper has the constant 2 m / T. 1 / m is the sum of
+    the mobilities of both shapes. The force never pulls. Friction is that of Coulomb; below its limit it is a damper
+    with the same constant. Where n pairs push one body, dampers have the factor 1 / sqrt(n), so that the damping ratio
+    stays the same.
+    """
+
+    def __init__(self, models: Sequence[Model]) -> None:
+        """Prepare for structures in their start states."""
+        self._touching = [touching for model in models if (touching := touching_of(model)) is not None]
+        self._neighbours: dict[int, _Neighbours] = {}
+
+    def forces(self, rows: Indices, position: Array, velocity: Array) -> tuple[Array, Array, int]:
+        """Compute the generalised forces on structures, and the number of steps for which they hold.
+
+        Args:
+            rows: numbers of the structures.
+            position: of the engine, (structure, position).
+            velocity: of the engine, (structure, dof).
+
+        Returns:
+            Forces, (structure, dof), largest overlaps as shares of the thickness, (structure,), and the number of
+            steps: 1 where something touches, else an estimate of the number of steps until something touches, which
+            `apart` checks.
+        """
+        forces, overlaps, steps = np.zeros_like(velocity), np.zeros(len(rows)), _MANY
+        for place, row in enumerate(rows.tolist()):
+            # a diverging structure has no distances
+            if np.isfinite(position[place]).all() and np.isfinite(velocity[place]).all():
+                overlaps[place], count = self._push(row, position[place], velocity[place], forces[place])
+                steps = min(steps, count)
+        return forces, overlaps, steps
+
+    def apart(self, rows: Indices, position: Array) -> bool:
+        """Return whether nothing touched since the last call of `forces`, in which nothing touched.
+
+        Args:
+            rows: numbers of the structures.
+            position: present positions of the engine, (structure, position).
+        """
+        for place, row in enumerate(rows.tolist()):
+            near = self._neighbours.get(row)
+            if near is not None and np.isfinite(position[place]).all():
+                if self._touching[row].most_moved(position[place] - near.position) <= near.slack:
+                    continue
+                _, places, _ = self._touching[row].nodes(position[place])
+                if _largest(places - near.known_at) > near.slack:
+                    return False
+        return True
+
+    def _push(self, row: int, position: Array, velocity: Array, forces: Array) -> tuple[float, int]:
+        """Add the forces on one structure, (dof,); return its overlap and the number of steps for which they hold."""
+        touching, near = self._touching[row], self._neighbours.get(row)
+        if near is not None and near.slack:
+            left = near.slack - touching.most_moved(position - near.position)
+            step = _FASTER * touching.most_moved(self._rates(row, velocity)) * touching.timestep
+            if left > step:
+                return 0.0, int(min(left / step, _MANY)) if step else _MANY
+        if touching.explicit:
+            position = position.copy()
+            mujoco.mj_integratePos(touching.engine, position, velocity, touching.timestep / 2)
+        pose, places, arms = touching.nodes(position)
+        near = self._near(row, places)
+        nearest = near.pairs.nearest(places)
+        overlaps = near.pairs.thickness - nearest.distances
+        speeds = touching.velocities(pose, arms, velocity)
+        active, step = overlaps > 0, _FASTER * _largest(speeds) * touching.timestep
+        deepest = float((overlaps / near.pairs.thickness).max(initial=0.0))
+        gap = -float(overlaps.max(initial=-np.inf))
+        if step > near.pairs.thickness.min(initial=np.inf) and gap < step:
+            # parts could pass through each other within a step
+            deepest = max(deepest, 1.0)
+        if active.any():
+            near.slack = 0.0
+            pushes = _pushes(touching, near.pairs.some(active), nearest.some(active), places, speeds)
+            forces += touching.loads(pose, arms, pushes)
+            return deepest, 1
+        clear = min(gap, touching.skin - 2 * _largest(places - near.listed_at))
+        near.known_at, near.position, near.slack = places, position, clear / 2
+        return deepest, max(1, int(min(near.slack / step, _MANY))) if step else _MANY
+
+    def _rates(self, row: int, velocity: Array) -> Array:
+        """Return the rates of the numbers of a position, where no body turns freely, (position,)."""
+        return velocity[self._touching[row].placement.velocities]
+
+    def _near(self, row: int, places: Array) -> _Neighbours:
+        """Return the listed pairs of a structure; list them again if nodes have moved far."""
+        touching, near = self._touching[row], self._neighbours.get(row)
+        if near is None or 2 * _largest(places - near.listed_at) >= touching.skin:
+            pairs = near_pairs(touching.parts, places, touching.skin)
+            near = self._neighbours[row] = _Neighbours(
+                listed_at=places, pairs=pairs, known_at=places, position=np.zeros(0)
+            )
+        return near
+
+
+def _pushes(touching: Touching, pairs: Pairs, nearest: Nearest, places: Array, speeds: Array) -> Array:
+    """Compute the forces of touching pairs on all nodes, (node, 3).
+
+    Args:
+        touching: the structure.
+        pairs: pairs that touch.
+        nearest: their nearest points.
+        places: positions of all nodes, (node, 3).
+        speeds: velocities of all nodes, (node, 3).
+    """
+    contact, nodes = touching.contact, pairs.nodes
+    weights, normals = nearest.weights, nearest.normals
+    first = np.where(np.arange(4) < np.where(np.arange(len(nodes)) < pairs.of_triangles, 1, 2)[:, None], 1, 0)
+    on_nodes = touching.mobilities[nodes]
+    mobility = np.where(first, on_nodes, 0).max(axis=1) + np.where(first, 0, on_nodes).max(axis=1)
+    mass = 1 / np.maximum(mobility, np.finfo(float).tiny)
+    mass[mobility <= 0] = 0.0
+    energy, push = _law(mass, 1 - nearest.distances / pairs.thickness, pairs.thickness, contact)
+    # parallel sides have no definite nearest points
+    faded, gradient = _fading(pairs, places)
+    moving = np.einsum("pk,pkx->px", weights, speeds[nodes])
+    along = np.einsum("px,px->p", moving, normals)
+    damper = faded * 2 * mass / contact.stops.time_constant / np.sqrt(_crowd(touching, nodes, weights))
+    total = np.maximum(faded * push - damper * along, 0.0)
+    vectors = total[:, None] * normals
+    if contact.friction:
+        sliding = moving - along[:, None] * normals
+        speed = np.linalg.norm(sliding, axis=1)
+        resistance = np.minimum(damper, contact.friction * total / np.maximum(speed, np.finfo(float).tiny))
+        vectors = vectors - resistance[:, None] * sliding
+    shares = weights[:, :, None] * vectors[:, None] - energy[:, None, None] * gradient
+    pushes = np.zeros_like(places)
+    np.add.at(pushes, nodes, shares)
+    return pushes
+
+
+def _law(mass: Array, depth: Array, thickness: Array, contact: Contact) -> tuple[Array, Array]:
+    """Return energies and forces of pairs, (pair,), for overlaps `depth` as shares of the thickness."""
+    stiffness = mass / (contact.stops.time_constant * contact.stops.damping_ratio) ** 2
+    within = np.minimum(depth, _DEEPEST)
+    beyond = depth - within
+    push = within / (1 - within) + beyond / (1 - _DEEPEST) ** 2
+    energy = -within - np.log1p(-within) + beyond * (within / (1 - within) + beyond / (2 * (1 - _DEEPEST) ** 2))
+    return stiffness * thickness**2 * energy, stiffness * thickness * push
+
+
+def _fading(pairs: Pairs, places: Array) -> tuple[Array, Array]:
+    """Return the share of the contact of pairs that acts, (pair,), and its gradient by the corners, (pair, 4, 3)."""
+    share, gradient = np.ones(len(pairs.nodes)), np.zeros((len(pairs.nodes), 4, 3))
+    if pairs.of_triangles == len(pairs.nodes):
+        return share, gradient
+    square, slope = crossing_share(places[pairs.nodes[pairs.of_triangles :]])
+    relative = np.minimum(square / _PARALLEL, 1.0)
+    share[pairs.of_triangles :] = relative * (2 - relative)
+    gradient[pairs.of_triangles :] = (2 * (1 - relative) / _PARALLEL)[:, None, None] * slope
+    return share, gradient
+
+
+def _crowd(touching: Touching, nodes: Indices, weights: Array) -> Indices:
+    """Return for each pair the largest number of pairs that push one of its bodies, (pair,)."""
+    bodies = touching.carriers[nodes]
+    pushed = np.zeros((len(nodes), len(touching.placement.parents) + 1), dtype=bool)
+    np.logical_or.at(pushed, (np.arange(len(nodes))[:, None], bodies), weights != 0)
+    pushed[:, -1] = False
+    counts = pushed.sum(axis=0)
+    crowd: Indices = np.maximum(np.where(weights != 0, counts[bodies], 1).max(axis=1), 1)
+    return crowd
+
+
+def _largest(vectors: Array) -> float:
+    """Return the length of the longest vector, (vector, 3)."""
+    return float(np.sqrt(np.einsum("vx,vx->v", vectors, vectors).max(initial=0.0)))
