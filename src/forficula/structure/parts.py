@@ -85,19 +85,22 @@ class Bar:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Plate:
-    """A flat polygon of uniform thickness.
+    """A flat polygon of uniform thickness, or convex solids.
 
     Attributes:
         body: number of the body.
-        points: numbers of the corners, points of that body, in order.
+        points: numbers of the corners of the mid-plane, points of that body, in order.
         thickness: m.
         density: kg/m^3.
+        solids: numbers of the corners of convex solids that touch but do not overlap, points of that body; empty for a
+            prism over the mid-plane.
     """
 
     body: int
     points: tuple[int, ...]
     thickness: float
     density: float
+    solids: tuple[tuple[int, ...], ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -29,6 +29,7 @@ class SheetDesign(Design):
     weight_sections: ClassVar[tuple[str, ...]] = ("facet",)
     rest_keys: ClassVar[tuple[str, ...]] = (
         "pattern",
+        "facet.thickness",
         "crease",
         "support",
         "measure",

@@ -29,6 +29,7 @@ class FacetSection(Section):
     )
 
     natural: ClassVar[tuple[str, ...]] = ("stretch_damping",)
+    later: ClassVar[tuple[str, ...]] = ("thickness_method",)
 
     kind: Annotated[
         Literal["bars", "rigid", "membrane"],
@@ -38,6 +39,14 @@ class FacetSection(Section):
         ),
     ] = "bars"
     thickness: float | None = quantity(SMALL_LENGTH, "thickness", default=None, above=0)
+    thickness_method: Annotated[
+        Literal["none", "offset", "tapered", "hinge-shift"],
+        Field(
+            description="how rigid facets make room for their thickness. none: hinge axes lie in the mid-plane, and"
+            " panels overlap when folded; offset: panels are shifted from the plane of the axes; tapered: panels are"
+            " trimmed to the largest fold angle; hinge-shift: axes are shifted, for vertices of four creases"
+        ),
+    ] = "none"
     density: float | None = quantity(DENSITY, "density", default=None, above=0)
     youngs_modulus: float | None = quantity(MODULUS, "Young's modulus", default=None, above=0, examples=["2000 MPa"])
     poisson_ratio: Annotated[float | None, Field(strict=True, ge=0, lt=0.5, description="Poisson's ratio")] = Field(

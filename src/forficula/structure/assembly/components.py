@@ -55,7 +55,12 @@ def _bar(part: JoinedPart, bar: Bar) -> Bar:
 
 
 def _plate(part: JoinedPart, plate: Plate) -> Plate:
-    return replace(plate, body=part.body(plate.body), points=part.point_numbers(plate.points))
+    return replace(
+        plate,
+        body=part.body(plate.body),
+        points=part.point_numbers(plate.points),
+        solids=tuple(part.point_numbers(solid) for solid in plate.solids),
+    )
 
 
 def _mass(part: JoinedPart, mass: PointMass) -> PointMass:
