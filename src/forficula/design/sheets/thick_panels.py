@@ -25,14 +25,20 @@ def thick_panels(design: SheetDesign) -> ThickSheet | None:
     Raises:
         InputError: the method cannot give the sheet this thickness.
     """
-    method, sheet = design.facet.thickness_method, design.sheet
+    method = design.facet.thickness_method
     if method == "none":
         return None
+    return thick_sheet(design.sheet, design.settled().facet.thickness or 0.0, method, thick_limits(design))
+
+
+def thick_limits(design: SheetDesign) -> tuple[tuple[float, float], ...]:
+    """Return the least and the largest fold angle of every edge, valley positive, rad."""
+    sheet = design.sheet
     limits = [(0.0, 0.0)] * len(sheet.edges_vertices)
     for edge, crease in creases_by_edge(design).items():
         low, high = stops(design, edge, crease)
         limits[edge] = (low, high) if crease_sense(sheet, edge) > 0 else (-high, -low)
-    return thick_sheet(sheet, design.settled().facet.thickness or 0.0, method, tuple(limits))
+    return tuple(limits)
 
 
 def check_thickness(design: SheetDesign) -> None:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 import scipy
 
 from forficula.arrays import Array
+from forficula.pattern.geometry import polygon_normal
+from forficula.pattern.rotation import frame_along
 
 _SAME = 1e-9  # of unit vectors and, times the size of a solid, of its corners: rounding
 
@@ -66,6 +68,36 @@ def solid_within(normals: Array, offsets: Array, inside: Array) -> ConvexSolid |
         faces=_directions(normals[touched.sum(axis=0) > 2]),
         edges=_directions(np.array(edges)),
     )
+
+
+def solid_of(corners: Array) -> ConvexSolid:
+    """Return the convex hull of corners, m, (corner, 3), all of which are corners of the hull."""
+    faces = convex_faces(corners)
+    normals = [polygon_normal(corners[list(face)]) for face in faces]
+    sides = [corners[head] - corners[tail] for face in faces for tail, head in pairwise([*face, face[0]])]
+    return ConvexSolid(corners=corners, faces=_directions(np.array(normals)), edges=_directions(np.array(sides)))
+
+
+def convex_faces(corners: Array) -> list[tuple[int, ...]]:
+    """Return the faces of the convex hull of corners, (corner, 3), each with its corners counterclockwise from outside.
+
+    Triangles of the hull that lie in one plane are one face.
+    """
+    hull = scipy.spatial.ConvexHull(corners)
+    size = float(np.ptp(corners, axis=0).max())
+    planes: list[Array] = []
+    faces: list[tuple[int, ...]] = []
+    for equation in hull.equations:
+        if any(float(equation[:3] @ plane[:3]) > 1 - 1e-9 for plane in planes):
+            continue
+        planes.append(equation)
+        on_face = np.flatnonzero(corners @ equation[:3] + equation[3] > -1e-7 * size)
+        middle = corners[on_face].mean(axis=0)
+        across, along, _ = frame_along(equation[:3]).T
+        away = corners[on_face] - middle
+        order = np.argsort(np.arctan2(away @ along, away @ across))
+        faces.append(tuple(on_face[order].tolist()))
+    return faces
 
 
 def _directions(vectors: Array) -> Array:

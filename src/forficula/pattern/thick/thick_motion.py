@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern, is_unfolded
 from forficula.pattern.facet_tree import facet_tree
 from forficula.pattern.facts.rigid_folding import folded_as_assigned, senses
@@ -20,7 +19,7 @@ from forficula.pattern.thick.convex import ConvexSolid, overlap_depths
 
 _FLAT_FOLDABLE = 1e-6  # rad, largest alternating sum of sectors that counts as rounding
 # [chosen] number of poses at which the overlap of panels is computed
-_POSES = 24
+POSES = 24
 
 
 def facet_motions(
@@ -53,7 +52,7 @@ def built_angles(pattern: CreasePattern) -> Array:
     return np.where(senses(pattern) != 0, np.nan_to_num(built_fold_angles(pattern)), 0.0)
 
 
-def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]]) -> Array | None:
+def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]], poses: int = POSES) -> Array | None:
     """Compute fold angles from the flat sheet until the first crease reaches its limit, rad, (pose, edge).
 
     Around vertices of four creases that fold flat, the tangents of half the fold angles have constant ratios (Huffman
@@ -63,6 +62,7 @@ def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]]) -> 
     Args:
         pattern: flat or folded as built, with mountains, valleys and flat edges.
         limits: least and largest fold angle of every edge, valley positive, rad.
+        poses: number of poses, in equal steps of the largest fold angle; the flat one is left out.
 
     Returns:
         None if the path has no such closed form.
@@ -87,11 +87,50 @@ def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]]) -> 
     with np.errstate(divide="ignore"):
         last = float((np.tan(most[moving] / 2) / np.abs(ratios[moving])).min())
     largest = 2 * math.atan(last) if last < 1e12 else math.pi
-    shares = np.linspace(0.0, largest, _POSES + 1)[1:, None]
+    shares = np.linspace(0.0, largest, poses + 1)[1:, None]
     return np.asarray(2 * np.arctan2(ratios * np.sin(shares / 2), np.cos(shares / 2)))
 
 
-def deepest_overlap(panels: Sequence[Sequence[ConvexSolid]], motions: Sequence[Sequence[RigidMotion]]) -> tuple[float, tuple[int, int], int]:
+def panel_overlaps(
+    panels: Sequence[Sequence[ConvexSolid]], turns: Array, shifts: Array
+) -> Iterator[tuple[int, int, Array]]:
+    """Compute to what depth panels overlap in several poses.
+
+    Args:
+        panels: convex solids of each panel as built.
+        turns: rotations of the panels from the position as built, (pose, panel, 3, 3).
+        shifts: shifts after the rotations, m, (pose, panel, 3).
+
+    Yields:
+        The numbers of two panels whose surroundings overlap, and the depth in each pose, m, (pose,); 0 where the panels
+        do not overlap.
+    """
+    centres = [np.array([solid.corners.mean(axis=0) for solid in solids]) for solids in panels]
+    reaches = [
+        np.array([np.linalg.norm(solid.corners - middle, axis=1).max() for solid, middle in zip(*pair, strict=True)])
+        for pair in zip(panels, centres, strict=True)
+    ]
+    moved = [
+        np.einsum("pij,sj->psi", turns[:, panel], middles) + shifts[:, panel, None]
+        for panel, middles in enumerate(centres)
+    ]
+    for one, other in combinations(range(len(panels)), 2):
+        deepest = np.zeros(len(turns))
+        for first, solid in enumerate(panels[one]):
+            apart = np.linalg.norm(moved[other] - moved[one][:, first, None], axis=2)
+            near = apart < reaches[one][first] + reaches[other]
+            for second in np.flatnonzero(near.any(axis=0)).tolist():
+                rows = np.flatnonzero(near[:, second])
+                poses = [(turns[rows, panel], shifts[rows, panel]) for panel in (one, other)]
+                depths = overlap_depths(solid, poses[0], panels[other][second], poses[1])
+                deepest[rows] = np.maximum(deepest[rows], depths)
+        if deepest.any():
+            yield one, other, deepest
+
+
+def deepest_overlap(
+    panels: Sequence[Sequence[ConvexSolid]], motions: Sequence[Sequence[RigidMotion]]
+) -> tuple[float, tuple[int, int], int]:
     """Compute the largest depth to which two panels overlap.
 
     Args:
@@ -99,31 +138,12 @@ def deepest_overlap(panels: Sequence[Sequence[ConvexSolid]], motions: Sequence[S
         motions: motions of the panels in every pose, (pose, panel).
 
     Returns:
-        Depth, m, not above 0 if none overlap; numbers of the two panels; number of the pose.
+        Depth, m, 0 if none overlap; numbers of the two panels; number of the pose.
     """
     turns = np.array([[motion.rotation for motion in pose] for pose in motions])
     shifts = np.array([[motion.shift for motion in pose] for pose in motions])
-    centres = [np.array([solid.corners.mean(axis=0) for solid in solids]) for solids in panels]
-    reaches = [
-        np.array([np.linalg.norm(solid.corners - centre, axis=1).max() for solid, centre in zip(solids, middles, strict=True)])
-        for solids, middles in zip(panels, centres, strict=True)
-    ]
-    moved = [
-        np.einsum("pij,sj->psi", turns[:, panel], middles) + shifts[:, panel, None] for panel, middles in enumerate(centres)
-    ]
     deepest, pair, pose = 0.0, (0, 0), 0
-    for one, other in combinations(range(len(panels)), 2):
-        for first, solid in enumerate(panels[one]):
-            apart = np.linalg.norm(moved[other] - moved[one][:, first, None], axis=2)
-            near = apart < reaches[one][first] + reaches[other]
-            for second in np.flatnonzero(near.any(axis=0)).tolist():
-                rows = np.flatnonzero(near[:, second])
-                depths = overlap_depths(
-                    solid,
-                    (turns[rows, one], shifts[rows, one]),
-                    panels[other][second],
-                    (turns[rows, other], shifts[rows, other]),
-                )
-                if depths.max() > deepest:
-                    deepest, pair, pose = float(depths.max()), (one, other), int(rows[int(np.argmax(depths))])
+    for one, other, depths in panel_overlaps(panels, turns, shifts):
+        if depths.max() > deepest:
+            deepest, pair, pose = float(depths.max()), (one, other), int(np.argmax(depths))
     return deepest, pair, pose
