@@ -18,8 +18,8 @@ from forficula.structure import Plate, Structure, built_points
 
 # poses of a drawn fold path, between which fold angles are interpolated linearly
 _POSES = 120
-# growth of a solid from its middle, 0.1 um in 10 cm
-_GROWN = 1e-6
+# growth of a solid from its middle, 10 nm in 10 cm
+_GROWN = 1e-7
 
 
 def panel_parts(design: Design, structure: Structure) -> list[Part]:

@@ -54,7 +54,8 @@ def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
         columns = 1 if narrow else len(posed)
         figure, panels, below = _panels(width, pictures, paint_parts(taken, colours, view), columns)
         for axes, (title, angle) in zip(panels, posed, strict=True):
-            axes.set_title(f"{title}, {_degrees(angle)}" if len(posed) > 1 else title, pad=3)
+            shown = angle if parts.joints else -angle
+            axes.set_title(f"{title}, {_degrees(shown)}" if len(posed) > 1 else title, pad=3)
         _scale(panels[0])
         below.set_title("exploded view", pad=3 + 72 * 1.6 * _LINE)
         _scale(below)
