@@ -69,9 +69,7 @@ def facets_that_cross(record: Record) -> list[CrossingFacets]:
         (pieces.names[one], pieces.names[other], row) for one, other, row in _first_crossings(pieces, places[rows])
     ]
     crossings += _overlapping_solids(record.structure, places[rows])
-    result = [
-        CrossingFacets(names=(one, other), time=float(record.time[rows[row]])) for one, other, row in crossings
-    ]
+    result = [CrossingFacets(names=(one, other), time=float(record.time[rows[row]])) for one, other, row in crossings]
     return sorted([*_turned_through(record), *result], key=lambda crossing: crossing.time)
 
 

@@ -56,7 +56,13 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
         joints=joints,
         roots=(roots := () if part == "joint" else roots_of(structure, joints)),
         straps=(straps := strap_places(joints)),
-        parts=(*_bars(structure, joints, roots), *_pins(joints), *_straps(design, structure, straps), *_hub(roots), *panels),
+        parts=(
+            *_bars(structure, joints, roots),
+            *_pins(joints),
+            *_straps(design, structure, straps),
+            *_hub(roots),
+            *panels,
+        ),
         # thick panels are not cut from one sheet
         sheet=cut_sheet(design) if part == "sheet" or (part == "all" and not panels) else None,
         fold=panel_fold(design, structure) if panels else None,

@@ -114,8 +114,8 @@ def _of_plate(plate: Plate, corners: Array) -> tuple[float, Array, Array]:
 def _of_convex(corners: Array, density: float) -> tuple[float, Array, Array]:
     """Compute mass, centre and inertia of the convex hull of corners.
 
-    They are sums over the tetrahedra between a position inside and the triangles of the surface: for corners a, b, c
-    the volume is V = |a . (b x c)| / 6, and the second moment is V / 20 ((a + b + c) (a + b + c)' + a a' + b b' + c c').
+    They are sums over the tetrahedra between a position inside and the triangles of the surface. For corners a, b, c
+    the volume is V = |a . (b x c)| / 6, and the second moment V / 20 ((a + b + c) (a + b + c)' + a a' + b b' + c c').
     """
     inside = corners.mean(axis=0)
     triangles = (corners - inside)[scipy.spatial.ConvexHull(corners).simplices]

@@ -63,7 +63,7 @@ def check_thickness(design: SheetDesign) -> None:
             )
         if method == "tapered" and max(high, -low) >= math.pi:
             raise InputError(
-                f'{crease_key(design, edge, "fold_limit" if high >= math.pi else "back_limit")}: need < 180 deg with'
+                f"{crease_key(design, edge, 'fold_limit' if high >= math.pi else 'back_limit')}: need < 180 deg with"
                 f' {_KEY} = "tapered", which trims panels to this angle, got 180 deg at crease {edge}'
             )
     try:

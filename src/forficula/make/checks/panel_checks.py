@@ -28,7 +28,9 @@ def panel_checks(parts: PartSet) -> Iterator[Check]:
         return
     name, limit = "overlap of panels along the fold path", _ROUNDING * min(panel.volume for panel in panels)
     if parts.fold is None:
-        text = "not checked, because the fold path has no closed form; a run reports panels that pass through each other"
+        text = (
+            "not checked, because the fold path has no closed form; a run reports panels that pass through each other"
+        )
         yield Check(name=name, part=parts.design.name, ok=None, value=math.nan, limit=limit, unit="m^3", text=text)
         return
     rows = np.linspace(0, len(parts.fold) - 1, _POSES).astype(np.int64)
@@ -36,9 +38,7 @@ def panel_checks(parts: PartSet) -> Iterator[Check]:
     worst, pair, at = 0.0, "", 0
     for row, (frames, origins) in enumerate(zip(poses.frames, poses.origins, strict=True)):
         bodies = [panel.body or 0 for panel in panels]
-        moved = [
-            placed(panel.shape, frames[body], origins[body]) for panel, body in zip(panels, bodies, strict=True)
-        ]
+        moved = [placed(panel.shape, frames[body], origins[body]) for panel, body in zip(panels, bodies, strict=True)]
         for one, other in combinations(range(len(moved)), 2):
             volume = _overlap(moved[one], moved[other])
             if volume > worst:

@@ -42,7 +42,7 @@ def panel_parts(design: Design, structure: Structure) -> list[Part]:
 
 def _grown(corners: Array, count: int) -> Array:
     """Return the corners of one of several solids of a panel, so much larger that the solids overlap and unite."""
-    return corners + (_GROWN if count > 1 else 0.0) * (corners - corners.mean(axis=0))
+    return np.asarray(corners + (_GROWN if count > 1 else 0.0) * (corners - corners.mean(axis=0)))
 
 
 def _flat(plate: Plate, points: Array) -> Array:

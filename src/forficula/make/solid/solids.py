@@ -1,6 +1,6 @@
-"""Shapes of parts: rods, prisms and convex hulls, and their unions, differences and intersections, as a tree that kernels evaluate.
+"""Shapes of parts: rods, prisms and convex hulls, and their unions, differences and intersections.
 
-Lengths in m. Each shape is defined only once, so that two kernels can evaluate the same tree and be compared.
+They form a tree that kernels evaluate. Lengths in m. Each shape is defined only once, so that two kernels can evaluate the same tree and be compared.
 """
 
 from __future__ import annotations

@@ -21,9 +21,7 @@ _ROUNDING = 1e-9
 _MOST_PAIRS = 400
 
 
-def panel_heights(
-    pattern: CreasePattern, folded: Array, *, shifted: bool
-) -> tuple[Array, Array] | None:
+def panel_heights(pattern: CreasePattern, folded: Array, *, shifted: bool) -> tuple[Array, Array] | None:
     """Compute the heights of panels and axes over the sheet without thickness, in the unfolded state.
 
     At a valley between panels with mid-planes at the heights m and n, the axis at the height h is above them, so that

@@ -118,7 +118,7 @@ _STAYS = (np.eye(3)[None], np.zeros((1, 3)))
 
 def _sides(pattern: CreasePattern) -> list[list[tuple[int, int, SharedEdge | None]]]:
     """Return tail and head of the sides of every facet, counterclockwise, and the creases along them."""
-    creases = {}
+    creases: dict[tuple[int, int], SharedEdge] = {}
     for edge in shared_edges(pattern):
         creases |= {(edge.tail, edge.head): edge, (edge.head, edge.tail): edge}
     return [[(*side, creases.get(side)) for side in face_sides(face)] for face in pattern.faces_vertices]
@@ -139,13 +139,14 @@ def _draft(
         outwards = np.cross(coords[head] - coords[tail], normal)
         outwards = outwards / np.linalg.norm(outwards)
         start = layer.at(coords[tail], 0.0)
-        outline.append(_Plane(outwards, outwards @ start))
-        for side in (1, -1) if limits and edge is not None else ():
+        outline.append(_Plane(outwards, float(outwards @ start)))
+        if limits and edge is not None:
             # the upper half gets narrower towards its face where the panel rises, the lower half where it falls
-            limit = max(limits[edge.edge][1], 0.0) if side > 0 else max(-limits[edge.edge][0], 0.0)
-            leaning = outwards + side * math.tan(limit / 2) * normal
-            trimmed += [_Plane(leaning, leaning @ start)] if limit else []
-    base = layer.at(coords[sides[0][0]], 0.0) @ normal
+            low, high = limits[edge.edge]
+            for limit, upwards in ((max(high, 0.0), normal), (max(-low, 0.0), -normal)):
+                leaning = outwards + math.tan(limit / 2) * upwards
+                trimmed += [_Plane(leaning, float(leaning @ start))] if limit else []
+    base = float(layer.at(coords[sides[0][0]], 0.0) @ normal)
 
     def between(low: float, high: float) -> list[_Plane]:
         return [_Plane(normal, base + high), _Plane(-normal, -base - low)]
@@ -161,7 +162,7 @@ def _draft(
             first, last = 1 - last, 1 - first
         start, end = (layer.at(coords[tail] + share * (coords[head] - coords[tail]), 0.0) for share in (first, last))
         along = (end - start) / np.linalg.norm(end - start)
-        walls = [_Plane(-along, -along @ start), _Plane(along, along @ end)]
+        walls = [_Plane(-along, -float(along @ start)), _Plane(along, float(along @ end))]
         walls.append(_Plane(-side.normal, layer.thickness - side.offset))
         low, high = sorted((layer.level + math.copysign(half, away), float(axes[edge.edge])))
         brackets.append([*outline, *walls, *between(low, high)])

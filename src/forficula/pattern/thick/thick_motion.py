@@ -22,9 +22,7 @@ _FLAT_FOLDABLE = 1e-6  # rad, largest alternating sum of sectors that counts as 
 POSES = 24
 
 
-def facet_motions(
-    pattern: CreasePattern, ends: Array, turns: Array
-) -> list[RigidMotion]:
+def facet_motions(pattern: CreasePattern, ends: Array, turns: Array) -> list[RigidMotion]:
     """Compute the motions of facets from the position as built; facet 0 stays.
 
     Args:

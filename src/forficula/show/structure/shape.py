@@ -156,7 +156,9 @@ def shape_of(structure: Structure) -> Shape:
         for polygon in plate_polygons(plate, anchors):
             corners = [vertices.at(point, point, 0.0) for point in polygon]
             ends = pairwise([*corners, corners[0]])
-            edges += (ShapeLine(kind="edge", crease="B", path=pair) for pair in ends if pair[0] < pair[1] or not plate.solids)
+            edges += (
+                ShapeLine(kind="edge", crease="B", path=pair) for pair in ends if pair[0] < pair[1] or not plate.solids
+            )
             drawn = drawn_pieces(anchors[list(polygon)]) if not plate.solids else _fan(len(polygon))
             pieces += (tuple(corners[corner] for corner in piece) for piece in drawn)
         faces += pieces
@@ -217,9 +219,7 @@ def plate_polygons(plate: Plate, anchors: Array) -> list[tuple[int, ...]]:
     if not plate.solids:
         return [plate.points]
     return [
-        tuple(solid[corner] for corner in face)
-        for solid in plate.solids
-        for face in convex_faces(anchors[list(solid)])
+        tuple(solid[corner] for corner in face) for solid in plate.solids for face in convex_faces(anchors[list(solid)])
     ]
 
 
