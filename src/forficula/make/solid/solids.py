@@ -1,6 +1,7 @@
 """Shapes of parts: rods, prisms and convex hulls, and their unions, differences and intersections.
 
-They form a tree that kernels evaluate. Lengths in m. Each shape is defined only once, so that two kernels can evaluate the same tree and be compared.
+They form a tree that kernels evaluate. Lengths in m. Each shape is defined only once, so that two
+kernels can evaluate the same tree and be compared.
 """
 
 from __future__ import annotations

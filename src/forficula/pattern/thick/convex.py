@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import combinations, pairwise
+from itertools import pairwise
 
 import numpy as np
 import scipy
@@ -14,6 +14,7 @@ from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.rotation import frame_along
 
 _SAME = 1e-9  # of unit vectors and, times the size of a solid, of its corners: rounding
+_THINNEST = 1e-7  # radius of the largest ball in a solid, in sizes; thinner ones have no volume
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -44,27 +45,29 @@ def solid_within(normals: Array, offsets: Array, inside: Array) -> ConvexSolid |
     """
     lengths = np.linalg.norm(normals, axis=1)
     normals, offsets = normals / lengths[:, None], (offsets - normals @ inside) / lengths
+    size = float(np.abs(offsets).max())
     # the centre of the largest ball inside
     centre = scipy.optimize.linprog(
         [0.0, 0.0, 0.0, -1.0],
         A_ub=np.column_stack([normals, np.ones(len(normals))]),
-        b_ub=offsets,
+        b_ub=offsets / size,
         bounds=[(None, None)] * 3 + [(0, None)],
     )
-    if centre.status != 0 or not centre.x[3] > _SAME * np.abs(offsets).max():
+    if centre.status != 0 or not centre.x[3] > _THINNEST:
         return None
-    planes = scipy.spatial.HalfspaceIntersection(np.column_stack([normals, -offsets]), centre.x[:3])
+    planes = scipy.spatial.HalfspaceIntersection(np.column_stack([normals, -offsets / size]), centre.x[:3])
     corners = planes.intersections
-    size = float(np.ptp(corners, axis=0).max())
-    corners = corners[np.sort(np.unique(np.round(corners / (size * _SAME)), axis=0, return_index=True)[1])]
-    touched = np.abs(corners @ normals.T - offsets) <= 10 * _SAME * size
+    corners = corners[np.sort(np.unique(np.round(corners / _SAME), axis=0, return_index=True)[1])]
+    touched = np.abs(corners @ normals.T - offsets / size) <= 10 * _SAME
+    # corners with two planes in common may be the ends of an edge
+    common = touched.astype(np.int64) @ touched.T.astype(np.int64)
     edges = [
         corners[one] - corners[other]
-        for one, other in combinations(range(len(corners)), 2)
+        for one, other in np.argwhere(np.triu(common, 1) > 1).tolist()
         if np.linalg.matrix_rank(normals[touched[one] & touched[other]], tol=math.sqrt(_SAME)) == 2
     ]
     return ConvexSolid(
-        corners=corners + inside,
+        corners=size * corners + inside,
         faces=_directions(normals[touched.sum(axis=0) > 2]),
         edges=_directions(np.array(edges)),
     )
@@ -103,11 +106,8 @@ def convex_faces(corners: Array) -> list[tuple[int, ...]]:
 def _directions(vectors: Array) -> Array:
     """Return unit vectors without repeated and opposite ones."""
     units = vectors / np.linalg.norm(vectors, axis=1)[:, None]
-    kept = list[Array]()
-    for unit in units:
-        if all(np.linalg.norm(np.cross(unit, other)) > math.sqrt(_SAME) for other in kept):
-            kept.append(unit)
-    return np.array(kept)
+    same = np.abs(units @ units.T) > 1 - _SAME
+    return np.asarray(units[~np.triu(same, 1).any(axis=0)])
 
 
 def overlap_depths(

@@ -98,18 +98,25 @@ def panel_solids(
     solids = []
     for facet, draft in enumerate(drafts):
         whole = _solid(draft.panel, draft.inside)
-        pieces = [] if whole is None else [draft.panel]
-        for carrier, planes, bracket in brackets if whole is not None else ():
-            moved = _relative(folded[carrier], folded[facet])
-            pose = (moved.rotation[None], moved.shift[None])
-            if carrier == facet or whole is None:
+        pieces = [] if whole is None else [(draft.panel, whole)]
+        for carrier, planes, bracket in brackets:
+            if carrier == facet:
                 continue
-            if overlap_depths(whole, _STAYS, bracket, pose)[0] > _TOUCHING * layers[facet].thickness:
-                cut = [_moved(plane, moved) for plane in planes]
-                pieces = [part for piece in pieces for part in _without(piece, cut, draft.inside)]
-        parts = [_solid(piece, draft.inside) for piece in pieces]
+            moved = _relative(folded[carrier], folded[facet])
+            cut = [_moved(plane, moved) for plane in planes]
+            pose = (moved.rotation[None], moved.shift[None])
+            least = _TOUCHING * layers[facet].thickness
+            pieces = [
+                part
+                for piece, solid in pieces
+                for part in (
+                    _without(piece, cut, draft.inside)
+                    if overlap_depths(solid, _STAYS, bracket, pose)[0] > least
+                    else [(piece, solid)]
+                )
+            ]
         own = [bracket for carrier, _, bracket in brackets if carrier == facet]
-        solids.append((*(part for part in parts if part is not None), *own))
+        solids.append((*(solid for _, solid in pieces), *own))
     return solids
 
 
@@ -186,12 +193,11 @@ def _moved(plane: _Plane, motion: RigidMotion) -> _Plane:
     return _Plane(normal, plane.offset + float(normal @ motion.shift))
 
 
-def _without(piece: list[_Plane], cut: Sequence[_Plane], inside: Array) -> list[list[_Plane]]:
-    """Return the convex pieces of a convex solid outside another one; both are given by planes."""
-    if _solid([*piece, *cut], inside) is None:
-        return [piece]
+def _without(piece: list[_Plane], cut: Sequence[_Plane], inside: Array) -> list[tuple[list[_Plane], ConvexSolid]]:
+    """Return the convex pieces of a convex solid outside another one that overlaps it; both are given by planes."""
     outside = [_Plane(-normal, -offset) for normal, offset in cut]
-    return [[*piece, *cut[:number], plane] for number, plane in enumerate(outside)]
+    pieces = [[*piece, *cut[:number], plane] for number, plane in enumerate(outside)]
+    return [(planes, solid) for planes in pieces if (solid := _solid(planes, inside)) is not None]
 
 
 def _solid(planes: Sequence[_Plane], inside: Array) -> ConvexSolid | None:

@@ -60,7 +60,6 @@ class ThickSheet:
     path: Array | None
 
 
-@lru_cache(maxsize=16)  # the checks and the structure of a design need it
 def thick_sheet(pattern: CreasePattern, thickness: float, method: ThickMethod, limits: Limits) -> ThickSheet:
     """Give the facets of a sheet a thickness so that the panels do not overlap while they fold.
 
@@ -80,6 +79,23 @@ def thick_sheet(pattern: CreasePattern, thickness: float, method: ThickMethod, l
     Raises:
         InputError: the method cannot give the sheet this thickness.
     """
+    made = _made(pattern, thickness, method, limits)
+    if isinstance(made, str):
+        raise InputError(made)
+    return made
+
+
+@lru_cache(maxsize=16)  # checks and structures of designs with the same sheet need it
+def _made(pattern: CreasePattern, thickness: float, method: ThickMethod, limits: Limits) -> ThickSheet | str:
+    """Return a sheet as `thick_sheet`, or the reason why there is none."""
+    try:
+        return _checked(pattern, thickness, method, limits)
+    except InputError as error:
+        return str(error)
+
+
+def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limits: Limits) -> ThickSheet:
+    """Return a sheet as `thick_sheet`; raise InputError if the method cannot give it this thickness."""
     facets = len(pattern.faces_vertices)
     for facet, face in enumerate(pattern.faces_vertices):
         _check_convex(pattern.vertices_coords[list(face)], facet)
@@ -154,9 +170,10 @@ def _sheet(
 
 def _fault(pattern: CreasePattern, sheet: ThickSheet) -> str:
     """Return why panels of a thickness cannot fold; empty if they can."""
-    for facet, solids in enumerate(sheet.panels):
-        if not solids:
-            return f"nothing is left of the panel on facet {facet}"
+    for facet, (layer, solids) in enumerate(zip(sheet.layers, sheet.panels, strict=True)):
+        heights = np.concatenate([np.zeros(1), *(solid.corners @ layer.normal for solid in solids)])[1:]
+        if not solids or np.ptp(heights) < (1 - _TOUCHING) * sheet.thickness:
+            return f"nothing is left of the faces of the panel on facet {facet}"
     if sheet.path is None:
         return ""
     depth, (one, other), pose = deepest_overlap(sheet.panels, panel_motions(pattern, sheet, sheet.path))
