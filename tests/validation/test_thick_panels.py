@@ -118,6 +118,6 @@ def test_trimmed_panels_meet_at_their_largest_fold_angle(agree, limit):
 def test_the_mass_of_panels_with_brackets_is_that_of_their_volumes(agree):
     structure = structure_of(thick(miura(2, 2, "0 deg"), "hinge-shift"))
     mass = sum(mass_of(structure, body)[0] for body in range(len(structure.bodies)))
-    # a rhombus of 2 cm each, and two brackets of a quarter of a crease, as wide and as high as the panel is thick
-    area, brackets = 4 * 0.02**2 * math.sin(math.radians(60)), 2 * 0.25 * 0.02 * THICK**2
+    # a rhombus of 2 cm each, and two brackets of 0.15 of a crease, as wide and as high as the panel is thick
+    area, brackets = 4 * 0.02**2 * math.sin(math.radians(60)), 2 * 0.15 * 0.02 * THICK**2
     agree("mass", mass, 1200.0 * (area * THICK + brackets), by="volume", unit="kg", rel=1e-9)

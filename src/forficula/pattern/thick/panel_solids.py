@@ -17,7 +17,7 @@ from forficula.pattern.thick.convex import ConvexSolid, overlap_depths, solid_wi
 
 # [chosen] a bracket is as wide as the panel is thick; shares of the crease between which the left and the right facet
 # have their brackets
-_BRACKETS = ((0.25, 0.5), (0.5, 0.75))
+_BRACKETS = ((0.35, 0.5), (0.5, 0.65))
 _ROUNDING = 1e-9
 _TOUCHING = 1e-6  # of the thickness; solids that overlap by less touch
 

@@ -54,7 +54,7 @@ def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
         columns = 1 if narrow else len(posed)
         figure, panels, below = _panels(width, pictures, paint_parts(taken, colours, view), columns)
         for axes, (title, angle) in zip(panels, posed, strict=True):
-            shown = angle if parts.joints else -angle
+            shown = angle if parts.joints else abs(angle)
             axes.set_title(f"{title}, {_degrees(shown)}" if len(posed) > 1 else title, pad=3)
         _scale(panels[0])
         below.set_title("exploded view", pad=3 + 72 * 1.6 * _LINE)
