@@ -41,7 +41,7 @@ def panel_parts(design: Design, structure: Structure) -> list[Part]:
 
 
 def _grown(corners: Array, count: int) -> Array:
-    """Return the corners of one of several solids of a panel, so much larger that the solids overlap and unite."""
+    """Return the corners of one of several solids of a panel, slightly larger, so that the solids overlap and unite."""
     return np.asarray(corners + (_GROWN if count > 1 else 0.0) * (corners - corners.mean(axis=0)))
 
 

@@ -74,7 +74,7 @@ def solid_within(normals: Array, offsets: Array, inside: Array) -> ConvexSolid |
 
 
 def solid_of(corners: Array) -> ConvexSolid:
-    """Return the convex hull of corners, m, (corner, 3), all of which are corners of the hull."""
+    """Return the convex hull of its corners, m, (corner, 3)."""
     faces = convex_faces(corners)
     normals = [polygon_normal(corners[list(face)]) for face in faces]
     sides = [corners[head] - corners[tail] for face in faces for tail, head in pairwise([*face, face[0]])]

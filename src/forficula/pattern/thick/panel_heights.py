@@ -142,7 +142,7 @@ def unique_first(pattern: CreasePattern, vertex: VertexCreases) -> tuple[list[in
     """Return creases and sectors of a vertex from the crease whose sense is unique on, and its sense, 1 for a valley.
 
     Raises:
-        InputError: the vertex does not have four creases of which one has another sense than the others.
+        InputError: the vertex does not have four creases, one with another sense than the others.
     """
     letters = [pattern.edges_assignment[edge] for edge in vertex.edges.tolist()]
     single = [number for number, letter in enumerate(letters) if letters.count(letter) == 1]

@@ -115,8 +115,8 @@ def panel_solids(
                     else [(piece, solid)]
                 )
             ]
-        own = [bracket for carrier, _, bracket in brackets if carrier == facet]
-        solids.append((*(solid for _, solid in pieces), *own))
+        carried = [bracket for carrier, _, bracket in brackets if carrier == facet]
+        solids.append((*(solid for _, solid in pieces), *carried))
     return solids
 
 
