@@ -26,10 +26,10 @@ export function readModel(data, take) {
     return angles;
   }
 
-  /** Angles of all hinges of thick panels whose largest fold angle is minus an angle, rad. */
+  /** Angles of all hinges of thick panels at a largest fold angle, rad. */
   function anglesAlong(angle) {
     const [count, width] = data.fold.shape;
-    const place = lowest < 0 ? (angle / lowest) * (count - 1) : 0;
+    const place = highest > 0 ? (angle / highest) * (count - 1) : 0;
     const frame = Math.min(Math.floor(place), Math.max(count - 2, 0));
     const next = Math.min(frame + 1, count - 1);
     for (let hinge = 0; hinge < width; hinge++) {
@@ -79,6 +79,7 @@ export function readModel(data, take) {
     parts,
     looks: data.looks,
     joints: data.joints,
+    folds: Boolean(fold),
     turns: data.turns,
     lowest,
     highest,

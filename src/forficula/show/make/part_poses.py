@@ -22,10 +22,10 @@ _APART, _RAISED, _PULLED = 0.3, 0.45, 1.6
 def angle_range(parts: PartSet) -> tuple[float, float]:
     """Return the lowest stop of folding and the highest stop of the overbend over all joints, rad.
 
-    Thick panels without joints fold from 0 to minus their largest fold angle.
+    Thick panels without joints fold from 0 to their largest fold angle.
     """
     if not parts.joints:
-        return (0.0 if parts.fold is None else -float(np.abs(parts.fold[-1]).max())), 0.0
+        return 0.0, 0.0 if parts.fold is None else float(np.abs(parts.fold[-1]).max())
     return min(joint.lower for joint in parts.joints), max(joint.upper for joint in parts.joints)
 
 
@@ -33,7 +33,7 @@ def poses_at(parts: PartSet, angle: float) -> Mapping[int, RigidMotion]:
     """Return the motion of every body with all joints at an angle in their own senses, rad, limited by their stops.
 
     A single joint turns its distal half. Bars that turn against the ground keep their built positions. Thick panels
-    fold along their path until their largest fold angle is minus the given angle.
+    fold along their path until their largest fold angle is the given one.
     """
     if parts.fold is not None:
         return _folded(parts, parts.fold, angle)
@@ -50,7 +50,7 @@ def poses_at(parts: PartSet, angle: float) -> Mapping[int, RigidMotion]:
 def _folded(parts: PartSet, fold: Array, angle: float) -> Mapping[int, RigidMotion]:
     """Return the motion of every body at a pose of the fold path of thick panels."""
     largest = float(np.abs(fold[-1]).max())
-    place = np.clip(-angle / largest, 0, 1) * (len(fold) - 1)
+    place = np.clip(angle / largest, 0, 1) * (len(fold) - 1)
     first = min(int(place), len(fold) - 2)
     between = fold[first] + (place - first) * (fold[first + 1] - fold[first])
     poses = tree_poses(parts.structure, between[None], [0])

@@ -44,7 +44,7 @@ def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
     middle = (low + high) / 2
     stops = [("overbend stop", high), ("half way", middle), ("folding stop", low)]
     if parts.fold is not None:
-        stops = [("flat", high), ("half way", middle), ("folded", low)]
+        stops = [("flat", low), ("half way", middle), ("folded", high)]
     posed = stops if len(parts.joints) == 1 or parts.fold is not None else [("as built", 0.0)]
     colours = [look.colour for look in looks]
     pictures = [paint_parts(placed_parts(parts, angle), colours, view) for _, angle in posed]
@@ -54,8 +54,7 @@ def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
         columns = 1 if narrow else len(posed)
         figure, panels, below = _panels(width, pictures, paint_parts(taken, colours, view), columns)
         for axes, (title, angle) in zip(panels, posed, strict=True):
-            shown = angle if parts.joints else abs(angle)
-            axes.set_title(f"{title}, {_degrees(shown)}" if len(posed) > 1 else title, pad=3)
+            axes.set_title(f"{title}, {_degrees(angle)}" if len(posed) > 1 else title, pad=3)
         _scale(panels[0])
         below.set_title("exploded view", pad=3 + 72 * 1.6 * _LINE)
         _scale(below)

@@ -183,7 +183,7 @@ def parts_text(parts: PartSet) -> str:
     kinds = [f"{count} {kind}{'s' * (count != 1)}" for kind, count in counts.items()]
     low, high = angle_range(parts)
     if not parts.joints:
-        return f"{listed(kinds).capitalize()}. The largest fold angle is {degrees(-low)}."
+        return f"{listed(kinds).capitalize()}. The largest fold angle is {degrees(high)}."
     joints = f"{len(parts.joints)} joints turn" if len(parts.joints) != 1 else "The joint turns"
     return f"{listed(kinds).capitalize()}. {joints} from {degrees(low)} to {degrees(high)}."
 
