@@ -36,7 +36,7 @@ def thick(pattern, method, *, crease=CREASE, **more):
 
 
 def straight_angles(zigzag):
-    """Fold angles of the straight creases of a Miura sheet of 60 deg: tan(straight / 2) = cos(60 deg) tan(zigzag / 2)."""
+    """Straight creases of a Miura sheet of 60 deg: tan(straight / 2) = cos(60 deg) tan(zigzag / 2)."""
     return 2 * np.arctan2(math.cos(math.radians(60)) * np.sin(zigzag / 2), np.cos(zigzag / 2))
 
 

@@ -13,7 +13,7 @@ from forficula.arrays import Array
 from forficula.pattern.crease_pattern import CreasePattern, face_sides
 from forficula.pattern.rotation import RigidMotion
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
-from forficula.pattern.thick.convex import ConvexSolid, overlap_depths, solid_within
+from forficula.pattern.thick.convex import ConvexSolid, convex_faces, overlap_depths, solid_within
 
 # [chosen] a bracket is as wide as the panel is thick; shares of the crease between which the left and the right facet
 # have their brackets
@@ -118,6 +118,46 @@ def panel_solids(
         carried = [bracket for carrier, _, bracket in brackets if carrier == facet]
         solids.append((*(solid for _, solid in pieces), *carried))
     return solids
+
+
+def panel_core(
+    pattern: CreasePattern,
+    layer: Layer,
+    facet: int,
+    limits: Sequence[tuple[float, float]] | None,
+) -> Array | None:
+    """Return the corners of a polygon in the mid-plane of a panel, m, (corner, 3).
+
+    Everything within half the thickness of the polygon lies inside the panel without its cut-outs, so that polygons of
+    panels that do not overlap are at least a thickness apart.
+
+    Args:
+        pattern: flat or folded as built.
+        layer: panel over the facet.
+        facet: number of the facet.
+        limits: as for `panel_solids`.
+
+    Returns:
+        None if no such polygon exists.
+    """
+    coords, half = pattern.vertices_coords, layer.thickness / 2
+    planes = list[_Plane]()
+    for tail, head, edge in _sides(pattern)[facet]:
+        outwards = np.cross(coords[head] - coords[tail], layer.normal)
+        outwards = outwards / np.linalg.norm(outwards)
+        limit = 0.0 if limits is None or edge is None else max(np.abs(limits[edge.edge]))
+        # distance from the axis at which a ball of half the thickness touches the plane that bisects the folded panels
+        inset = half / math.cos(limit / 2)
+        planes.append(_Plane(outwards, float(outwards @ layer.at(coords[tail], 0.0)) - inset))
+    middle = layer.at(coords[list(pattern.faces_vertices[facet])].mean(axis=0), layer.level)
+    base = float(middle @ layer.normal)
+    solid = _solid([*planes, _Plane(layer.normal, base + half), _Plane(-layer.normal, half - base)], middle)
+    if solid is None:
+        return None
+    heights = solid.corners @ layer.normal - base
+    faces = [list(face) for face in convex_faces(solid.corners)]
+    top = max(faces, key=lambda face: float(heights[face].min()))
+    return np.asarray(solid.corners[top] - half * layer.normal)
 
 
 _STAYS = (np.eye(3)[None], np.zeros((1, 3)))

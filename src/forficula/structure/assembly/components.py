@@ -60,6 +60,7 @@ def _plate(part: JoinedPart, plate: Plate) -> Plate:
         body=part.body(plate.body),
         points=part.point_numbers(plate.points),
         solids=tuple(part.point_numbers(solid) for solid in plate.solids),
+        core=part.point_numbers(plate.core),
     )
 
 

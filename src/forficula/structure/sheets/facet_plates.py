@@ -56,6 +56,11 @@ def facet_plates(
             ]
             for solid, convex in enumerate(() if thick is None else thick.panels[number])
         ]
+        core = None if thick is None else thick.cores[number]
+        within = [
+            add(f"facet{number}_core{corner}", "core", place)
+            for corner, place in enumerate(() if core is None else core)
+        ]
         plates.append(
             Plate(
                 body=body,
@@ -63,6 +68,7 @@ def facet_plates(
                 thickness=facet.thickness or 0.0,
                 density=facet.density or 0.0,
                 solids=tuple(map(tuple, solids)),
+                core=tuple(within),
             )
         )
     return points, tuple(plates)
