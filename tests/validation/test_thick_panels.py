@@ -5,6 +5,7 @@ Trimmed panels: Tachi 2011, Rigid-foldable thick origami. Half-angle tangents: H
 """
 
 import math
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from forficula import quasi_static_path
 from forficula.analysis.package import flat_package
 from forficula.design import with_values
 from forficula.dynamics import compile_model, simulate
+from forficula.statics.tree.pose import pose, tree_of
 from forficula.structure import built_hinges, mass_of, structure_of
 from tests.plate_sheets import miura as square_miura
 from tests.plate_sheets import plates, vertex
@@ -141,3 +143,23 @@ def test_the_mass_of_panels_with_brackets_is_that_of_their_volumes(agree):
     # a rhombus of 2 cm each, and two brackets of 0.15 of a crease, as wide and as high as the panel is thick
     area, brackets = 4 * 0.02**2 * math.sin(math.radians(60)), 2 * 0.15 * 0.02 * THICK**2
     agree("mass", mass, 1200.0 * (area * THICK + brackets), by="volume", unit="kg", rel=1e-9)
+
+
+@pytest.mark.parametrize(("method", "limit"), [("hinge-shift", 180), ("tapered", 150)])
+def test_layers_of_a_thickness_around_the_cores_of_panels_stay_apart_while_they_fold(holds, method, limit):
+    crease = f'{CREASE}\nfold_limit = "{limit} deg"'.replace("75 deg", "30 deg")
+    structure = structure_of(thick(miura(2, 2, "0 deg"), method, crease=crease))
+    tangents = np.linspace(0, 1, 12) * math.tan(min(math.radians(limit), math.pi - 1e-9) / 2)
+    shares = [1.0 if hinge.role == "zigzag" else 0.5 for hinge in structure.hinges]
+    at = pose(tree_of(structure), 2 * np.arctan(tangents[:, None] * shares))
+    cores = [[structure.points[point] for point in plate.core] for plate in structure.plates]
+    least = []
+    for one, other in combinations(cores, 2):
+        sides = []
+        for core in (one, other):
+            corners = np.array([at.origins[:, point.body] + at.frames[:, point.body] @ point.place for point in core])
+            shifts = np.linspace(0, 1, 9)[:, None, None, None]
+            sides.append(((1 - shifts) * corners + shifts * np.roll(corners, -1, axis=0)).reshape(-1, len(tangents), 3))
+        apart = np.linalg.norm(sides[0][:, None] - sides[1][None], axis=-1)
+        least.append(apart.min(axis=(0, 1)))
+    holds("distance of the sides of cores, divided by the thickness", np.array(least) / THICK, above=1 - 1e-9)

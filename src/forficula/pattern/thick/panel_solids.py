@@ -120,29 +120,37 @@ def panel_solids(
     return solids
 
 
-def panel_core(
-    pattern: CreasePattern,
-    layer: Layer,
-    facet: int,
-    limits: Sequence[tuple[float, float]] | None,
-) -> Array | None:
-    """Return the corners of a polygon in the mid-plane of a panel, m, (corner, 3).
+def panel_cores(
+    pattern: CreasePattern, layers: Sequence[Layer], limits: Sequence[tuple[float, float]] | None
+) -> tuple[Array | None, ...]:
+    """Return the corners of a polygon in the mid-plane of each panel, m, (corner, 3), for contact.
 
     Everything within half the thickness of the polygon lies inside the panel without its cut-outs, so that polygons of
     panels that do not overlap are at least a thickness apart.
 
     Args:
         pattern: flat or folded as built.
-        layer: panel over the facet.
-        facet: number of the facet.
+        layers: panels over the facets.
         limits: as for `panel_solids`.
 
     Returns:
-        None if no such polygon exists.
+        None for a panel without such a polygon.
     """
+    sides = _sides(pattern)
+    return tuple(_core(pattern, layer, facet, sides[facet], limits) for facet, layer in enumerate(layers))
+
+
+def _core(
+    pattern: CreasePattern,
+    layer: Layer,
+    facet: int,
+    sides: Sequence[tuple[int, int, SharedEdge | None]],
+    limits: Sequence[tuple[float, float]] | None,
+) -> Array | None:
+    """Return the core of a panel, as `panel_cores`."""
     coords, half = pattern.vertices_coords, layer.thickness / 2
     planes = list[_Plane]()
-    for tail, head, edge in _sides(pattern)[facet]:
+    for tail, head, edge in sides:
         outwards = np.cross(coords[head] - coords[tail], layer.normal)
         outwards = outwards / np.linalg.norm(outwards)
         limit = 0.0 if limits is None or edge is None else max(np.abs(limits[edge.edge]))

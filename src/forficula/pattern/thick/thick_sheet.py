@@ -21,7 +21,7 @@ from forficula.pattern.rotation import RigidMotion
 from forficula.pattern.shared_edges import shared_edges
 from forficula.pattern.thick.convex import ConvexSolid
 from forficula.pattern.thick.panel_heights import panel_heights, unique_first
-from forficula.pattern.thick.panel_solids import Layer, panel_core, panel_solids
+from forficula.pattern.thick.panel_solids import Layer, panel_cores, panel_solids
 from forficula.pattern.thick.thick_motion import built_angles, deepest_overlap, facet_motions, fold_path
 from forficula.quantities import show_value
 
@@ -48,7 +48,7 @@ class ThickSheet:
         axis_ends: positions of the two vertices of every edge on its axis, m, (edge, 2, 3).
         panels: convex solids of each panel, which touch but do not overlap: the panel, which may consist of pieces,
             then brackets that carry axes outside it.
-        cores: corners of a polygon in the mid-plane of each panel, m, (corner, 3), for contact; see `panel_core`.
+        cores: corners of a polygon in the mid-plane of each panel, m, (corner, 3), for contact; see `panel_cores`.
         path: fold angles, rad, (pose, edge), at which the panels do not overlap; see `fold_path`. None if they were not
             checked.
     """
@@ -166,7 +166,7 @@ def _sheet(
         axes=axes,
         axis_ends=ends,
         panels=tuple(panel_solids(pattern, layers, axes, closed, trims)),
-        cores=tuple(panel_core(pattern, layer, facet, trims) for facet, layer in enumerate(layers)),
+        cores=panel_cores(pattern, layers, trims),
         path=path,
     )
 
