@@ -66,7 +66,7 @@ def thick_sheet(pattern: CreasePattern, thickness: float, method: ThickMethod, l
     """Give the facets of a sheet a thickness so that the panels do not overlap while they fold.
 
     - "offset": panels are shifted along their normals from the plane of the axes, which stay as in the sheet without
-      thickness (Edmondson, Lang, Magleby and Howell 2014, doi 10.1115/DETC2014-35606).
+      thickness (Edmondson, Lang, Magleby and Howell 2014, ASME IDETC, V05BT08A054).
     - "tapered": panels lie on both sides of the sheet without thickness and are trimmed at the planes that bisect the
       angles of creases at their largest fold angle (Tachi 2011, Rigid-foldable thick origami, Origami 5).
     - "hinge-shift": axes are shifted along the normals of the panels. Those at a vertex form a Bennett linkage, whose
