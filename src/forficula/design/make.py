@@ -37,7 +37,7 @@ class MakeSection(Section):
     nozzle: float = _detail("width of a printed line; a wall has at least two lines", 0.4e-3, above=0)
     layer: float = _detail("height of a printed layer", 0.2e-3, above=0)
     clearance: float = _detail("least gap between parts that move past each other", 0.4e-3, above=0)
-    bar_material: Annotated[str, Field(description="name of the material of bars, hinges and thick panels")] = "petg"
+    bar_material: Annotated[str, Field(description="name of the material of bars and hinges")] = "petg"
     hinge: Annotated[
         Literal["pin", "print-in-place"],
         Field(description="a pin through printed knuckles, or an axle printed with them in one piece"),

@@ -89,7 +89,7 @@ class SheetDesign(Design):
     @property
     def method_papers(self) -> Mapping[str, str]:
         """Publication of the method that makes room for the thickness of facets."""
-        return METHOD_PAPERS.get(self.facet.thickness_method, {})
+        return METHOD_PAPERS.get(self.facet.thickness_method or "", {})
 
     @property
     def has_stops_of_bodies(self) -> bool:

@@ -26,7 +26,7 @@ def thick_panels(design: SheetDesign) -> ThickSheet | None:
         InputError: the method cannot give the sheet this thickness.
     """
     method = design.facet.thickness_method
-    if method == "none":
+    if method is None or method == "none":
         return None
     return thick_sheet(design.sheet, design.settled().facet.thickness or 0.0, method, thick_limits(design))
 
@@ -48,7 +48,7 @@ def check_thickness(design: SheetDesign) -> None:
         InputError: the key, the rule and the value.
     """
     method = design.facet.thickness_method
-    if method == "none":
+    if method is None:
         return
     if design.facet.kind != "rigid":
         raise InputError(f'{_KEY}: need facet.kind = "rigid" for thick panels, got "{design.facet.kind}"')

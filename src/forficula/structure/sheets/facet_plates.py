@@ -100,7 +100,7 @@ def plate_tendons(
         ends = tuple(place_on(pattern, getattr(section, key)) for key in ("from", "to"))
         crossed = edges_between(links, ends[0].facet, ends[1].facet)
         # without a limit if creases open, or if axes and panels are not in one plane
-        free = design.opens or design.facet.thickness_method != "none"
+        free = design.opens or design.facet.thickness_method is not None
         longest = np.inf if free else _longest(pattern, (ends[0], ends[1]), crossed)
         tendons.append(
             Tendon(
