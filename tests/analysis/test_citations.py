@@ -6,6 +6,7 @@ import forficula as ff
 from forficula.analysis.citations import _FEATURES, _PAPERS, citations
 from forficula.design import named_designs
 from forficula.design.files.kinds import KINDS
+from forficula.design.sheets.sheet import METHOD_PAPERS
 
 
 def keys(design):
@@ -25,6 +26,7 @@ def test_a_design_cites_the_papers_of_its_pattern_and_of_what_it_is_made_of():
     assert keys("miura-sheet")[2:4] == ["schenk2013", "tachi2009"]
     assert {"liu2017", "filipov2017"} <= set(keys("kresling-cell"))
     assert "hoerner1965" not in keys("binder2025")
+    assert "chen2015" in keys("thick-miura")
 
 
 def test_a_wing_in_air_cites_the_source_of_its_drag():
@@ -35,7 +37,8 @@ def test_a_wing_in_air_cites_the_source_of_its_drag():
 def test_every_paper_is_cited_by_some_pattern_or_feature_and_every_key_is_a_paper():
     by_patterns = {key for design in KINDS.values() for key in design.papers}
     by_features = {key for key, _, _ in _FEATURES}
-    assert by_patterns | by_features == set(_PAPERS)
+    by_methods = {key for papers in METHOD_PAPERS.values() for key in papers}
+    assert by_patterns | by_features | by_methods == set(_PAPERS)
 
 
 def test_bibtex_entries_have_balanced_braces_and_the_fields_of_their_kind():

@@ -34,17 +34,18 @@ export async function showParts(data) {
   return { model, state, clock: sources[0].clock, run: sources[1]?.clock ?? null, ...player, choose: chooser.choose };
 }
 
-/** All joints at one angle: the clip's time goes from the overbend stop, 0, to the folding stop, 1. */
+/** All joints at one angle: the clip's time goes from the overbend stop, or flat panels, 0, to the folded parts, 1. */
 function togetherSource(model, state) {
-  const angleOf = (moment) => model.highest + moment * (model.lowest - model.highest);
-  const momentOf = (angle) => (angle - model.highest) / (model.lowest - model.highest || 1);
+  const [start, end] = model.folds ? [model.lowest, model.highest] : [model.highest, model.lowest];
+  const angleOf = (moment) => start + moment * (end - start);
+  const momentOf = (angle) => (angle - start) / (end - start || 1);
   const time = Float64Array.from({ length: FRAMES + 1 }, (_, frame) => frame / FRAMES);
   const anglesAt = (moment) => model.anglesTogether(angleOf(moment));
   const clip = clipOf(model, state, { time, anglesAt, marks: [], stages: [] });
   const clock = makeClock([forPace(model, clip, anglesAt)], [{ name: "", label: "", start: 0, end: 1, origins: [0], whole: false }]);
   clock.setSpeed(SPEED);
   const control = makeHinge(model, clock, angleOf, momentOf);
-  return { name: "all joints together", clip, clock, anglesAt, control };
+  return { name: model.folds ? "along the fold path" : "all joints together", clip, clock, anglesAt, control };
 }
 
 /** Motion of a recorded run. */

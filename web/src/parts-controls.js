@@ -88,6 +88,13 @@ const degrees = (angle, digits = null) =>
 
 /** Named angles: the stops, flat, and where straps go slack. */
 function marksOf(model, low, high, taut) {
+  if (model.folds) {
+    const ends = [
+      { angle: low, name: "flat", stop: true },
+      { angle: high, name: "folded", stop: true },
+    ];
+    return high > low ? ends : ends.slice(0, 1);
+  }
   const stops = (key) => [...new Set(model.joints.map((joint) => Number((joint[key] * DEGREES).toFixed(6))))];
   const found = [
     ...stops("lower").map((angle) => ({ angle, name: "folding stop", stop: true })),

@@ -16,11 +16,26 @@ export function readModel(data, take) {
   const lowest = Math.min(...data.joints.map((joint) => joint.lower));
   const highest = Math.max(...data.joints.map((joint) => joint.upper));
   const angles = new Float64Array(data.turns.length);
+  const fold = data.fold && take(data.fold);
 
   /** Angles of all hinges if all joints have one angle, rad, limited by their stops. */
   function anglesTogether(angle) {
+    if (fold) return anglesAlong(angle);
     for (const [index, each] of data.turns.entries()) angles[index] = each.built;
     for (const joint of data.joints) angles[joint.turn] = Math.min(joint.upper, Math.max(joint.lower, angle));
+    return angles;
+  }
+
+  /** Angles of all hinges of thick panels at a largest fold angle, rad. */
+  function anglesAlong(angle) {
+    const [count, width] = data.fold.shape;
+    const place = highest > 0 ? (angle / highest) * (count - 1) : 0;
+    const frame = Math.min(Math.floor(place), Math.max(count - 2, 0));
+    const next = Math.min(frame + 1, count - 1);
+    for (let hinge = 0; hinge < width; hinge++) {
+      const from = fold[frame * width + hinge];
+      angles[hinge] = from + (place - frame) * (fold[next * width + hinge] - from);
+    }
     return angles;
   }
 
@@ -64,6 +79,7 @@ export function readModel(data, take) {
     parts,
     looks: data.looks,
     joints: data.joints,
+    folds: Boolean(fold),
     turns: data.turns,
     lowest,
     highest,

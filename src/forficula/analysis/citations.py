@@ -112,6 +112,16 @@ _PAPERS = {
             doi="10.1115/1.4030158",
         ),
         Publication(
+            key="chen2015",
+            authors="Chen, Y. and Peng, R. and You, Z.",
+            year="2015",
+            title="Origami of thick panels",
+            published="Science",
+            volume="349",
+            pages="396-400",
+            doi="10.1126/science.aab2870",
+        ),
+        Publication(
             key="chen2016",
             authors="Chen, Y. and Feng, H. and Ma, J. and Peng, R. and You, Z.",
             year="2016",
@@ -120,6 +130,15 @@ _PAPERS = {
             volume="472",
             pages="20150846",
             doi="10.1098/rspa.2015.0846",
+        ),
+        Publication(
+            key="edmondson2014",
+            kind="inproceedings",
+            authors="Edmondson, B. J. and Lang, R. J. and Magleby, S. P. and Howell, L. L.",
+            year="2014",
+            title="An offset panel technique for thick rigidly foldable origami",
+            published="ASME International Design Engineering Technical Conferences",
+            pages="V05BT08A054",
         ),
         Publication(
             key="faber2018",
@@ -230,6 +249,15 @@ _PAPERS = {
             volume="50",
             pages="173-179",
         ),
+        Publication(
+            key="tachi2011",
+            kind="inproceedings",
+            authors="Tachi, T.",
+            year="2011",
+            title="Rigid-foldable thick origami",
+            published="Origami 5, CRC Press",
+            pages="253-264",
+        ),
     )
 }
 _ENGINE = Publication(
@@ -284,7 +312,7 @@ def citations(design: Design) -> tuple[Citation, ...]:
     result = {
         _software(): "all results",
         _ENGINE: "simulated runs",
-        **{_PAPERS[key]: used_for for key, used_for in design.papers.items()},
+        **{_PAPERS[key]: used_for for key, used_for in {**design.papers, **design.method_papers}.items()},
     }
     for key, used_for, has in _FEATURES:
         if has(structure):

@@ -9,10 +9,14 @@ import numpy as np
 from forficula.arrays import Array, Flags, Indices
 from forficula.dynamics import Record
 from forficula.pattern.geometry import polygon_normal
-from forficula.structure import Structure, facet_triangles
+from forficula.pattern.rotation import motion_from
+from forficula.pattern.thick.convex import solid_of
+from forficula.pattern.thick.thick_motion import panel_overlaps
+from forficula.structure import Plate, Structure, built_points, facet_triangles
 
 _ROWS = 400  # number of evenly spaced rows of a record that are examined
 _TOGETHER = 16  # rows whose bounding boxes are compared at once
+_DEEP = 0.01  # [chosen] depth, in thicknesses, at which the solids of two plates count as crossing
 _SWINGS = np.radians(5.0)  # allowed swing of a folded crease past 180 deg, because no stop limits its springs
 
 
@@ -61,10 +65,11 @@ def facets_that_cross(record: Record) -> list[CrossingFacets]:
         return []
     rows = np.unique(np.linspace(0, len(places) - 1, _ROWS).astype(np.int64))
     pieces = _pieces(record.structure)
-    result = [
-        CrossingFacets(names=(pieces.names[one], pieces.names[other]), time=float(record.time[rows[row]]))
-        for one, other, row in _first_crossings(pieces, places[rows])
+    crossings = [
+        (pieces.names[one], pieces.names[other], row) for one, other, row in _first_crossings(pieces, places[rows])
     ]
+    crossings += _overlapping_solids(record.structure, places[rows])
+    result = [CrossingFacets(names=(one, other), time=float(record.time[rows[row]])) for one, other, row in crossings]
     return sorted([*_turned_through(record), *result], key=lambda crossing: crossing.time)
 
 
@@ -89,13 +94,40 @@ def _turned_through(record: Record) -> list[CrossingFacets]:
 def crossing_facets(structure: Structure, places: Array) -> list[tuple[str, str]]:
     """Return the names of the pairs of facets that cross, for points at the positions `places`, m, (point, 3)."""
     pieces = _pieces(structure)
-    return [(pieces.names[one], pieces.names[other]) for one, other, _ in _first_crossings(pieces, places[None])]
+    crossings = [(pieces.names[one], pieces.names[other]) for one, other, _ in _first_crossings(pieces, places[None])]
+    return [*crossings, *((one, other) for one, other, _ in _overlapping_solids(structure, places[None]))]
+
+
+def _overlapping_solids(structure: Structure, places: Array) -> list[tuple[str, str, int]]:
+    """Return the names of pairs of plates whose solids overlap, and the first row; places, m, (row, point, 3).
+
+    All pairs are compared, including those that a hinge joins.
+    """
+    plates = [plate for plate in structure.plates if plate.solids]
+    if not plates:
+        return []
+    built = built_points(structure)
+    motions = [motion_from(built[list(plate.points)], places[:, list(plate.points)]) for plate in plates]
+    turns, shifts = (np.stack(parts, axis=1) for parts in zip(*motions, strict=True))
+    panels = [[solid_of(built[list(solid)]) for solid in plate.solids] for plate in plates]
+    names = [_plate_name(structure, plate) for plate in plates]
+    result = [
+        (names[one], names[other], int(np.argmax(depths > _DEEP * plates[one].thickness)))
+        for one, other, depths in panel_overlaps(panels, turns, shifts)
+        if depths.max() > _DEEP * plates[one].thickness
+    ]
+    return sorted(result, key=lambda entry: entry[2])
+
+
+def _plate_name(structure: Structure, plate: Plate) -> str:
+    body = structure.bodies[plate.body]
+    return f"{body.role} {body.name.removeprefix(body.role)}"
 
 
 def _pieces(structure: Structure) -> _Pieces:
-    """Return all plates, and the triangles of all facets."""
+    """Return all plates that are prisms over their mid-planes, and the triangles of all facets."""
     triangles, numbers = facet_triangles(structure)
-    plates, facets = structure.plates, structure.facets
+    plates, facets = [plate for plate in structure.plates if not plate.solids], structure.facets
     polygons = [plate.points for plate in plates] + [tuple(corners) for corners in triangles.tolist()]
     most = max(map(len, polygons), default=0)
     # a repeated last corner adds sides of zero length, which cross nothing
@@ -114,7 +146,7 @@ def _pieces(structure: Structure) -> _Pieces:
         half=np.array(thickness) / 2,
         owner=np.concatenate([np.arange(len(plates)), len(plates) + numbers]),
         names=(
-            *(f"{body.role} {body.name.removeprefix(body.role)}" for body in bodies),
+            *(_plate_name(structure, plate) for plate in plates),
             *(f"facet {facet.name.removeprefix('facet')}" for facet in facets),
         ),
         joined=joined,

@@ -10,8 +10,9 @@ import scipy
 
 from forficula.arrays import Array
 from forficula.dynamics import Record
-from forficula.pattern import flat_fold
+from forficula.pattern import FlatFold, flat_fold
 from forficula.serial import Metres, SquareMetres, Written
+from forficula.statics.tree.pose import pose, tree_of
 from forficula.structure import Structure, goal_coordinates, goal_of, state_of
 
 _FLAT = 1e-9  # share of the size of a shape: thinner shapes have no volume
@@ -46,7 +47,8 @@ class Package:
 class FlatPackage:
     """Size of a structure whose sheet is folded flat along all its creases, by geometry alone.
 
-    The layers lie on top of one another without the space that folds of thick layers need, and no layer collides.
+    The layers lie on top of one another without the space that folds of thick layers need, and no layer collides. Thick
+    panels that fold flat (`Plate.solids`) have their exact size.
 
     Attributes:
         folding_ratio: area of the open sheet divided by the area of the convex outline of the folded one, with a margin
@@ -66,9 +68,24 @@ def flat_package(structure: Structure) -> FlatPackage | None:
     fold = None if pattern is None else flat_fold(pattern)
     if fold is None:
         return None
+    if any(plate.solids for plate in structure.plates):
+        return _thick_package(structure, fold)
     radius = _radius(structure)
     outline = package_of(fold.places, radius)
     return FlatPackage(folding_ratio=fold.area / outline.area, layers=fold.layers, height=2 * radius * fold.layers)
+
+
+def _thick_package(structure: Structure, fold: FlatFold) -> FlatPackage | None:
+    """Compute the size of thick panels that are folded flat; None if stops prevent it."""
+    folds = np.array([hinge.assignment in ("M", "V") for hinge in structure.hinges])
+    angles = np.where(folds, np.pi, [hinge.built for hinge in structure.hinges])
+    if any(hinge.upper < np.pi for hinge in structure.hinges):
+        return None
+    at = pose(tree_of(structure), angles[None])
+    points = [structure.points[point] for plate in structure.plates for solid in plate.solids for point in solid]
+    places = np.array([at.origins[0, point.body] + at.frames[0, point.body] @ point.place for point in points])
+    package = package_of(places, 0.0)
+    return FlatPackage(folding_ratio=fold.area / package.area, layers=fold.layers, height=package.height)
 
 
 def package_of(places: Array, radius: float) -> Package:
@@ -175,8 +192,9 @@ def _not_collinear(places: Array) -> bool:
 
 
 def _radius(structure: Structure) -> float:
-    """Return half the thickness of the thickest part, m."""
-    bars, plates = ([bar.diameter for bar in structure.bars], [plate.thickness for plate in structure.plates])
+    """Return half the thickness of the thickest part whose points lie in its middle, m."""
+    bars = [bar.diameter for bar in structure.bars]
+    plates = [plate.thickness for plate in structure.plates if not plate.solids]
     return max([*bars, *plates, *(facet.thickness for facet in structure.facets)], default=0.0) / 2
 
 

@@ -109,6 +109,11 @@ class Design(Displayed, Section):
         return design_text(self)
 
     @property
+    def method_papers(self) -> Mapping[str, str]:
+        """Publications of methods that the design chooses, as `papers`."""
+        return {}
+
+    @property
     def has_stops_of_bodies(self) -> bool:
         """Whether hinges have stops, or bodies guard tendons, to which the section `stops` applies."""
         return True

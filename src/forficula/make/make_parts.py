@@ -15,6 +15,7 @@ from forficula.make.hinge.joint import bar_solid, pin_solid
 from forficula.make.hinge.joint_layout import Arm, JointLayout, joint_layouts
 from forficula.make.hinge.strap_shape import StrapPlace, bows_beside, made_strap, strap_places
 from forficula.make.part import Part, PartSet
+from forficula.make.solid.panels import panel_fold, panel_parts
 from forficula.make.stock import stock_of
 from forficula.material.law.law_file import named_laws
 from forficula.names import one_of
@@ -30,7 +31,8 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
     Args:
         design: design, or its name or path.
         part: "sheet"; "joint" (the first joint and the others that its tendon crosses); "section" (all joints with the
-            hub on which they turn); or "all" (the sheet and, for a structure with bars, the section).
+            hub on which they turn); or "all" (the sheet and, for a structure with bars, the section; for thick panels
+            these instead of the sheet).
 
     Raises:
         InputError: unknown part, or one that the design does not have.
@@ -47,14 +49,23 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
     if part in ("joint", "section") or (part == "all" and structure.bars):
         joints = joint_layouts(design, structure)
         joints = bows_beside(_first(joints) if part == "joint" else joints)
+    panels = panel_parts(design, structure) if part == "all" else []
     return PartSet(
         design=design,
         structure=structure,
         joints=joints,
         roots=(roots := () if part == "joint" else roots_of(structure, joints)),
         straps=(straps := strap_places(joints)),
-        parts=(*_bars(structure, joints, roots), *_pins(joints), *_straps(design, structure, straps), *_hub(roots)),
-        sheet=cut_sheet(design) if part in ("all", "sheet") else None,
+        parts=(
+            *_bars(structure, joints, roots),
+            *_pins(joints),
+            *_straps(design, structure, straps),
+            *_hub(roots),
+            *panels,
+        ),
+        # thick panels are not cut from one sheet
+        sheet=cut_sheet(design) if part == "sheet" or (part == "all" and not panels) else None,
+        fold=panel_fold(design, structure) if panels else None,
     )
 
 

@@ -30,7 +30,7 @@ class Part:
 
     Attributes:
         name: unique name.
-        kind: bar, pin, strap, hub or root.
+        kind: bar, pin, strap, hub, root or panel.
         stock: its material.
         solid: in its position in the flat structure, in the axes of the ground, m.
         body: index of the body with which it moves; GROUND for a fixed part, None for one that bends.
@@ -90,6 +90,8 @@ class PartSet(Result):
         straps: ends of straps, in the order of their parts.
         parts: solids; empty if only the sheet is made.
         sheet: the sheet to cut; None if only solids are made.
+        fold: angles of all hinges along the fold path of thick panels, in equal steps of the largest fold angle, in
+            own senses, rad, (pose, hinge); None for other parts, or if the path is not known.
     """
 
     design: Design
@@ -99,6 +101,7 @@ class PartSet(Result):
     straps: tuple[StrapPlace, ...]
     parts: tuple[Part, ...]
     sheet: CutSheet | None
+    fold: Array | None = None
 
     def __repr__(self) -> str:
         """Design and names of the parts."""

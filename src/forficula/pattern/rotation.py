@@ -48,6 +48,24 @@ def turn_about(origin: Array, axis: Array, angle: float) -> RigidMotion:
     return RigidMotion(rotation, origin - rotation @ origin)
 
 
+def motion_from(before: Array, after: Array) -> tuple[Array, Array]:
+    """Compute the rigid motions that take points to other positions, by least squares (Kabsch 1976).
+
+    Args:
+        before: m, (point, 3); the points need not span space, but a plane.
+        after: m, (..., point, 3).
+
+    Returns:
+        Rotations, (..., 3, 3), and shifts after them, m, (..., 3).
+    """
+    middle, middles = before.mean(axis=0), after.mean(axis=-2)
+    one, _, other = np.linalg.svd(np.swapaxes(after - middles[..., None, :], -1, -2) @ (before - middle))
+    signs = np.ones(one.shape[:-1])
+    signs[..., 2] = np.linalg.det(one @ other)
+    turns = one * signs[..., None, :] @ other
+    return turns, middles - turns @ middle
+
+
 def rotation_to_z(direction: Array) -> Array:
     """Compute the rotation that turns a unit vector to +z, about an axis normal to both, (3, 3) (Rodrigues 1840)."""
     x, y, z = direction.tolist()

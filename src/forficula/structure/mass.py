@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+import scipy
 
 from forficula.arrays import Array
 from forficula.structure.parts import Bar, Closure, Plate, PointMass
@@ -45,11 +46,14 @@ def _copies(structure: Structure, body: int) -> tuple[int, list[Closure]]:
 def _of_parts(structure: Structure, body: int) -> tuple[float, Array, Array]:
     """Compute mass, centre and inertia of all bars, plates and masses on a body, without sharing."""
     parts = [_of_bar(bar) for bar in structure.bars if bar.body == body]
-    parts += [
-        _of_plate(plate, np.array([structure.points[point].place for point in plate.points]))
-        for plate in structure.plates
-        if plate.body == body
-    ]
+    for plate in structure.plates:
+        if plate.body == body and plate.solids:
+            parts += [
+                _of_convex(np.array([structure.points[point].place for point in solid]), plate.density)
+                for solid in plate.solids
+            ]
+        elif plate.body == body:
+            parts.append(_of_plate(plate, np.array([structure.points[point].place for point in plate.points])))
     return _combined(parts + [_of_point_mass(mass) for mass in structure.masses if mass.body == body])
 
 
@@ -105,6 +109,23 @@ def _of_plate(plate: Plate, corners: Array) -> tuple[float, Array, Array]:
     spread = second / area - np.outer(mean, mean) + plate.thickness**2 / 12 * np.outer(normal, normal)
     mass = plate.density * plate.thickness * area
     return float(mass), corners[0] + mean, mass * (np.trace(spread) * np.eye(3) - spread)
+
+
+def _of_convex(corners: Array, density: float) -> tuple[float, Array, Array]:
+    """Compute mass, centre and inertia of the convex hull of corners.
+
+    They are sums over the tetrahedra between a position inside and the triangles of the surface. For corners a, b, c
+    the volume is V = |a . (b x c)| / 6, and the second moment V / 20 ((a + b + c) (a + b + c)' + a a' + b b' + c c').
+    """
+    inside = corners.mean(axis=0)
+    triangles = (corners - inside)[scipy.spatial.ConvexHull(corners).simplices]
+    volumes = np.abs(np.linalg.det(triangles)) / 6
+    volume, sums = volumes.sum(), triangles.sum(axis=1)
+    mean = volumes @ sums / (4 * volume)
+    second = np.einsum("t,ti,tj->ij", volumes / 20, sums, sums)
+    second += np.einsum("t,tki,tkj->ij", volumes / 20, triangles, triangles)
+    spread = second - volume * np.outer(mean, mean)
+    return float(density * volume), inside + mean, density * (np.trace(spread) * np.eye(3) - spread)
 
 
 def _of_point(place: Array) -> Array:

@@ -86,15 +86,19 @@ class Bar:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Plate:
-    """A flat polygon of uniform thickness.
+    """A flat polygon of uniform thickness, or convex solids.
 
     Attributes:
         body: number of the body.
-        points: numbers of the corners, points of that body, in order.
+        points: numbers of the corners of the mid-plane, points of that body, in order.
         thickness: m.
         density: kg/m^3.
         touching_distance: distance between the mid-planes of touching plates, m; that of the structure's contact if
             None.
+        solids: numbers of the corners of convex solids that touch but do not overlap, points of that body; empty for a
+            prism over the mid-plane.
+        core: numbers of the corners of a polygon in the mid-plane, points of that body, in order. Everything within
+            half the thickness of the polygon lies inside the solids, apart from cut-outs. Empty without solids.
     """
 
     body: int
@@ -102,6 +106,8 @@ class Plate:
     thickness: float
     density: float
     touching_distance: float | None = None
+    solids: tuple[tuple[int, ...], ...] = ()
+    core: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

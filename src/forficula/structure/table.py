@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -59,7 +60,11 @@ def _spheres(structure: Structure) -> Iterator[tuple[int, Array, float]]:
     for bar in structure.bars:
         yield bar.body, np.zeros(3), bar.diameter / 2
         yield bar.body, bar.end, bar.diameter / 2
-    panels = [(plate.points, plate.thickness) for plate in structure.plates]
+    # the corners of solids lie on their surfaces
+    panels = [
+        (tuple(sorted({*itertools.chain(*plate.solids)})), 0.0) if plate.solids else (plate.points, plate.thickness)
+        for plate in structure.plates
+    ]
     panels += [((*facet.points, *facet.inside), facet.thickness) for facet in structure.facets]
     for numbers, thickness in panels:
         for number in numbers:

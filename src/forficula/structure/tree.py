@@ -62,6 +62,7 @@ def built_points(structure: Structure) -> Array:
 def drawn_points(structure: Structure) -> list[int]:
     """Return the numbers of the points between which bars, plates and facets are drawn."""
     ends = [part.points for parts in (structure.bars, structure.plates, structure.facets) for part in parts]
+    ends += [solid for plate in structure.plates for solid in plate.solids]
     return sorted({point for points in ends for point in points})
 
 

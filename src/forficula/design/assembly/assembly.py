@@ -249,6 +249,11 @@ class AssemblyDesign(Design):
         return tuple(f"{name}: {sentence}" for name, part in self.designs.items() for sentence in part.idle)
 
     @property
+    def method_papers(self) -> Mapping[str, str]:
+        """Publications of methods that parts choose."""
+        return {key: use for part in self.designs.values() for key, use in part.method_papers.items()}
+
+    @property
     def has_stops_of_bodies(self) -> bool:
         """Whether a part, or a hinge between parts, has stops."""
         return any(part.has_stops_of_bodies for part in self.designs.values()) or any(

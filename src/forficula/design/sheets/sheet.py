@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
 from typing import Annotated, Any, ClassVar, Self
 
@@ -19,6 +20,12 @@ from forficula.design.sheets.sheet_sections import Crease, FacetSection, Imperfe
 from forficula.pattern import CreasePattern, central_facet, facet_tree
 from forficula.quantities import Unit
 
+# publications of the methods by which facets have a thickness
+METHOD_PAPERS: Mapping[str, Mapping[str, str]] = {
+    "offset": {"edmondson2014": "thick panels beside the plane of the hinges"},
+    "tapered": {"tachi2011": "trimmed thick panels"},
+    "hinge-shift": {"chen2015": "positions of the hinges of thick panels"},
+}
 # factor of the imperfection of a sheet for a slightly different start
 _OTHER_START = 1.01
 
@@ -30,6 +37,7 @@ class SheetDesign(Design):
     weight_sections: ClassVar[tuple[str, ...]] = ("facet",)
     rest_keys: ClassVar[tuple[str, ...]] = (
         "pattern",
+        "facet.thickness",
         "crease",
         "support",
         "measure",
@@ -89,6 +97,11 @@ class SheetDesign(Design):
     def chosen(self) -> tuple[Choice, ...]:
         """The values that are not given and that a rule chooses."""
         return _choices(self.pattern, self.facet, self.crease)
+
+    @property
+    def method_papers(self) -> Mapping[str, str]:
+        """Publication of the method that makes room for the thickness of facets."""
+        return METHOD_PAPERS.get(self.facet.thickness_method or "", {})
 
     @property
     def has_stops_of_bodies(self) -> bool:

@@ -32,6 +32,7 @@ from forficula.design.sheets.sheet_places import (
     vertex_of,
 )
 from forficula.design.sheets.sheet_sections import CREASE_STIFFNESS
+from forficula.design.sheets.thick_panels import check_thickness
 from forficula.design.stops import StopSection
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, built_fold_angles
@@ -84,6 +85,7 @@ def check_sheet(design: SheetDesign) -> None:
         raise InputError("crease.start: is for rigid facets; others start as the pattern is built")
     else:
         _check_built(design, sheet)
+    check_thickness(design)
     for number, extension in enumerate((design.crease.extension, *(group.extension for group in groups))):
         if design.facet.kind != "rigid" and extension is not None:
             key = f"crease.group.{number - 1}" if number else "crease"

@@ -42,6 +42,16 @@ class FacetSection(Section):
         ),
     ] = "bars"
     thickness: float | None = quantity(SMALL_LENGTH, "thickness", default=None, above=0)
+    thickness_method: Annotated[
+        Literal["none", "offset", "tapered", "hinge-shift"] | None,
+        Field(
+            description="how rigid facets make room for their thickness. none, or not given: hinge axes lie in the"
+            " mid-plane, and panels overlap when folded; offset: panels are shifted from the plane of the axes;"
+            " tapered: panels are trimmed to the largest fold angle; hinge-shift: axes are shifted, for vertices of"
+            " four creases",
+            examples=["hinge-shift"],
+        ),
+    ] = None
     density: float | None = quantity(DENSITY, "density", default=None, above=0)
     youngs_modulus: float | None = quantity(MODULUS, "Young's modulus", default=None, above=0, examples=["2000 MPa"])
     poisson_ratio: Annotated[float | None, Field(strict=True, ge=0, lt=0.5, description="Poisson's ratio")] = Field(
@@ -63,6 +73,11 @@ class FacetSection(Section):
     stretch_damping: float | None = quantity(
         SHORT_TIME, "relaxation time of the Kelvin-Voigt damping of stretching", default=None, at_least=0
     )
+
+    @field_validator("thickness_method")
+    @classmethod
+    def _none_is_absent(cls, method: str | None) -> str | None:
+        return None if method == "none" else method
 
 
 class Imperfection(Section):

@@ -116,10 +116,14 @@ def _add_plate(spec: mujoco.MjSpec, body: mujoco.MjsBody, plate: Plate, structur
     corners = np.array([structure.points[point].place for point in plate.points])
     normal = polygon_normal(corners)
     half = plate.thickness / 2 * normal / np.linalg.norm(normal)
-    shape = spec.add_mesh(name=body.name, uservert=np.concatenate([corners + half, corners - half]).ravel())
-    # as a shell, because a thin plate has almost no volume
-    shape.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
-    body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=body.name, mass=0, contype=0, conaffinity=0)
+    solids = [np.array([structure.points[point].place for point in solid]) for solid in plate.solids]
+    for number, solid in enumerate(solids or [np.concatenate([corners + half, corners - half])]):
+        # the engine takes the convex hull
+        name = f"{body.name}_{number}" if number else body.name
+        shape = spec.add_mesh(name=name, uservert=solid.ravel())
+        # as a shell, because a thin plate has almost no volume
+        shape.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+        body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, mass=0, contype=0, conaffinity=0)
 
 
 def _add_mass(body: mujoco.MjsBody, number: int, structure: Structure) -> None:

@@ -10,6 +10,7 @@ from forficula.errors import InputError
 from forficula.make.as_made import uncoupled
 from forficula.make.checks.check import Check, count_check
 from forficula.make.checks.motion_checks import built_checks, motion_checks
+from forficula.make.checks.panel_checks import panel_checks
 from forficula.make.checks.printing_checks import printing_checks
 from forficula.make.checks.range_checks import range_checks
 from forficula.make.checks.strength_checks import strength_checks
@@ -56,6 +57,7 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
         *sheet,
         *tendon_checks(parts),
         *coupling_checks(parts),
+        *panel_checks(parts),
         *_motion(parts, run),
     )
 

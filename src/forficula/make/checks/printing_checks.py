@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from forficula.design import MakeSection
 from forficula.make.checks.check import Check, count_check, least_check
 from forficula.make.part import Part, PartSet
 from forficula.make.solid.mesh import mesh_of, solid_of
@@ -52,7 +53,7 @@ def printing_checks(parts: PartSet) -> Iterator[Check]:
         pieces = len(part.shape.decompose())
         missed = f"it falls into {pieces} pieces: make it longer or wider"
         yield count_check("in one piece", part.name, measured=pieces, wanted=1, held="it is one piece", missed=missed)
-    if parts.joints and parts.joints[0].make.process == "filament":
+    if parts.parts and (parts.design.make or MakeSection()).process == "filament":
         yield from (_overhang(part) for part in parts.parts if part.printed)
 
 

@@ -13,8 +13,9 @@ from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.make.part import Part
 from forficula.make.solid.mesh import MILLIMETRES
-from forficula.make.solid.solids import Cut, Joined, Prism, Rod, Shared, Solid
+from forficula.make.solid.solids import Cut, Hull, Joined, Prism, Rod, Shared, Solid
 from forficula.optional_module import optional_module
+from forficula.pattern.thick.convex import convex_faces
 
 # a fixed time, so that the same part always gives the same bytes
 _TIME = "1980-01-01T00:00:00"
@@ -78,6 +79,8 @@ def shape_of(solid: Solid) -> Any:
             return _rod(solid)
         case Prism():
             return _prism(solid)
+        case Hull():
+            return _hull(solid)
         case Joined():
             return _combined(BRepAlgoAPI_Fuse(), solid.solids[:1], solid.solids[1:])
         case Shared():
@@ -182,6 +185,26 @@ def _prism(prism: Prism) -> Any:
     polygon.Close()
     face = BRepBuilderAPI_MakeFace(polygon.Wire()).Face()
     return BRepPrimAPI_MakePrism(face, gp_Vec(*(normal * MILLIMETRES).tolist())).Shape()
+
+
+def _hull(hull: Hull) -> Any:
+    from OCP.BRepBuilderAPI import (
+        BRepBuilderAPI_MakeFace,
+        BRepBuilderAPI_MakePolygon,
+        BRepBuilderAPI_MakeSolid,
+        BRepBuilderAPI_Sewing,
+    )
+    from OCP.TopoDS import TopoDS
+
+    sewn = BRepBuilderAPI_Sewing()
+    for face in convex_faces(hull.corners):
+        polygon = BRepBuilderAPI_MakePolygon()
+        for corner in face:
+            polygon.Add(_point(hull.corners[corner]))
+        polygon.Close()
+        sewn.Add(BRepBuilderAPI_MakeFace(polygon.Wire(), True).Face())
+    sewn.Perform()
+    return BRepBuilderAPI_MakeSolid(TopoDS.Shell(sewn.SewedShape())).Solid()
 
 
 def _point(place: Array) -> Any:

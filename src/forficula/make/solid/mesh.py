@@ -9,7 +9,7 @@ import numpy as np
 from manifold3d import CrossSection, Manifold, OpType
 
 from forficula.arrays import Array, Indices
-from forficula.make.solid.solids import Cut, Joined, Prism, Rod, Shared, Solid
+from forficula.make.solid.solids import Cut, Hull, Joined, Prism, Rod, Shared, Solid
 from forficula.pattern.rotation import frame_along
 
 MILLIMETRES = 1e3
@@ -40,6 +40,8 @@ def solid_of(solid: Solid) -> Manifold:
             flat = CrossSection([solid.outline * MILLIMETRES])
             upright = Manifold.extrude(flat, solid.height * MILLIMETRES)
             return placed(upright, solid.frame, solid.origin - solid.frame[:, 2] * solid.height / 2)
+        case Hull():
+            return Manifold.hull_points(solid.corners * MILLIMETRES)
         case Joined():
             return Manifold.batch_boolean([solid_of(child) for child in solid.solids], OpType.Add)
         case Shared():

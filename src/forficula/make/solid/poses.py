@@ -10,7 +10,7 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.dynamics import Record, StageEnd
 from forficula.statics.tree.pose import pose, tree_of
-from forficula.structure import built_frames
+from forficula.structure import Structure, built_frames
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -30,8 +30,12 @@ class PartPoses:
 
 def poses_of(record: Record, rows: Sequence[int] | Indices) -> PartPoses:
     """Return the positions of the bodies of a tree in rows of a record, from the angles of its hinges."""
-    structure = record.structure
-    at = pose(tree_of(structure), record.series["hinge_angle"][np.asarray(rows)])
+    return tree_poses(record.structure, record.series["hinge_angle"][np.asarray(rows)], rows)
+
+
+def tree_poses(structure: Structure, angles: Array, rows: Sequence[int] | Indices) -> PartPoses:
+    """Return the positions of the bodies of a tree at angles of its hinges, in their own senses, rad, (row, hinge)."""
+    at = pose(tree_of(structure), angles)
     origins, frames = built_frames(structure)
     origins, frames = np.vstack([origins, np.zeros((1, 3))]), np.concatenate([frames, np.eye(3)[None]])
     turns = at.frames @ np.swapaxes(frames, 1, 2)

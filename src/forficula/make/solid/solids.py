@@ -1,6 +1,7 @@
-"""Shapes of parts: rods and prisms, and their unions, differences and intersections, as a tree that kernels evaluate.
+"""Shapes of parts: rods, prisms and convex hulls, and their unions, differences and intersections.
 
-Lengths in m. Each shape is defined only once, so that two kernels can evaluate the same tree and be compared.
+They form a tree that kernels evaluate. Lengths in m. Each shape is defined only once, so that two
+kernels can evaluate the same tree and be compared.
 """
 
 from __future__ import annotations
@@ -46,6 +47,17 @@ class Prism:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class Hull:
+    """The convex hull of corners.
+
+    Attributes:
+        corners: m, (corner, 3).
+    """
+
+    corners: Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Joined:
     """Union of solids."""
 
@@ -67,7 +79,7 @@ class Shared:
     solids: tuple[Solid, ...]
 
 
-Solid = Rod | Prism | Joined | Cut | Shared
+Solid = Rod | Prism | Hull | Joined | Cut | Shared
 
 
 def joined(*solids: Solid) -> Solid:
@@ -117,6 +129,8 @@ def moved(solid: Solid, frame: Array, origin: Array) -> Solid:
                 frame=frame @ solid.frame,
                 height=solid.height,
             )
+        case Hull():
+            return Hull(corners=solid.corners @ frame.T + origin)
         case Joined():
             return Joined(solids=tuple(moved(child, frame, origin) for child in solid.solids))
         case Shared():

@@ -110,6 +110,11 @@ def stl_bytes(structure: Structure, points: Array, scene: Scene) -> bytes:
     trimesh = trimesh_module()
     pieces = _panels(structure, _MILLIMETRES * points, scene)
     solids = [*(solid for piece in pieces for solid in _prism(*piece)), *_bars(scene)]
+    solids += [
+        manifold3d.Manifold.hull_points(_MILLIMETRES * points[list(solid)])
+        for plate in structure.plates
+        for solid in plate.solids
+    ]
     if not solids:
         raise InputError(f"{structure.name}: need bars, or panels with a thickness, for a solid")
     for attempt in range(_ATTEMPTS):
@@ -145,6 +150,8 @@ def _panels(structure: Structure, points: Array, scene: Scene) -> list[tuple[Arr
         for region in scene.regions:
             pieces += [] if region.solid else [(places[corners], thickness) for corners in region.triangles.tolist()]
     for plate in structure.plates:
+        if plate.solids:
+            continue
         pieces.append((points[list(plate.points)], _MILLIMETRES * plate.thickness))
     return [(corners, thickness) for corners, thickness in pieces if thickness > 0]
 

@@ -14,7 +14,7 @@ from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
 from forficula.optional_module import optional_module
 from forficula.show.export.scene import sampled, sampled_points
-from forficula.show.structure.shape import drawn_pieces
+from forficula.show.structure.shape import drawn_pieces, plate_polygons
 from forficula.structure import Bar, Spring, Structure, Tendon, built_points, facet_triangles
 from forficula.structure.membrane_stress import principal_strains, principal_stresses
 
@@ -91,8 +91,9 @@ def _triangles(structure: Structure, membrane: Indices) -> tuple[Indices, Array]
         owners += [PARTS["facet"]] * len(facets)
     for plate in structure.plates:
         pieces = [
-            (plate.points[piece[0]], plate.points[one], plate.points[other])
-            for piece in drawn_pieces(built_points(structure)[list(plate.points)])
+            (polygon[piece[0]], polygon[one], polygon[other])
+            for polygon in plate_polygons(plate, built_points(structure))
+            for piece in drawn_pieces(built_points(structure)[list(polygon)])
             for one, other in pairwise(piece[1:])
         ]
         blocks.append(np.array(pieces, dtype=np.int64).reshape(-1, 3))

@@ -109,9 +109,11 @@ def parts_drawings(
     sheet, drawings = parts.sheet, dict[str, Drawing]()
     if sheet is not None:
         drawings["sheet"] = lambda width: _marked(draw_cut_sheet(sheet, width), sheet.checks)
-    if not parts.joints:
+    if not parts.parts:
         return drawings
     drawings["parts"] = lambda width: _marked(draw_parts(parts, width), checks)
+    if not parts.joints:
+        return drawings
     made = compared or comparison_or_why(parts)
     if isinstance(made, MadeComparison) and made.hinges:
         drawings["made"] = lambda width: _marked(draw_made(made, width), checks)

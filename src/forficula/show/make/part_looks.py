@@ -9,7 +9,7 @@ from forficula.structure import GROUND
 
 # by kind; bars of several roles take these colours in turn
 _BARS = ("#7DB3D8", "#E3BE7E", "#B7A6D6", "#A9C98F")
-_KINDS = {"pin": "#B9C0C7", "strap": "#3E9C86", "hub": "#C99AA9", "root": "#C77B52"}
+_KINDS = {"pin": "#B9C0C7", "strap": "#3E9C86", "hub": "#C99AA9", "root": "#C77B52", "panel": "#E3CF9E"}
 _OTHERS = "#CFCFCF"
 # colour of the faces with which two halves of a joint stop each other
 STOP_COLOUR = "#D55E00"

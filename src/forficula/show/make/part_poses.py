@@ -10,7 +10,9 @@ from forficula.arrays import Array
 from forficula.make.hinge.joint import turned
 from forficula.make.hinge.joint_layout import JointLayout
 from forficula.make.part import Part, PartSet
+from forficula.make.solid.poses import tree_poses
 from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion
+from forficula.show.make.part_mesh import part_mesh
 from forficula.structure import GROUND
 
 # largest distances in an exploded view, as shares of the length of the arms that are moved, or of the part
@@ -18,15 +20,23 @@ _APART, _RAISED, _PULLED = 0.3, 0.45, 1.6
 
 
 def angle_range(parts: PartSet) -> tuple[float, float]:
-    """Return the lowest stop of folding and the highest stop of the overbend over all joints, rad."""
+    """Return the lowest stop of folding and the highest stop of the overbend over all joints, rad.
+
+    Thick panels without joints fold from 0 to their largest fold angle.
+    """
+    if not parts.joints:
+        return 0.0, 0.0 if parts.fold is None else float(np.abs(parts.fold[-1]).max())
     return min(joint.lower for joint in parts.joints), max(joint.upper for joint in parts.joints)
 
 
 def poses_at(parts: PartSet, angle: float) -> Mapping[int, RigidMotion]:
     """Return the motion of every body with all joints at an angle in their own senses, rad, limited by their stops.
 
-    A single joint turns its distal half. Bars that turn against the ground keep their built positions.
+    A single joint turns its distal half. Bars that turn against the ground keep their built positions. Thick panels
+    fold along their path until their largest fold angle is the given one.
     """
+    if parts.fold is not None:
+        return _folded(parts, parts.fold, angle)
     by_body = {joint.distal.body: joint for joint in parts.joints}
     poses = {GROUND: IDENTITY_MOTION}
     for number, body in enumerate(parts.structure.bodies):
@@ -35,6 +45,17 @@ def poses_at(parts: PartSet, angle: float) -> Mapping[int, RigidMotion]:
             pose = pose.after(turned(by_body[number], within(by_body[number], angle)))
         poses[number] = pose
     return poses
+
+
+def _folded(parts: PartSet, fold: Array, angle: float) -> Mapping[int, RigidMotion]:
+    """Return the motion of every body at a pose of the fold path of thick panels."""
+    largest = float(np.abs(fold[-1]).max())
+    place = np.clip(angle / largest, 0, 1) * (len(fold) - 1)
+    first = min(int(place), len(fold) - 2)
+    between = fold[first] + (place - first) * (fold[first + 1] - fold[first])
+    poses = tree_poses(parts.structure, between[None], [0])
+    motions = [RigidMotion(turn, shift) for turn, shift in zip(poses.frames[0], poses.origins[0], strict=True)]
+    return {GROUND: IDENTITY_MOTION, **dict(enumerate(motions[: len(parts.structure.bodies)]))}
 
 
 def within(joint: JointLayout, angle: float) -> float:
@@ -64,6 +85,9 @@ def _apart(parts: PartSet, part: Part, shifts: Mapping[int, Array]) -> Array:
     back = np.mean([root.along for root in parts.roots], axis=0) if parts.roots else np.zeros(3)
     rod = parts.roots[0].make.root_length if parts.roots else 0.0
     match part.kind:
+        case "panel":
+            centres = [np.mean(part_mesh(item, ()).points, axis=0) for item in same]
+            return np.asarray(_APART * (centres[index] - np.mean(centres, axis=0)))
         case "strap":
             strap = parts.straps[index]
             between = (shifts[strap.bodies[0]] + shifts[strap.bodies[1]]) / 2

@@ -19,7 +19,7 @@ from forficula.show.make.part_facts import mass_text, masses_text, part_masses, 
 from forficula.show.make.part_looks import PartLook, part_looks
 from forficula.show.make.part_poses import angle_range
 from forficula.show.structure.painted_shape import PaintedShape, show_painted
-from forficula.show.structure.viewpoint import Viewpoint
+from forficula.show.structure.viewpoint import Viewpoint, page_view
 from forficula.show.style import PAGE_WIDTH, describe, draw_bar, figure_style, is_narrow
 
 # direction to the eye in the axes of the first joint: along the arms, along its hinge, and up
@@ -33,15 +33,19 @@ _BAR = 0.3  # length of the scale bar, as a share of a picture's width
 def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
     """Draw the parts of a single joint at both stops and half way, of several joints as built; then an exploded view.
 
+    Thick panels are drawn flat, half way along their fold path, and folded.
+
     Args:
-        parts: parts with at least one joint.
+        parts: parts with at least one joint or panel.
         width: width of the figure, inch.
     """
     low, high = angle_range(parts)
     view, (looks, _) = _view(parts), part_looks(parts)
     middle = (low + high) / 2
     stops = [("overbend stop", high), ("half way", middle), ("folding stop", low)]
-    posed = stops if len(parts.joints) == 1 else [("as built", 0.0)]
+    if parts.fold is not None:
+        stops = [("flat", low), ("half way", middle), ("folded", high)]
+    posed = stops if len(parts.joints) == 1 or parts.fold is not None else [("as built", 0.0)]
     colours = [look.colour for look in looks]
     pictures = [paint_parts(placed_parts(parts, angle), colours, view) for _, angle in posed]
     taken = placed_parts(parts, 0.0, 1.0)
@@ -60,6 +64,8 @@ def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
 
 def _view(parts: PartSet) -> Viewpoint:
     """Return the viewpoint: beside the arms of the first joint, from above."""
+    if not parts.joints:
+        return page_view()
     frame = parts.joints[0].frame
     towards = frame @ np.array(_TOWARDS)
     towards /= np.linalg.norm(towards)

@@ -118,6 +118,8 @@ def _checked(checks: Sequence[Check]) -> str:
 
 def _moving_note(parts: PartSet, record: Record | None) -> str:
     """Return a note on the motion in the picture and on what it leaves out."""
+    if not parts.joints:
+        return paragraph("The panels turn along the fold path of the sheet without thickness.", "note")
     several = len(parts.joints) > 1
     note = "Each joint turns independently, all by the same angle or to their stops; " if several else ""
     note += "slack straps are drawn as elasticas between pegs that turn freely, taut straps with their own thickness."

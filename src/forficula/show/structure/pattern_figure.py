@@ -181,6 +181,9 @@ def _middle(structure: Structure, hinge: Hinge, points: Array, origin: Array, di
             along = (corners - origin) @ direction
             beside = np.linalg.norm(corners - origin - along[:, np.newaxis] * direction, axis=1)
             on_axis = along[beside < _ON_AXIS * structure.span]
+            if plate.solids:
+                # the axis may be above or below the mid-plane
+                on_axis = along[np.argsort(beside)[:2]]
             if len(on_axis):
                 return np.asarray(origin + (on_axis.min() + on_axis.max()) / 2 * direction)
     return origin

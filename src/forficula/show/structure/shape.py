@@ -13,9 +13,11 @@ import scipy
 
 from forficula.arrays import Array, Indices
 from forficula.pattern.geometry import polygon_normal
+from forficula.pattern.thick.convex import convex_faces
 from forficula.pattern.triangulation import ears
 from forficula.structure import (
     Membrane,
+    Plate,
     Structure,
     ancestry,
     built_points,
@@ -150,10 +152,16 @@ def shape_of(structure: Structure) -> Shape:
     before_plates, edges = len(faces), list[ShapeLine]()
     anchors = np.concatenate([built_points(structure), *(membrane.built for membrane in structure.membranes)])
     for plate in structure.plates:
-        corners = [vertices.at(point, point, 0.0) for point in plate.points]
-        edges += (ShapeLine(kind="edge", crease="B", path=ends) for ends in pairwise([*corners, corners[0]]))
-        pieces = drawn_pieces(anchors[list(plate.points)])
-        faces += (tuple(corners[corner] for corner in piece) for piece in pieces)
+        pieces = list[tuple[int, ...]]()
+        for polygon in plate_polygons(plate, anchors):
+            corners = [vertices.at(point, point, 0.0) for point in polygon]
+            ends = pairwise([*corners, corners[0]])
+            edges += (
+                ShapeLine(kind="edge", crease="B", path=pair) for pair in ends if pair[0] < pair[1] or not plate.solids
+            )
+            drawn = drawn_pieces(anchors[list(polygon)]) if not plate.solids else _fan(len(polygon))
+            pieces += (tuple(corners[corner] for corner in piece) for piece in drawn)
+        faces += pieces
         names += [structure.bodies[plate.body].role] * len(pieces)
         carriers += [plate.body] * len(pieces)
     on_sheet = len(vertices.numbers)
@@ -204,6 +212,21 @@ def shape_of(structure: Structure) -> Shape:
         thickness=max((bar.diameter for bar in structure.bars), default=_line_thickness(structure, built, creases)),
         span=structure.span,
     )
+
+
+def plate_polygons(plate: Plate, anchors: Array) -> list[tuple[int, ...]]:
+    """Return the corners of the drawn polygons of a plate: its mid-plane, or the faces of its solids."""
+    if not plate.solids:
+        return [plate.points]
+    return [
+        tuple(solid[corner] for corner in face) for solid in plate.solids for face in convex_faces(anchors[list(solid)])
+    ]
+
+
+def _fan(corners: int) -> list[tuple[int, ...]]:
+    """Divide a convex polygon into pieces of three or four corners, in their order."""
+    first = list(range(1, corners - 1, 2))
+    return [tuple(corner for corner in (0, one, one + 1, one + 2) if corner < corners) for one in first]
 
 
 def _groups(structure: Structure) -> dict[int, str]:

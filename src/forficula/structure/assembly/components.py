@@ -60,6 +60,8 @@ def _plate(part: JoinedPart, plate: Plate) -> Plate:
         body=part.body(plate.body),
         points=part.point_numbers(plate.points),
         touching_distance=_touching_distance(part),
+        solids=tuple(part.point_numbers(solid) for solid in plate.solids),
+        core=part.point_numbers(plate.core),
     )
 
 

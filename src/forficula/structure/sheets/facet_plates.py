@@ -11,6 +11,7 @@ from forficula.design import SheetDesign, tendon_law
 from forficula.design.sheets.sheet_places import SheetPlace, place_on
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, FacetLink, edges_between
+from forficula.pattern.thick.thick_sheet import ThickSheet
 from forficula.structure.mass import mass_of
 from forficula.structure.parts import Plate, Point, Tendon
 from forficula.structure.structure import Structure
@@ -20,7 +21,11 @@ AddPoint = Callable[[str, str, SheetPlace], int]
 
 
 def facet_plates(
-    design: SheetDesign, pattern: CreasePattern, facets: Iterable[tuple[int, int]], origins: Sequence[Array]
+    design: SheetDesign,
+    pattern: CreasePattern,
+    facets: Iterable[tuple[int, int]],
+    origins: Sequence[Array],
+    thick: ThickSheet | None,
 ) -> tuple[list[Point], tuple[Plate, ...]]:
     """Return the corners of facets, and a plate between the corners of each facet.
 
@@ -29,19 +34,49 @@ def facet_plates(
         pattern: crease pattern of the sheet, as built.
         facets: pairs of the numbers of a body and its facet.
         origins: origins of all bodies, m; their axes are parallel to those of the pattern as built.
+        thick: thick panels of the sheet; None for plates whose mid-planes are the facets.
     """
     points: list[Point] = []
     plates: list[Plate] = []
     coords, facet = pattern.vertices_coords, design.facet
     for body, number in facets:
-        first = len(points)
-        points += [
-            Point(name=corner_name(number, vertex), role="corner", body=body, place=coords[vertex] - origins[body])
+
+        def add(name: str, role: str, place: Array, body: int = body) -> int:
+            points.append(Point(name=name, role=role, body=body, place=place - origins[body]))
+            return len(points) - 1
+
+        corners = [
+            add(corner_name(number, vertex), "corner", on_panel(thick, number, coords[vertex]))
             for vertex in pattern.faces_vertices[number]
         ]
-        corners = tuple(range(first, len(points)))
-        plates.append(Plate(body=body, points=corners, thickness=facet.thickness or 0.0, density=facet.density or 0.0))
+        solids = [
+            [
+                add(f"facet{number}_solid{solid}_corner{corner}", "solid", place)
+                for corner, place in enumerate(convex.corners)
+            ]
+            for solid, convex in enumerate(() if thick is None else thick.panels[number])
+        ]
+        core = None if thick is None else thick.cores[number]
+        within = [
+            add(f"facet{number}_core{corner}", "core", place)
+            for corner, place in enumerate(() if core is None else core)
+        ]
+        plates.append(
+            Plate(
+                body=body,
+                points=tuple(corners),
+                thickness=facet.thickness or 0.0,
+                density=facet.density or 0.0,
+                solids=tuple(map(tuple, solids)),
+                core=tuple(within),
+            )
+        )
     return points, tuple(plates)
+
+
+def on_panel(thick: ThickSheet | None, facet: int, position: Array) -> Array:
+    """Return the position in the mid-plane of a panel over a position on its facet, m, (3,)."""
+    return position if thick is None else thick.layers[facet].at(position, thick.layers[facet].level)
 
 
 def corner_name(facet: int, vertex: int) -> str:
@@ -64,8 +99,9 @@ def plate_tendons(
     for number, section in enumerate(design.tendon):
         ends = tuple(place_on(pattern, getattr(section, key)) for key in ("from", "to"))
         crossed = edges_between(links, ends[0].facet, ends[1].facet)
-        # without a limit if creases open
-        longest = np.inf if design.opens else _longest(pattern, (ends[0], ends[1]), crossed)
+        # without a limit if creases open, or if axes and panels are not in one plane
+        free = design.opens or design.facet.thickness_method is not None
+        longest = np.inf if free else _longest(pattern, (ends[0], ends[1]), crossed)
         tendons.append(
             Tendon(
                 name=section.name,

@@ -13,17 +13,26 @@ from forficula.design.sheets.crease_values import creases_by_edge
 from forficula.design.sheets.sheet_creases import crease_sense
 from forficula.design.sheets.sheet_drives import places_of
 from forficula.design.sheets.sheet_places import SheetPlace, place_on
+from forficula.design.sheets.thick_panels import thick_panels
 from forficula.pattern import CreasePattern, FacetLink, facet_tree, triangulated
 from forficula.pattern.crease_pattern import is_unfolded
 from forficula.pattern.fold_angles import built_fold_angles
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
+from forficula.pattern.thick.thick_sheet import ThickSheet
 from forficula.structure.appearance import Appearance
 from forficula.structure.contact.contact_section import contact_of
 from forficula.structure.fans.crossing import tendon_crossing
 from forficula.structure.medium import facet_panels, immersed
 from forficula.structure.parts import GROUND, Body, Closure, Hinge, Panel, Point, Spring, Stops
 from forficula.structure.protocol import force_point_name, with_protocol
-from forficula.structure.sheets.facet_plates import AddPoint, corner_name, facet_plates, largest_mass, plate_tendons
+from forficula.structure.sheets.facet_plates import (
+    AddPoint,
+    corner_name,
+    facet_plates,
+    largest_mass,
+    on_panel,
+    plate_tendons,
+)
 from forficula.structure.sheets.sheet_hinge import sheet_hinge
 from forficula.structure.sheets.sheet_measures import sheet_measures
 from forficula.structure.structure import Structure
@@ -47,10 +56,11 @@ def plate_structure(design: SheetDesign) -> Structure:
     links = facet_tree(pattern, held, opening)
     number = {link.facet: body for body, link in enumerate(links) if not link.closes}
     built = _built(pattern)
-    origins = [_origin(pattern, link, free=link.parent is None and link.facet not in held) for link in links]
+    thick = thick_panels(design)
+    origins = [_origin(pattern, thick, link, free=link.parent is None and link.facet not in held) for link in links]
     for facet, edge in design.turning_facets.items():
         origins[number[facet]] = pattern.vertices_coords[pattern.edges_vertices[edge, 0]]
-    points, plates = facet_plates(design, pattern, [(number[facet], facet) for facet in number], origins)
+    points, plates = facet_plates(design, pattern, [(number[facet], facet) for facet in number], origins, thick)
     hinges = _hinges(design, pattern, links, built)
     turning = [_ground_hinge(pattern, number[facet], edge) for facet, edge in design.turning_facets.items()]
     hinges = tuple(sorted((*turning, *hinges), key=lambda hinge: hinge.body))
@@ -58,7 +68,8 @@ def plate_structure(design: SheetDesign) -> Structure:
     def add(name: str, role: str, place: SheetPlace) -> int:
         """Add a point at a place and return its number."""
         body = number[place.facet]
-        points.append(Point(name=name, role=role, body=body, place=place.position - origins[body]))
+        position = on_panel(thick, place.facet, place.position)
+        points.append(Point(name=name, role=role, body=body, place=position - origins[body]))
         return len(points) - 1
 
     springs, opened = opening_parts(design, pattern, points, add, built)
@@ -68,6 +79,7 @@ def plate_structure(design: SheetDesign) -> Structure:
     for drive in design.drive:
         for place, text in enumerate(places_of(drive)):
             add(force_point_name(drive.name, place), "pushed", place_on(pattern, text))
+    closures = _closures(pattern, thick, links, number, origins, points)
     structure = Structure(
         name=design.name,
         stops=Stops(time_constant=design.stops.time_constant, damping_ratio=design.stops.damping_ratio),
@@ -75,7 +87,7 @@ def plate_structure(design: SheetDesign) -> Structure:
         points=tuple(points),
         plates=plates,
         hinges=hinges,
-        closures=_closures(links, number, origins, points),
+        closures=closures,
         springs=springs,
         tendons=tuple(tendons),
         measures=measures,
@@ -90,13 +102,17 @@ def plate_structure(design: SheetDesign) -> Structure:
         # a crossing needs a hinge that moves independently, which there is not in a loop
         tendons = [replace(tendon, crossing=tendon_crossing(structure, tendon.points)) for tendon in tendons]
     structure = replace(structure, tendons=tuple(tendons), mass=largest_mass(design, structure))
-    return with_protocol(immersed(structure, design.medium, _panels(pattern, number)), design)
+    return with_protocol(immersed(structure, design.medium, _panels(pattern, thick, number)), design)
 
 
-def _panels(pattern: CreasePattern, number: Mapping[int, int]) -> list[Panel]:
-    """Return the triangles of the facets."""
+def _panels(pattern: CreasePattern, thick: ThickSheet | None, number: Mapping[int, int]) -> list[Panel]:
+    """Return the triangles of the facets, in the mid-planes of the panels."""
     split, parts = triangulated(pattern)
-    return facet_panels(pattern, split, parts, [number[facet] for facet in range(len(pattern.faces_vertices))])
+    panels = facet_panels(pattern, split, parts, [number[facet] for facet in range(len(pattern.faces_vertices))])
+    return [
+        replace(panel, corners=on_panel(thick, facet, panel.corners))
+        for panel, facet in zip(panels, parts.tolist(), strict=True)
+    ]
 
 
 def _built(pattern: CreasePattern) -> Array:
@@ -106,12 +122,19 @@ def _built(pattern: CreasePattern) -> Array:
     return np.where(np.array(pattern.edges_assignment) == "F", 0.0, built_fold_angles(pattern))
 
 
-def _origin(pattern: CreasePattern, link: FacetLink, *, free: bool) -> Array:
-    """Return the origin of a plate: an end of the crease to its parent, or the mean of the corners of a free plate."""
+def _origin(pattern: CreasePattern, thick: ThickSheet | None, link: FacetLink, *, free: bool) -> Array:
+    """Return the origin of a plate: an end of the axis to its parent, or the mean of the corners of a free plate."""
     corners = list(pattern.faces_vertices[link.facet])
+    if thick is not None and link.edge is not None:
+        return _axis_end(pattern, thick, link.edge, link.tail)
     if free:
         return np.asarray(pattern.vertices_coords[corners].mean(axis=0))
     return np.asarray(pattern.vertices_coords[corners[0] if link.parent is None else link.tail])
+
+
+def _axis_end(pattern: CreasePattern, thick: ThickSheet, edge: int, vertex: int) -> Array:
+    """Return the position of an end of a crease on its axis, m, (3,)."""
+    return np.asarray(thick.axis_ends[edge][pattern.edges_vertices[edge].tolist().index(vertex)])
 
 
 def _axis(pattern: CreasePattern, link: FacetLink) -> Array:
@@ -142,10 +165,28 @@ def _bodies(
 
 
 def _closures(
-    links: Sequence[FacetLink], number: Mapping[int, int], origins: Sequence[Array], points: Sequence[Point]
+    pattern: CreasePattern,
+    thick: ThickSheet | None,
+    links: Sequence[FacetLink],
+    number: Mapping[int, int],
+    origins: Sequence[Array],
+    points: list[Point],
 ) -> tuple[Closure, ...]:
-    """Return the closures of loops: each copy of a plate moves with the original."""
+    """Return the closures of loops: each copy of a plate moves with the original.
+
+    The ends of their creases are corners of plates; on thick panels they are points that this function adds.
+    """
     named = {point.name: number for number, point in enumerate(points)}
+
+    def end(facet: int, edge: int | None, vertex: int) -> int:
+        """Return the number of the point of a plate at an end of a crease."""
+        if thick is None or edge is None:
+            return named[corner_name(facet, vertex)]
+        body, name = number[facet], f"crease{edge}_on_{corner_name(facet, vertex)}"
+        place = _axis_end(pattern, thick, edge, vertex) - origins[body]
+        points.append(Point(name=name, role="axis", body=body, place=place))
+        return len(points) - 1
+
     return tuple(
         Closure(
             name=f"closure{link.edge}",
@@ -153,7 +194,7 @@ def _closures(
             position=origins[place] - origins[number[link.facet]],
             frame=np.eye(3),
             points=tuple(
-                (named[corner_name(link.parent, vertex)], named[corner_name(link.facet, vertex)])
+                (end(link.parent, link.edge, vertex), end(link.facet, link.edge, vertex))
                 for vertex in (link.tail, link.head)
             ),
         )

@@ -73,13 +73,15 @@ def _line_points(structure: Structure, number: int) -> tuple[int, int] | None:
     axis = frames[hinge.body] @ hinge.axis
     for plate in structure.plates:
         if plate.body == hinge.body:
-            away = built_points(structure)[list(plate.points)] - origins[hinge.body]
+            # an axis beside the mid-plane is at an edge of a solid
+            points = [*plate.points, *(point for solid in plate.solids for point in solid)]
+            away = built_points(structure)[points] - origins[hinge.body]
             along = away @ axis
             on_axis = np.linalg.norm(away - along[:, None] * axis, axis=1) <= _SAME * structure.span
             if on_axis.sum() >= 2:
                 corners = np.flatnonzero(on_axis)
                 ends = corners[[np.argmin(along[corners]), np.argmax(along[corners])]]
-                return plate.points[ends[0]], plate.points[ends[1]]
+                return points[ends[0]], points[ends[1]]
     return None
 
 

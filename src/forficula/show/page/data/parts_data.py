@@ -34,7 +34,7 @@ def parts_data(parts: PartSet, record: Record | None) -> dict[str, Any]:
     """Return parts as data for JSON.
 
     Args:
-        parts: parts with at least one joint.
+        parts: parts with at least one joint or panel.
         record: a run of the same design to play back; None for none.
 
     Raises:
@@ -62,7 +62,9 @@ def parts_data(parts: PartSet, record: Record | None) -> dict[str, Any]:
         "joints": [
             {"turn": joint.hinge, "name": joint.name, "lower": joint.lower, "upper": joint.upper}
             for joint in parts.joints
-        ],
+        ]
+        or [{"turn": 0, "name": "panels", "lower": angle_range(parts)[0], "upper": angle_range(parts)[1]}],
+        "fold": None if parts.joints else _fold(parts, arrays),
         "bows": _bows(arrays),
         "motion": None if record is None else _motion(parts, record, arrays),
         "arrays": arrays.text(),
@@ -111,6 +113,12 @@ def _turns(parts: PartSet) -> list[dict[str, Any]]:
         for hinge, origin, axis in zip(structure.hinges, origins, axes, strict=True)
         if hinge.flaps is None
     ]
+
+
+def _fold(parts: PartSet, arrays: PackedArrays) -> dict[str, Any]:
+    """Return the angles of all hinges along the fold path of thick panels, (pose, hinge), or as built."""
+    built = np.array([[hinge.built for hinge in parts.structure.hinges]])
+    return arrays.floats((built if parts.fold is None else parts.fold)[:, : len(_turns(parts))])
 
 
 def _strap_data(parts: PartSet, place: StrapPlace) -> dict[str, Any]:
@@ -174,6 +182,8 @@ def parts_text(parts: PartSet) -> str:
         counts[part.kind] += part.count
     kinds = [f"{count} {kind}{'s' * (count != 1)}" for kind, count in counts.items()]
     low, high = angle_range(parts)
+    if not parts.joints:
+        return f"{listed(kinds).capitalize()}. The largest fold angle is {degrees(high)}."
     joints = f"{len(parts.joints)} joints turn" if len(parts.joints) != 1 else "The joint turns"
     return f"{listed(kinds).capitalize()}. {joints} from {degrees(low)} to {degrees(high)}."
 

@@ -1,0 +1,253 @@
+"""Solids of thick panels as convex pieces, with brackets for axes outside a panel and cut-outs for these brackets."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from forficula.arrays import Array
+from forficula.pattern.crease_pattern import CreasePattern, face_sides
+from forficula.pattern.rotation import RigidMotion
+from forficula.pattern.shared_edges import SharedEdge, shared_edges
+from forficula.pattern.thick.convex import ConvexSolid, convex_faces, overlap_depths, solid_within
+
+# [chosen] a bracket is as wide as the panel is thick; shares of the crease between which the left and the right facet
+# have their brackets
+_BRACKETS = ((0.35, 0.5), (0.5, 0.65))
+_ROUNDING = 1e-9
+_TOUCHING = 1e-6  # of the thickness; solids that overlap by less touch
+
+
+class _Plane(NamedTuple):
+    """A plane that bounds a solid: normal @ x <= offset in the solid."""
+
+    normal: Array
+    offset: float
+
+
+class Layer(NamedTuple):
+    """A panel of uniform thickness over a facet.
+
+    Attributes:
+        origin: shift of the facet from the sheet without thickness, m, (3,).
+        normal: unit vector to the side to which valleys rise, (3,).
+        level: height of the mid-plane over the facet, m.
+        thickness: m.
+    """
+
+    origin: Array
+    normal: Array
+    level: float
+    thickness: float
+
+    def at(self, position: Array, height: float) -> Array:
+        """Return the position at a height over a position on the sheet without thickness, m, (3,)."""
+        return np.asarray(position + self.origin + height * self.normal)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Draft:
+    """The solids of a panel before they are cut out.
+
+    Attributes:
+        panel: planes of the panel.
+        brackets: planes of each bracket.
+        inside: a position in the panel, m, (3,).
+    """
+
+    panel: list[_Plane]
+    brackets: list[list[_Plane]]
+    inside: Array
+
+
+def panel_solids(
+    pattern: CreasePattern,
+    layers: Sequence[Layer],
+    axes: Array,
+    folded: Sequence[RigidMotion],
+    limits: Sequence[tuple[float, float]] | None,
+) -> list[tuple[ConvexSolid, ...]]:
+    """Return the convex solids of all panels, which touch but do not overlap, in the position as built.
+
+    An axis outside a panel is carried by a bracket between panel and axis. In the flat-folded state brackets may lie
+    where other panels are: those have cut-outs there.
+
+    Args:
+        pattern: flat or folded as built.
+        layers: panels over the facets.
+        axes: heights of the axes of creases, m, (edge,).
+        folded: motions of the facets from the position as built to the flat-folded state.
+        limits: least and largest fold angle of every edge, rad, to which panels are trimmed; None if they fold flat
+            and keep the outlines of their facets.
+    """
+    sides = _sides(pattern)
+    drafts = [
+        _draft(pattern, layer, axes, facet, sides[facet], limits if limits is not None else ())
+        for facet, layer in enumerate(layers)
+    ]
+    brackets = [
+        (facet, planes, solid)
+        for facet, draft in enumerate(drafts)
+        for planes in draft.brackets
+        if (solid := _solid(planes, draft.inside)) is not None
+    ]
+    solids = []
+    for facet, draft in enumerate(drafts):
+        whole = _solid(draft.panel, draft.inside)
+        pieces = [] if whole is None else [(draft.panel, whole)]
+        for carrier, planes, bracket in brackets:
+            if carrier == facet:
+                continue
+            moved = _relative(folded[carrier], folded[facet])
+            cut = [_moved(plane, moved) for plane in planes]
+            pose = (moved.rotation[None], moved.shift[None])
+            least = _TOUCHING * layers[facet].thickness
+            pieces = [
+                part
+                for piece, solid in pieces
+                for part in (
+                    _without(piece, cut, draft.inside)
+                    if overlap_depths(solid, _STAYS, bracket, pose)[0] > least
+                    else [(piece, solid)]
+                )
+            ]
+        carried = [bracket for carrier, _, bracket in brackets if carrier == facet]
+        solids.append((*(solid for _, solid in pieces), *carried))
+    return solids
+
+
+def panel_cores(
+    pattern: CreasePattern, layers: Sequence[Layer], limits: Sequence[tuple[float, float]] | None
+) -> tuple[Array | None, ...]:
+    """Return the corners of a polygon in the mid-plane of each panel, m, (corner, 3), for contact.
+
+    Everything within half the thickness of the polygon lies inside the panel without its cut-outs, so that polygons of
+    panels that do not overlap are at least a thickness apart.
+
+    Args:
+        pattern: flat or folded as built.
+        layers: panels over the facets.
+        limits: as for `panel_solids`.
+
+    Returns:
+        None for a panel without such a polygon.
+    """
+    sides = _sides(pattern)
+    return tuple(_core(pattern, layer, facet, sides[facet], limits) for facet, layer in enumerate(layers))
+
+
+def _core(
+    pattern: CreasePattern,
+    layer: Layer,
+    facet: int,
+    sides: Sequence[tuple[int, int, SharedEdge | None]],
+    limits: Sequence[tuple[float, float]] | None,
+) -> Array | None:
+    """Return the core of a panel, as `panel_cores`."""
+    coords, half = pattern.vertices_coords, layer.thickness / 2
+    planes = list[_Plane]()
+    for tail, head, edge in sides:
+        outwards = np.cross(coords[head] - coords[tail], layer.normal)
+        outwards = outwards / np.linalg.norm(outwards)
+        limit = 0.0 if limits is None or edge is None else max(np.abs(limits[edge.edge]))
+        # distance from the axis at which a ball of half the thickness touches the plane that bisects the folded panels
+        inset = half / math.cos(limit / 2)
+        planes.append(_Plane(outwards, float(outwards @ layer.at(coords[tail], 0.0)) - inset))
+    middle = layer.at(coords[list(pattern.faces_vertices[facet])].mean(axis=0), layer.level)
+    base = float(middle @ layer.normal)
+    solid = _solid([*planes, _Plane(layer.normal, base + half), _Plane(-layer.normal, half - base)], middle)
+    if solid is None:
+        return None
+    heights = solid.corners @ layer.normal - base
+    faces = [list(face) for face in convex_faces(solid.corners)]
+    top = max(faces, key=lambda face: float(heights[face].min()))
+    return np.asarray(solid.corners[top] - half * layer.normal)
+
+
+_STAYS = (np.eye(3)[None], np.zeros((1, 3)))
+
+
+def _sides(pattern: CreasePattern) -> list[list[tuple[int, int, SharedEdge | None]]]:
+    """Return tail and head of the sides of every facet, counterclockwise, and the creases along them."""
+    creases: dict[tuple[int, int], SharedEdge] = {}
+    for edge in shared_edges(pattern):
+        creases |= {(edge.tail, edge.head): edge, (edge.head, edge.tail): edge}
+    return [[(*side, creases.get(side)) for side in face_sides(face)] for face in pattern.faces_vertices]
+
+
+def _draft(
+    pattern: CreasePattern,
+    layer: Layer,
+    axes: Array,
+    facet: int,
+    sides: Sequence[tuple[int, int, SharedEdge | None]],
+    limits: Sequence[tuple[float, float]],
+) -> _Draft:
+    """Return the planes of a panel and of its brackets."""
+    coords, normal, half = pattern.vertices_coords, layer.normal, layer.thickness / 2
+    outline, trimmed, brackets = list[_Plane](), list[_Plane](), list[list[_Plane]]()
+    for tail, head, edge in sides:
+        outwards = np.cross(coords[head] - coords[tail], normal)
+        outwards = outwards / np.linalg.norm(outwards)
+        start = layer.at(coords[tail], 0.0)
+        outline.append(_Plane(outwards, float(outwards @ start)))
+        if limits and edge is not None:
+            # the upper half gets narrower towards its face where the panel rises, the lower half where it falls
+            low, high = limits[edge.edge]
+            for limit, upwards in ((max(high, 0.0), normal), (max(-low, 0.0), -normal)):
+                leaning = outwards + math.tan(limit / 2) * upwards
+                trimmed += [_Plane(leaning, float(leaning @ start))] if limit else []
+    base = float(layer.at(coords[sides[0][0]], 0.0) @ normal)
+
+    def between(low: float, high: float) -> list[_Plane]:
+        return [_Plane(normal, base + high), _Plane(-normal, -base - low)]
+
+    for (tail, head, edge), side in zip(sides, outline, strict=True):
+        if edge is None or pattern.edges_assignment[edge.edge] == "F":
+            continue
+        away = float(axes[edge.edge]) - layer.level
+        if abs(away) <= half * (1 + _ROUNDING):
+            continue
+        first, last = _BRACKETS[0 if edge.left == facet else 1]
+        if edge.tail != tail:
+            first, last = 1 - last, 1 - first
+        start, end = (layer.at(coords[tail] + share * (coords[head] - coords[tail]), 0.0) for share in (first, last))
+        along = (end - start) / np.linalg.norm(end - start)
+        walls = [_Plane(-along, -float(along @ start)), _Plane(along, float(along @ end))]
+        walls.append(_Plane(-side.normal, layer.thickness - side.offset))
+        low, high = sorted((layer.level + math.copysign(half, away), float(axes[edge.edge])))
+        brackets.append([*outline, *walls, *between(low, high)])
+    middle = coords[list(pattern.faces_vertices[facet])].mean(axis=0)
+    return _Draft(
+        panel=[*outline, *trimmed, *between(layer.level - half, layer.level + half)],
+        brackets=brackets,
+        inside=layer.at(middle, layer.level),
+    )
+
+
+def _relative(one: RigidMotion, other: RigidMotion) -> RigidMotion:
+    """Return the motion of one body in the axes of another one."""
+    back = other.rotation.T
+    return RigidMotion(back @ one.rotation, back @ (one.shift - other.shift))
+
+
+def _moved(plane: _Plane, motion: RigidMotion) -> _Plane:
+    """Return a plane after a motion."""
+    normal = motion.rotation @ plane.normal
+    return _Plane(normal, plane.offset + float(normal @ motion.shift))
+
+
+def _without(piece: list[_Plane], cut: Sequence[_Plane], inside: Array) -> list[tuple[list[_Plane], ConvexSolid]]:
+    """Return the convex pieces of a convex solid outside another one that overlaps it; both are given by planes."""
+    outside = [_Plane(-normal, -offset) for normal, offset in cut]
+    pieces = [[*piece, *cut[:number], plane] for number, plane in enumerate(outside)]
+    return [(planes, solid) for planes in pieces if (solid := _solid(planes, inside)) is not None]
+
+
+def _solid(planes: Sequence[_Plane], inside: Array) -> ConvexSolid | None:
+    """Return the solid within planes; None if it has no volume."""
+    return solid_within(np.array([plane.normal for plane in planes]), np.array([at for _, at in planes]), inside)

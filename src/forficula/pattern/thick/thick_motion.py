@@ -1,0 +1,147 @@
+"""Motions of thick panels from fold angles, the fold path of a sheet, and how far panels overlap along it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+import numpy as np
+
+from forficula.arrays import Array
+from forficula.pattern.crease_pattern import CreasePattern, is_unfolded
+from forficula.pattern.facet_tree import facet_tree
+from forficula.pattern.facts.rigid_folding import folded_as_assigned, senses
+from forficula.pattern.facts.vertex_creases import vertex_creases
+from forficula.pattern.fold_angles import built_fold_angles
+from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion, turn_about
+from forficula.pattern.thick.convex import ConvexSolid, overlap_depths
+
+_FLAT_FOLDABLE = 1e-6  # rad, largest alternating sum of sectors that counts as rounding
+# [chosen] number of poses at which the overlap of panels is computed
+POSES = 24
+
+
+def facet_motions(pattern: CreasePattern, ends: Array, turns: Array) -> list[RigidMotion]:
+    """Compute the motions of facets from the position as built; facet 0 stays.
+
+    Args:
+        pattern: flat or folded as built.
+        ends: positions of the two vertices of every edge on its axis, as built, m, (edge, 2, 3).
+        turns: changes of the fold angles, valley positive, rad, (edge,).
+    """
+    motions: dict[int, RigidMotion] = {}
+    for link in facet_tree(pattern):
+        if link.closes:
+            continue
+        if link.parent is None or link.edge is None:
+            motions[link.facet] = IDENTITY_MOTION
+            continue
+        one, other = ends[link.edge] if pattern.edges_vertices[link.edge][0] == link.tail else ends[link.edge][::-1]
+        along = (other - one) / np.linalg.norm(other - one)
+        motions[link.facet] = motions[link.parent].after(turn_about(one, along, -float(turns[link.edge])))
+    return [motions[facet] for facet in range(len(pattern.faces_vertices))]
+
+
+def built_angles(pattern: CreasePattern) -> Array:
+    """Compute the fold angle of every edge as built, rad, (edge,); 0 on borders and flat edges."""
+    if is_unfolded(pattern):
+        return np.zeros(len(pattern.edges_vertices))
+    return np.where(senses(pattern) != 0, np.nan_to_num(built_fold_angles(pattern)), 0.0)
+
+
+def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]], poses: int = POSES) -> Array | None:
+    """Compute fold angles from the flat sheet until the first crease reaches its limit, rad, (pose, edge).
+
+    Around vertices of four creases that fold flat, the tangents of half the fold angles have constant ratios (Huffman
+    1976; Tachi 2009). Without interior vertices, creases fold in any order; the path of a sheet that folds flat then
+    consists of its flat-folded state alone.
+
+    Args:
+        pattern: flat or folded as built, with mountains, valleys and flat edges.
+        limits: least and largest fold angle of every edge, valley positive, rad.
+        poses: number of poses, in equal steps of the largest fold angle; the flat one is left out.
+
+    Returns:
+        None if the path has no such closed form.
+    """
+    around = [vertex for vertex in vertex_creases(pattern) if len(vertex.edges)]
+    signs = senses(pattern)
+    most = np.array([high if sign > 0 else -low for (low, high), sign in zip(limits, signs, strict=True)])
+    most = np.where(signs != 0, np.maximum(most, 0.0), 0.0)
+    if not around:
+        return (signs * most)[None] if (most[signs != 0] == math.pi).all() else None
+    for vertex in around:
+        alternating = float(vertex.sectors[::2].sum() - vertex.sectors[1::2].sum())
+        if len(vertex.edges) != 4 or abs(alternating) > _FLAT_FOLDABLE:
+            return None
+    angles = folded_as_assigned(pattern) if is_unfolded(pattern) else built_angles(pattern)
+    if angles is None or np.abs(angles).max() > math.pi - 1e-6:
+        return None
+    ratios = np.tan(angles / 2)
+    moving = ratios != 0
+    # 1 at the crease that folds most; the first limit that is reached ends the path
+    ratios /= np.abs(ratios).max()
+    with np.errstate(divide="ignore"):
+        last = float((np.tan(most[moving] / 2) / np.abs(ratios[moving])).min())
+    largest = 2 * math.atan(last) if last < 1e12 else math.pi
+    shares = np.linspace(0.0, largest, poses + 1)[1:, None]
+    return np.asarray(2 * np.arctan2(ratios * np.sin(shares / 2), np.cos(shares / 2)))
+
+
+def panel_overlaps(
+    panels: Sequence[Sequence[ConvexSolid]], turns: Array, shifts: Array
+) -> Iterator[tuple[int, int, Array]]:
+    """Compute to what depth panels overlap in several poses.
+
+    Args:
+        panels: convex solids of each panel as built.
+        turns: rotations of the panels from the position as built, (pose, panel, 3, 3).
+        shifts: shifts after the rotations, m, (pose, panel, 3).
+
+    Yields:
+        The numbers of two panels whose surroundings overlap, and the depth in each pose, m, (pose,); 0 where the panels
+        do not overlap.
+    """
+    centres = [np.array([solid.corners.mean(axis=0) for solid in solids]) for solids in panels]
+    reaches = [
+        np.array([np.linalg.norm(solid.corners - middle, axis=1).max() for solid, middle in zip(*pair, strict=True)])
+        for pair in zip(panels, centres, strict=True)
+    ]
+    moved = [
+        np.einsum("pij,sj->psi", turns[:, panel], middles) + shifts[:, panel, None]
+        for panel, middles in enumerate(centres)
+    ]
+    for one, other in combinations(range(len(panels)), 2):
+        deepest = np.zeros(len(turns))
+        for first, solid in enumerate(panels[one]):
+            apart = np.linalg.norm(moved[other] - moved[one][:, first, None], axis=2)
+            near = apart < reaches[one][first] + reaches[other]
+            for second in np.flatnonzero(near.any(axis=0)).tolist():
+                rows = np.flatnonzero(near[:, second])
+                poses = [(turns[rows, panel], shifts[rows, panel]) for panel in (one, other)]
+                depths = overlap_depths(solid, poses[0], panels[other][second], poses[1])
+                deepest[rows] = np.maximum(deepest[rows], depths)
+        if deepest.any():
+            yield one, other, deepest
+
+
+def deepest_overlap(
+    panels: Sequence[Sequence[ConvexSolid]], motions: Sequence[Sequence[RigidMotion]]
+) -> tuple[float, tuple[int, int], int]:
+    """Compute the largest depth to which two panels overlap.
+
+    Args:
+        panels: convex solids of each panel as built.
+        motions: motions of the panels in every pose, (pose, panel).
+
+    Returns:
+        Depth, m, 0 if none overlap; numbers of the two panels; number of the pose.
+    """
+    turns = np.array([[motion.rotation for motion in pose] for pose in motions])
+    shifts = np.array([[motion.shift for motion in pose] for pose in motions])
+    deepest, pair, pose = 0.0, (0, 0), 0
+    for one, other, depths in panel_overlaps(panels, turns, shifts):
+        if depths.max() > deepest:
+            deepest, pair, pose = float(depths.max()), (one, other), int(np.argmax(depths))
+    return deepest, pair, pose

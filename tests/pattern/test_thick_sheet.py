@@ -1,0 +1,131 @@
+"""Heights and solids of thick panels, and the reasons why a method cannot give a sheet a thickness."""
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+from forficula import InputError
+from forficula.pattern import miura_pattern, pleat_pattern, vertex_pattern
+from forficula.pattern.shared_edges import shared_edges
+from forficula.pattern.thick.convex import convex_faces, overlap_depths, solid_of, solid_within
+from forficula.pattern.thick.thick_motion import deepest_overlap
+from forficula.pattern.thick.thick_sheet import panel_motions, thick_sheet
+
+BOX = np.array([(x, y, z) for x in (0.0, 3.0) for y in (0.0, 2.0) for z in (0.0, 1.0)])
+STAYS = (np.eye(3)[None], np.zeros((1, 3)))
+
+
+def sheet(pattern, thickness, method, limit=math.pi):
+    limits = [
+        (-limit if letter == "M" else 0.0, limit if letter == "V" else 0.0) for letter in pattern.edges_assignment
+    ]
+    return thick_sheet(pattern, thickness, method, tuple(limits))
+
+
+def shallow(columns=2, rows=2, fold=0.0):
+    return miura_pattern(columns, rows, 0.06, 0.06, math.radians(60), fold)
+
+
+def test_a_box_has_three_normals_three_edges_and_six_faces():
+    box = solid_of(BOX)
+    assert len(box.faces) == len(box.edges) == 3
+    faces = convex_faces(BOX)
+    assert sorted(map(len, faces)) == [4] * 6
+    for face in faces:
+        corners = BOX[list(face)]
+        outwards = np.cross(corners[1] - corners[0], corners[2] - corners[1])
+        assert outwards @ (corners.mean(axis=0) - BOX.mean(axis=0)) > 0
+
+
+def test_half_spaces_have_the_corners_of_their_solid():
+    normals = np.concatenate([np.eye(3), -np.eye(3)])
+    solid = solid_within(normals, np.array([3.0, 2.0, 1.0, 0.0, 0.0, 0.0]), np.full(3, 0.5))
+    assert sorted(map(tuple, np.round(solid.corners, 9) + 0.0)) == sorted(map(tuple, BOX))
+    assert solid_within(normals, np.array([3.0, 2.0, 1.0, 0.0, 0.0, -1.0]), np.full(3, 0.5)) is None
+
+
+@pytest.mark.parametrize(("shift", "depth"), [((2.9, 0, 0), 0.1), ((0, 0, 1.0), 0.0), ((3.5, 0.5, 0), -0.5)])
+def test_the_depth_of_an_overlap_is_the_least_distance_that_parts_two_solids(shift, depth):
+    box = solid_of(BOX)
+    assert overlap_depths(box, STAYS, box, (STAYS[0], np.array([shift]))) == pytest.approx([depth], abs=1e-12)
+
+
+def test_edges_that_cross_in_space_overlap_by_their_distance():
+    turn = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
+    box = solid_of(BOX - BOX.mean(axis=0))
+    apart = overlap_depths(box, STAYS, box, (turn[None], np.array([[0.0, 0, 5.0]])))
+    together = overlap_depths(box, STAYS, box, (turn[None], np.array([[0.0, 0, 0.5]])))
+    assert apart[0] < 0 < together[0]
+
+
+@pytest.mark.parametrize("fold", [0.0, 0.6])
+def test_shifted_hinges_lie_on_faces_of_boards_that_are_level(fold):
+    pattern = shallow(fold=fold)
+    made = sheet(pattern, 0.004, "hinge-shift")
+    assert [layer.level for layer in made.layers] == pytest.approx([0.0] * 4, abs=1e-12)
+    heights = sorted(made.axes[[edge.edge for edge in shared_edges(pattern)]] / 0.004)
+    # one valley on top, two mountains at the bottom, the opposite mountain one thickness below
+    assert heights == pytest.approx([-1.5, -0.5, -0.5, 0.5])
+
+
+def test_offset_panels_keep_their_hinges_in_one_plane_and_stack():
+    made = sheet(shallow(), 0.004, "offset")
+    assert not made.axes.any()
+    levels = np.array([layer.level for layer in made.layers]) / 0.004
+    assert levels == pytest.approx([-0.5, -0.5, 1.5, 1.5])
+
+
+@pytest.mark.parametrize("method", ["offset", "hinge-shift"])
+def test_panels_touch_but_do_not_overlap_along_the_fold_path(method):
+    pattern = vertex_pattern(np.radians([100, 60, 80, 120]), 0.06, "MVMM")
+    made = sheet(pattern, 0.003, method)
+    depth, _, _ = deepest_overlap(made.panels, panel_motions(pattern, made, made.path))
+    assert depth < 1e-9 * made.thickness
+    # half folded back, the sides of the panels overlap
+    depth, _, _ = deepest_overlap(made.panels, panel_motions(pattern, made, -made.path[[3]]))
+    assert depth > 0.01 * made.thickness
+
+
+def test_a_letter_wraps_its_second_flap_around_the_first():
+    made = sheet(pleat_pattern([0.06] * 3, 0.1, "VV"), 0.004, "hinge-shift")
+    assert made.axes[1] - made.axes[0] == pytest.approx(0.002, rel=0.5)
+    assert len(made.path) == 1
+
+
+@pytest.mark.parametrize(
+    ("pattern", "thickness", "method", "message"),
+    [
+        (vertex_pattern(np.radians([60] * 6), 0.06, "MVMVMV"), 1e-3, "hinge-shift", "vertex 0: need four creases"),
+        (
+            vertex_pattern(np.radians([80, 60, 90, 130]), 0.06, "VMVV"),
+            1e-3,
+            "hinge-shift",
+            "vertex 0: need opposite sectors that add up to 180 deg, as in a vertex that folds flat",
+        ),
+        (vertex_pattern(np.radians([80, 60, 90, 130]), 0.06, "VMVV"), 1e-3, "offset", "need a sheet that folds flat"),
+        (vertex_pattern([math.pi / 2] * 4, 0.06, "VUVM"), 1e-3, "offset", "need mountains and valleys, got crease 1"),
+        (
+            vertex_pattern(np.radians([100, 60, 80, 120]), 0.02, "MVMM"),
+            3e-3,
+            "hinge-shift",
+            "need <= 2.47 mm, got 3 mm: the panels on facets 0 and 3 overlap",
+        ),
+        (shallow(), 0.06, "tapered", "need <= 9.08 mm, got 6 cm: nothing is left of the faces of the panel on facet 0"),
+    ],
+)
+def test_an_impossible_thickness_is_refused_with_the_vertex_or_the_largest_thickness(
+    pattern, thickness, method, message
+):
+    with pytest.raises(InputError, match=re.escape(message)):
+        sheet(pattern, thickness, method, math.radians(170) if method == "tapered" else math.pi)
+
+
+def test_facets_with_an_inner_corner_are_refused():
+    from forficula.pattern.facet_sheet import sheet_of_facets
+
+    coords = np.array([(0, 0, 0), (4, 0, 0), (4, 4, 0), (2, 1, 0), (0, 4, 0), (0, -3, 0), (4, -3, 0.0)])
+    arrow = sheet_of_facets(coords, [(0, 1, 2, 3, 4), (5, 6, 1, 0)], {frozenset((0, 1)): ("V", "")}, "arrow")
+    with pytest.raises(InputError, match="need convex facets, got facet 0"):
+        sheet(arrow, 0.1, "hinge-shift")
