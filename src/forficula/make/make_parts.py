@@ -49,7 +49,8 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
     if part in ("joint", "section") or (part == "all" and structure.bars):
         joints = joint_layouts(design, structure)
         joints = bows_beside(_first(joints) if part == "joint" else joints)
-    panels = panel_parts(design, structure) if part == "all" else []
+    fold = panel_fold(design, structure) if part == "all" else None
+    panels = panel_parts(design, structure, fold) if part == "all" else []
     return PartSet(
         design=design,
         structure=structure,
@@ -65,7 +66,7 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
         ),
         # thick panels are not cut from one sheet
         sheet=cut_sheet(design) if part == "sheet" or (part == "all" and not panels) else None,
-        fold=panel_fold(design, structure) if panels else None,
+        fold=fold,
     )
 
 

@@ -2,55 +2,109 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+import scipy
 
 from forficula.arrays import Array
 from forficula.design import Design, MakeSection, SheetDesign
 from forficula.design.sheets.sheet_creases import crease_sense
 from forficula.design.sheets.thick_panels import thick_limits
 from forficula.make.part import Part
-from forficula.make.solid.solids import Hull, joined
+from forficula.make.solid.poses import PartPoses, tree_poses
+from forficula.make.solid.solids import Cut, Hull, Solid, joined
 from forficula.make.stock import stock_of
 from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.rotation import rotation_to_z
+from forficula.pattern.thick.convex import overlap_depths, solid_of
 from forficula.pattern.thick.thick_motion import fold_path
 from forficula.structure import Plate, Structure, built_points
 
 # poses of a drawn fold path, between which fold angles are interpolated linearly
 _POSES = 120
-# growth of a solid from its middle, 10 nm in 10 cm
-_GROWN = 1e-7
+# growth of a solid from its middle, 0.1 um in 10 cm
+_GROWN = 1e-6
+_TOUCHING = 1e-3  # of the thickness; brackets and panels that overlap by less touch
+_STAYS = (np.eye(3)[None], np.zeros((1, 3)))
 
 
-def panel_parts(design: Design, structure: Structure) -> list[Part]:
-    """Return the thick panels of a structure; empty if its plates are prisms over the facets of a sheet."""
+def panel_parts(design: Design, structure: Structure, fold: Array | None) -> list[Part]:
+    """Return the thick panels of a structure; empty if its plates are prisms over the facets of a sheet.
+
+    Args:
+        design: design of the structure.
+        structure: structure with the panels.
+        fold: angles of its hinges along the fold path, as `panel_fold`.
+    """
     stock = stock_of((design.make or MakeSection()).bar_material)
-    points = built_points(structure)
+    points, plates = built_points(structure), [plate for plate in structure.plates if plate.solids]
+    poses = None if fold is None else tree_poses(structure, fold[-1:], [0])
     return [
         Part(
             name=structure.bodies[plate.body].name.replace("facet", "panel"),
             kind="panel",
             stock=stock,
-            solid=joined(*(Hull(corners=_grown(points[list(solid)], len(plate.solids))) for solid in plate.solids)),
+            solid=_united(plate, points, [] if poses is None else _brackets_in(plate, plates, points, poses)),
             body=plate.body,
             bed=_flat(plate, points),
         )
-        for plate in structure.plates
-        if plate.solids
+        for plate in plates
     ]
 
 
-def _grown(corners: Array, count: int) -> Array:
-    """Return the corners of one of several solids of a panel, slightly larger, so that the solids overlap and unite."""
-    return np.asarray(corners + (_GROWN if count > 1 else 0.0) * (corners - corners.mean(axis=0)))
+def _normal(plate: Plate, points: Array) -> Array:
+    normal = polygon_normal(points[list(plate.points)])
+    return np.asarray(normal / np.linalg.norm(normal))
+
+
+def _solids(plate: Plate, points: Array) -> tuple[list[Array], list[Array]]:
+    """Return the corners of the pieces of a panel, and those of its brackets, which are beside its mid-plane."""
+    normal, middle = _normal(plate, points), points[plate.points[0]]
+    pieces, brackets = list[Array](), list[Array]()
+    for solid in plate.solids:
+        heights = (points[list(solid)] - middle) @ normal
+        (brackets if heights.min() * heights.max() > 0 else pieces).append(points[list(solid)])
+    return pieces, brackets
+
+
+def _brackets_in(plate: Plate, plates: Sequence[Plate], points: Array, poses: PartPoses) -> list[Array]:
+    """Return the corners of brackets of other panels that overlap the outline of a panel in the flat-folded state."""
+    turn, shift = poses.frames[0, plate.body], poses.origins[0, plate.body]
+    pieces = np.unique(np.concatenate(_solids(plate, points)[0]), axis=0)
+    whole = solid_of(pieces[scipy.spatial.ConvexHull(pieces).vertices])
+    result = []
+    for other in plates:
+        if other is not plate:
+            for corners in _solids(other, points)[1]:
+                folded = corners @ poses.frames[0, other.body].T + poses.origins[0, other.body]
+                bracket = (folded - shift) @ turn
+                if overlap_depths(whole, _STAYS, solid_of(bracket), _STAYS)[0] > _TOUCHING * plate.thickness:
+                    result.append(bracket)
+    return result
+
+
+def _united(plate: Plate, points: Array, cut: Sequence[Array]) -> Solid:
+    """Return a panel with its brackets and cut-outs.
+
+    Brackets grow slightly along the normal of the panel, so that they overlap and unite with it. Brackets that are cut
+    out grow in all directions. The union of the convex pieces of the panel would have slivers where the pieces meet.
+    """
+    pieces, brackets = _solids(plate, points)
+    normal = _normal(plate, points)
+    grown = [corners + _GROWN * np.outer((corners - corners.mean(axis=0)) @ normal, normal) for corners in brackets]
+    panel: Solid = joined(*(Hull(corners=piece) for piece in pieces))
+    if len(pieces) > 1 and cut:
+        taken = tuple(Hull(corners=corners + _GROWN * (corners - corners.mean(axis=0))) for corners in cut)
+        panel = Cut(solid=Hull(corners=np.concatenate(pieces)), taken=taken)
+    return joined(panel, *(Hull(corners=corners) for corners in grown))
 
 
 def _flat(plate: Plate, points: Array) -> Array:
     """Return the rotation that lays a panel on the side that is nearer to its mid-plane, without brackets, (3, 3)."""
-    corners = points[list(plate.points)]
-    normal = polygon_normal(corners)
-    normal = normal / np.linalg.norm(normal)
-    heights = (points[[point for solid in plate.solids for point in solid]] - corners[0]) @ normal
+    normal = _normal(plate, points)
+    corners = points[[point for solid in plate.solids for point in solid]]
+    heights = (corners - points[plate.points[0]]) @ normal
     return rotation_to_z(normal if heights.max() >= -heights.min() else -normal)
 
 

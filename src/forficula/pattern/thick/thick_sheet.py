@@ -182,10 +182,10 @@ def _fault(pattern: CreasePattern, sheet: ThickSheet) -> str:
     depth, (one, other), pose = deepest_overlap(sheet.panels, panel_motions(pattern, sheet, sheet.path))
     if depth <= _TOUCHING * sheet.thickness:
         return ""
-    largest = math.degrees(float(np.abs(sheet.path[pose]).max()))
+    largest, share = math.degrees(float(np.abs(sheet.path[pose]).max())), 100 * depth / sheet.thickness
     return (
-        f"the panels on facets {one} and {other} overlap by {depth / sheet.thickness:.2g} thicknesses where the largest"
-        f" fold angle is {largest:.4g} deg"
+        f"the panels on facets {one} and {other} overlap by {share:.2g} % of the thickness where the largest fold angle"
+        f" is {largest:.4g} deg"
     )
 
 
