@@ -394,11 +394,11 @@ def _followed_steps(structure: Structure) -> int:
     most = [] if structure.medium is None else [CONSTANT_STEPS]
     if any(hinge.flaps for hinge in structure.hinges):
         most.append(followed_steps(structure))
+    if structure.contact is not None and (structure.plates or structure.facets):
+        most.append(_BETWEEN_CONTACTS)
     joints = [hinge for hinge in structure.hinges if is_followed_joint(hinge, structure)]
     if joints:
         most.append(1 if any(hinge.quadratic or hinge.cubic for hinge in joints) else AT_JOINTS)
-    if structure.contact is not None and (structure.plates or structure.facets):
-        most.append(_BETWEEN_CONTACTS)
     return min(most, default=1)
 
 

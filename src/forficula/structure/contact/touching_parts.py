@@ -126,7 +126,8 @@ def touching_parts(structure: Structure, contact: Contact) -> TouchingParts | No
 def _plates(structure: Structure, contact: Contact) -> Iterable[_Part]:
     """Yield the plates, split into triangles."""
     for plate in structure.plates:
-        body, corners = structure.bodies[plate.body], plate.points
+        # thick panels with solids come nearer at their edges than their thickness
+        body, corners = structure.bodies[plate.body], plate.core or plate.points
         places = np.array([structure.points[point].place for point in corners])
         cut = ears(places, range(len(corners)))
         yield _Part(
