@@ -76,13 +76,26 @@ def material(
     finish_folder(out, "material", show=open_report)
 
 
-def materials() -> None:
-    """List the named materials with their sources."""
+def materials(
+    name: Annotated[str, Parameter(help="Show the values and sources of this law of creases, or law file.")] = "", /
+) -> None:
+    """List the named materials of tendons and laws of creases with their sources."""
+    from forficula.material.law.crease_law_file import load_crease_law, named_crease_laws
     from forficula.material.law.law_file import named_laws
 
-    for name, source in named_laws().items():
-        print(f"{name}\n    {source}")
-    set_result([{"name": name, "source": source} for name, source in named_laws().items()])
+    if name:
+        from forficula.show.material.crease_law_table import crease_law_json, print_crease_law
+
+        law = load_crease_law(name)
+        print_crease_law(law)
+        set_result(crease_law_json(law))
+        return
+    laws = {"tendons": named_laws(), "creases": named_crease_laws()}
+    for use, named in laws.items():
+        print(f"Laws of {use}")
+        for law_name, source in named.items():
+            print(f"  {law_name}\n    {source}")
+    set_result([{"name": law, "source": source, "for": use} for use in laws for law, source in laws[use].items()])
 
 
 def size(

@@ -4,6 +4,7 @@ from forficula.public_names import public_names
 
 _PUBLIC = (
     "Characterisation",
+    "CreaseLawFile",
     "Cycle",
     "LawFit",
     "MaterialLaw",
@@ -16,11 +17,14 @@ _PUBLIC = (
     "characterise",
     "find_cycles",
     "fit_law",
+    "load_crease_law",
     "load_law",
     "moduli_by_strain",
+    "named_crease_laws",
     "named_laws",
     "read_tensile_test",
     "read_tensile_tests",
+    "save_crease_law",
     "save_law",
     "size_tendons",
 )

@@ -9,6 +9,10 @@ from .fit.fit import LawFit as LawFit
 from .fit.fit import Residual as Residual
 from .fit.fit import fit_law as fit_law
 from .law.crease_law import CreaseLaw as CreaseLaw
+from .law.crease_law_file import CreaseLawFile as CreaseLawFile
+from .law.crease_law_file import load_crease_law as load_crease_law
+from .law.crease_law_file import named_crease_laws as named_crease_laws
+from .law.crease_law_file import save_crease_law as save_crease_law
 from .law.drift import Drift as Drift
 from .law.drift import fit_drift as fit_drift
 from .law.law_cycle import change_at_cycle as change_at_cycle
