@@ -30,7 +30,7 @@ def crease_law_table(law: CreaseLawFile) -> RenderableType:
         facts = plain_table("fact", "value", "source")
         facts.columns[-1].justify = "left"
         for fact in law.facts:
-            facts.add_row(fact.what, fact.value, fact.source)
+            facts.add_row(*map(Text, (fact.what, fact.value, fact.source)))
         parts += [Text(), facts]
     return Group(*parts)
 
