@@ -148,8 +148,8 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
         return "the law of a tendon has Maxwell branches, whose force depends on time"
     if any(law.yield_extension is not None for law in laws):
         return "a tendon yields, and statics ignores permanent extensions"
-    if reason := path_dependence(structure):
-        return reason
+    if (reason := path_dependence(structure)) and any(motor.kind == "rest-angle" for motor in motors):
+        return f"a drive changes rest angles, and {reason}"
     if structure.contact is not None:
         return "statics ignores contact"
     if any(hinge.friction for hinge in structure.hinges):
