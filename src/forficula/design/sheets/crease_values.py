@@ -7,7 +7,14 @@ from typing import TYPE_CHECKING
 
 from forficula.design.section import SMALL_LENGTH
 from forficula.design.sheets.sheet_creases import creases_of, fold_edges
-from forficula.design.sheets.sheet_sections import Crease, CreaseGroup, CreaseLawSection, group_values, named_laws_of, with_law
+from forficula.design.sheets.sheet_sections import (
+    Crease,
+    CreaseGroup,
+    CreaseLawSection,
+    group_values,
+    named_laws_of,
+    with_law,
+)
 from forficula.names import listed
 from forficula.quantities import show_quantity
 
