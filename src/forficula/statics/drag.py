@@ -71,7 +71,7 @@ class DraggedPoint:
     def to(self, target: Array, near: QuasiStaticPoint | None = None) -> DraggedShape:
         """Pull the point to a target.
 
-        Where creases fold permanently, the point moves straight to the target in short increments, in each of which
+        Where creases fold permanently, the point moves straight to the target in short increments. In each increment
         every crease turns in one sense.
 
         Args:

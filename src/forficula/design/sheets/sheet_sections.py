@@ -305,7 +305,7 @@ class Crease(Section):
     ] = ()
 
     def hash_values(self) -> dict[str, Any]:
-        """Return the values that affect a run, with the rest angle that creases have if neither key nor law gives one."""
+        """Return the values that affect a run, with the rest angle of creases if neither key nor law gives one."""
         of_law = self.law.rest_angle if isinstance(self.law, CreaseLawSection) else None
         return ({} if of_law is not None else {"rest_angle": "as built"}) | super().hash_values()
 

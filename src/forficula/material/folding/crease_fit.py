@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Annotated
 
 import numpy as np
@@ -169,7 +170,7 @@ def fit_crease_law(tests: Sequence[FoldingTest]) -> CreaseFit:
         if not np.any(test.moment):
             raise InputError(f"{test.name}: moment: need a moment, got 0 throughout")
     fitted, refused = list[_Fitted](), list[CreaseCandidate]()
-    for name, keys in _laws(problem):
+    for name, keys in _laws():
         try:
             fitted.append(_fit(problem, name, keys))
         except InputError as error:
@@ -191,7 +192,7 @@ def permanent_folds(turned: Array, yield_angle: float) -> Array:
         upper = np.clip(high[:-span], low[span:], high[span:])
         low, high = np.concatenate([low[:span], lower]), np.concatenate([high[:span], upper])
         span *= 2
-    return np.clip(0.0, low, high)
+    return np.asarray(np.clip(0.0, low, high))
 
 
 def turns_back(test: FoldingTest) -> bool:
@@ -206,7 +207,7 @@ def turning_speeds(tests: Sequence[FoldingTest]) -> list[float]:
         if test.time is None:
             continue
         turns = turning_points(test.angle, _BAND * float(np.ptp(test.angle)))
-        for first, last in zip(turns, turns[1:], strict=False):
+        for first, last in pairwise(turns):
             speed = np.abs(_speed(test)[first : last + 1])
             moving = speed > _BAND * speed.max(initial=0.0)
             if moving.any():
@@ -226,7 +227,7 @@ def _speed(test: FoldingTest) -> Array:
     first, last = np.maximum(rows - half, ends[motion]), np.minimum(rows + half, ends[motion + 1])
     span = test.time[last] - test.time[first]
     turned = test.angle[last] - test.angle[first]
-    return np.divide(turned, span, out=np.zeros(len(rows)), where=span > 0)
+    return np.asarray(np.divide(turned, span, out=np.zeros(len(rows)), where=span > 0))
 
 
 def one_speed(tests: Sequence[FoldingTest]) -> bool:
@@ -235,7 +236,7 @@ def one_speed(tests: Sequence[FoldingTest]) -> bool:
     return not speeds or max(speeds) <= _ONE_RATE * min(speeds)
 
 
-def _laws(problem: _Problem) -> Iterator[tuple[str, tuple[str, ...]]]:
+def _laws() -> Iterator[tuple[str, tuple[str, ...]]]:
     for name, keys in FORMS.items():
         yield name, keys
     for name, keys in FORMS.items():

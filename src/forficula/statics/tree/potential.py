@@ -17,8 +17,6 @@ from forficula.arrays import Array, Flags, Indices
 from forficula.design import Design, key_value
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
-from forficula.material.law.crease_law import CreaseLaw
-from forficula.statics.path_dependence import path_dependence
 from forficula.statics.tree.couplings import Ties, Twists, ties_of, twist_energy, twists_of
 from forficula.statics.tree.elements import Expansion
 from forficula.statics.tree.equilibrium import Cases, Enough, Equilibria, Follow, descend
@@ -26,6 +24,7 @@ from forficula.statics.tree.flaps import Flaps, crease_angles, crease_energy, fl
 from forficula.statics.tree.forces import PointForces, force_energy, point_forces_of
 from forficula.statics.tree.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.tree.lines import Lines, largest_pull, line_energy, lines_of
+from forficula.statics.tree.permanent_folds import PermanentFolds, permanent_folds_of
 from forficula.statics.tree.pose import (
     Carried,
     Pose,
@@ -76,9 +75,7 @@ class Ensemble:
         lower: least angles, rad, (hinge,).
         upper: largest angles, rad, (hinge,).
         cases: number of cases.
-        yielding: law of the joints' springs, (hinge,), if any hinge folds permanently; None otherwise.
-        sets: permanent folds of all hinges of the structure at the beginning of a motion, rad, (case, hinge); None if
-            no hinge folds permanently.
+        folds: permanent folds at the beginning of a motion; None if no hinge folds permanently.
     """
 
     structure: Structure
@@ -103,8 +100,7 @@ class Ensemble:
     lower: Array
     upper: Array
     cases: int
-    yielding: CreaseLaw | None = None
-    sets: Array | None = None
+    folds: PermanentFolds | None = None
 
     @property
     def size(self) -> int:
@@ -118,15 +114,24 @@ class Ensemble:
 
     def only(self, cases: Indices) -> Ensemble:
         """Select cases by index; repeats are allowed."""
-        sets = None if self.sets is None else self.sets[cases]
+        folds = None if self.folds is None else self.folds.only(cases)
         if len(np.asarray(self.tendons.proximal_arm)) == 1:
-            return replace(self, cases=len(cases), sets=sets)
+            return replace(self, cases=len(cases), folds=folds)
         lines = None if self.lines is None else self.lines.only(cases)
-        return replace(self, tendons=_rows(self.tendons, cases), lines=lines, cases=len(cases), sets=sets)
+        return replace(self, tendons=_rows(self.tendons, cases), lines=lines, cases=len(cases), folds=folds)
 
     def repeated(self, count: int) -> Ensemble:
         """Return copies of the first case."""
-        return replace(self.only(np.zeros(count if self.sets is not None else 1, dtype=np.int64)), cases=count)
+        return replace(self.only(np.zeros(1 if self.folds is None else count, dtype=np.int64)), cases=count)
+
+    @property
+    def sets(self) -> Array | None:
+        """Return the permanent folds of all hinges of the structure, rad, (case, hinge); None if none folds so."""
+        return None if self.folds is None else self.folds.sets
+
+    def with_sets(self, sets: Array | None) -> Ensemble:
+        """Return the structures with permanent folds, rad, (case, hinge); None for those that they have."""
+        return self if sets is None or self.folds is None else replace(self, folds=replace(self.folds, sets=sets))
 
     def turned(self, angles: Array) -> Ensemble:
         """Return the structures after a motion in which each hinge turned in one sense: with new permanent folds.
@@ -134,9 +139,7 @@ class Ensemble:
         Args:
             angles: of the joints at the end, rad, (case, joint).
         """
-        if self.sets is None:
-            return self
-        return replace(self, sets=next_sets(self, angles, self.sets))
+        return self if self.folds is None else replace(self, folds=self.folds.turned(angles))
 
 
 def ensemble_of(designs: Sequence[Design]) -> Ensemble:
@@ -169,13 +172,13 @@ def ensemble(structures: Sequence[Structure]) -> Ensemble:
         if len(other.hinges) != len(first.hinges) or _crossed(other) != crossed:
             raise InputError(f"{other.name}: need structures that differ in their tendons' laws and places only")
     tree = tree_of(first)
-    drives = _drive_weights(first)
+    drives, flaps = _drive_weights(first), flaps_of(first, tree)
     return Ensemble(
         structure=first,
         sheet=sheet_of(first, tree),
         lines=lines_of(structures, tree),
         springs=springs_of(first, tree),
-        flaps=flaps_of(first, tree),
+        flaps=flaps,
         pins=pins_of(first, tree, _stiffest(first)),
         weight=weight_of(first, tree),
         forces=point_forces_of(first, tree),
@@ -193,55 +196,8 @@ def ensemble(structures: Sequence[Structure]) -> Ensemble:
         lower=np.array([hinge.lower for hinge in joints]),
         upper=np.array([hinge.upper for hinge in joints]),
         cases=len(structures),
-        yielding=_yielding(first, size),
-        sets=np.zeros((len(structures), len(first.hinges))) if path_dependence(first) else None,
+        folds=permanent_folds_of(first, size, flaps, len(structures)),
     )
-
-
-def _yielding(structure: Structure, size: int) -> CreaseLaw | None:
-    """Return the law of the springs of the joints if any hinge folds permanently; their stops are bounds of angles."""
-    if not path_dependence(structure):
-        return None
-    joints = structure.hinges[:size]
-    return CreaseLaw(
-        stiffness=np.array([hinge.stiffness for hinge in joints]),
-        rest_angle=np.array([hinge.rest_angle for hinge in joints]),
-        yield_angle=np.array([hinge.yield_angle for hinge in joints]),
-        hardening=np.array([hinge.hardening for hinge in joints]),
-    )
-
-
-def next_sets(structures: Ensemble, angles: Array, before: Array) -> Array:
-    """Return the permanent folds of all hinges after a turn of each in one sense, rad, (case, hinge).
-
-    Args:
-        structures: some of whose hinges fold permanently.
-        angles: of the joints at the end of the turn, rad, (case, joint).
-        before: permanent folds at its beginning, rad, (case, hinge).
-    """
-    assert structures.yielding is not None
-    size = structures.size
-    sets = [structures.yielding.next_set(angles[:, :size], 0.0, before[:, :size])]
-    if structures.flaps is not None:
-        turned = crease_angles(structures.flaps, angles[:, :size])
-        sets.append(structures.flaps.law.next_set(turned, 0.0, before[:, size:]))
-    return np.concatenate(sets, axis=1)
-
-
-def sets_along(structures: Ensemble, angles: Array) -> Array | None:
-    """Return the permanent folds along a motion of the only case, rad, (step, hinge); None if no hinge folds so.
-
-    Args:
-        structures: with the permanent folds at the beginning of the motion.
-        angles: of the joints, rad, (step, joint).
-    """
-    if structures.sets is None:
-        return None
-    sets, before = list[Array](), structures.sets[:1]
-    for at in angles:
-        before = next_sets(structures, at[None], before)
-        sets.append(before[0])
-    return np.array(sets)
 
 
 def _check_bodies(structure: Structure) -> None:
@@ -331,8 +287,8 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
         stored -= torques[:, motor] * np.add.reduce(turned, axis=1)
     energy += stored
     slope += pressing
-    if structures.yielding is not None and structures.sets is not None:
-        folded, moment, stiffness = structures.yielding.expansion(angles, structures.sets[:, : structures.size])
+    if structures.folds is not None:
+        folded, moment, stiffness = structures.folds.joint_expansion(angles)
         energy += folded.sum(axis=1)
         slope += moment
         diagonal += stiffness
@@ -345,7 +301,7 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
 
 
 def stored_energy(
-    structures: Ensemble, angles: Array, further: ArrayLike = 0.0, sets: Array | None = None
+    structures: Ensemble, angles: Array, further: ArrayLike = 0.0, folds: PermanentFolds | None = None
 ) -> dict[str, Array]:
     """Compute the energy by the part that stores it, without parts that a structure does not have.
 
@@ -353,7 +309,7 @@ def stored_energy(
         structures: side by side.
         angles: of the joints, rad, (case, joint); angles of creases may follow and are ignored.
         further: changes of the rest angles of all hinges of the structure, rad, (case, hinge).
-        sets: permanent folds of all hinges of the structure, rad, (case, hinge); None for none.
+        folds: permanent folds at these angles; None for none.
 
     Returns:
         Energies, J, (case,), of "tendons", "springs" of joints, "creases" between flaps, springs between points by the
@@ -363,23 +319,18 @@ def stored_energy(
     parts: dict[str, Array] = {}
     angles = angles[:, : structures.size]
     changes = np.broadcast_to(further, (len(angles), len(structures.structure.hinges)))
-    size, of_sets = structures.size, np.zeros((len(angles), 2))
-    if sets is not None and structures.yielding is not None:
-        laws = [(structures.yielding, sets[:, :size])]
-        if structures.flaps is not None:
-            laws.append((structures.flaps.law, sets[:, size:]))
-        changes = changes + np.concatenate([law.rest_shift(part) for law, part in laws], axis=1)
-        for column, (law, part) in enumerate(laws):
-            of_sets[:, column] = law.set_energy(part).sum(axis=1)
+    size, (of_joints, of_creases) = structures.size, (0.0, 0.0) if folds is None else folds.energies()
+    if folds is not None:
+        changes = changes + folds.rest_shifts()
     if structures.structure.tendons:
         parts["tendons"] = structures.tendons.energy(angles[:, structures.crossed]).sum(axis=1)
         if structures.lines is not None:
             parts["tendons"] = parts["tendons"] + line_energy(structures.lines, angles)[0]
     if structures.stiffness.any():
         turned = angles - structures.rest_angles - changes[:, : structures.size]
-        parts["springs"] = np.sum(structures.stiffness * turned**2, axis=1) / 2 + of_sets[:, 0]
+        parts["springs"] = np.sum(structures.stiffness * turned**2, axis=1) / 2 + of_joints
     if structures.flaps is not None and structures.flaps.sprung:
-        parts["creases"] = folded_energy(structures.flaps, angles, changes[:, size:]) + of_sets[:, 1]
+        parts["creases"] = folded_energy(structures.flaps, angles, changes[:, size:]) + of_creases
     if structures.springs is not None:
         parts[springs_name(structures.structure)] = spring_energy(structures.springs, angles)[0]
     if structures.twists is not None:
@@ -404,7 +355,7 @@ def _optional_parts(structures: Ensemble, angles: Array, torques: Array, at: Pos
         spring_energy(springs, angles, at) for springs in (structures.springs, structures.pins) if springs is not None
     ]
     if structures.flaps is not None:
-        sets = None if structures.sets is None else structures.sets[:, structures.size :]
+        sets = None if structures.folds is None else structures.folds.of_creases
         parts.append(crease_energy(structures.flaps, angles, torques @ structures.crease_drives, at, sets))
     if structures.twists is not None:
         parts.append(twist_energy(structures.twists, angles))

@@ -86,14 +86,14 @@ def tree_drag(
 
 
 def _point(structures: Ensemble, drive: Drive, strength: float, angles: Array, *, resting: bool) -> QuasiStaticPoint:
-    sets = structures.turned(angles[None]).sets
+    folds = structures.turned(angles[None]).folds
     rests = np.array([resting], dtype=np.bool_)
-    return tree_points(structures, drive, np.array([strength]), angles[None], rests, sets)[0]
+    return tree_points(structures, drive, np.array([strength]), angles[None], rests, folds)[0]
 
 
 def _from(structures: Ensemble, near: QuasiStaticPoint) -> Ensemble:
     """Return the tree with the permanent folds of a shape."""
-    return structures if near.sets is None else replace(structures, sets=near.sets[None])
+    return structures if near.sets is None else structures.with_sets(near.sets[None])
 
 
 def _torques(pulled: _PulledTree, near: QuasiStaticPoint) -> Array:

@@ -20,6 +20,7 @@ from forficula.statics.growing_path import (
 )
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint, rest_changes
 from forficula.statics.tree.hinge_landscape import crossed_hinges
+from forficula.statics.tree.permanent_folds import PermanentFolds
 from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
 from forficula.statics.tree.potential import (
     Ensemble,
@@ -27,7 +28,6 @@ from forficula.statics.tree.potential import (
     hinge_angles,
     potential,
     rest,
-    sets_along,
     start_angles,
     stored_energy,
 )
@@ -83,7 +83,7 @@ def tree_path(
 ) -> QuasiStaticPath:
     """Follow a tree under a slowly growing drive; see `forficula.statics.survey.quasi_static_path`."""
     driven, start = _start(structure, drive, transition)
-    if driven.structures.sets is not None:
+    if driven.structures.folds is not None:
         near = None  # the path depends on what happened before this shape
     name = drive.name if transition is None else transition.name
     near_rest = None if near is None else _near_rest(driven, near)
@@ -142,7 +142,7 @@ def _followed(driven: _DrivenTree, start: Array, growing: GrowingPath, begin: fl
         nonlocal at
         at = now = at.turned(angles[None])
         strength, rests = np.array([driven.sign * torque]), np.array([resting], dtype=np.bool_)
-        growing.add(lambda: tree_points(now, driven.drive, strength, angles[None], rests, now.sets)[0])
+        growing.add(lambda: tree_points(now, driven.drive, strength, angles[None], rests, now.folds)[0])
 
     return least_slow_torque(
         driven.structures,
@@ -193,8 +193,8 @@ def _refined(driven: _DrivenTree, path: TorquePath, bound: float) -> TorquePath:
             break
         torque = (path.torque[rows] + path.torque[rows + 1]) / 2
         middle = (path.position[rows] + path.position[rows + 1]) / 2
-        sets = sets_along(structures, path.position)
-        between = replace(structures.repeated(len(rows)), sets=None if sets is None else sets[rows])
+        sets = None if structures.folds is None else structures.folds.along(path.position)
+        between = structures.repeated(len(rows)).with_sets(None if sets is None else sets[rows])
         rested = rest(between, middle, torque[:, None] * driven.torques)
         # a shape outside the interval belongs to another path
         low, high = (bounds(path.position[rows], path.position[rows + 1]) for bounds in (np.minimum, np.maximum))
@@ -231,19 +231,20 @@ def _points(
     ends = sorted({0, len(resting) - 1, *(end for snap in path.snaps for end in snap)})
     kept = kept_frames(time, positions, time[ends], most=_MOST_POINTS, tolerance=bound)
     numbers = {row: number for number, row in enumerate(kept.tolist())}
-    sets = sets_along(driven.structures, path.position)
+    folds = driven.structures.folds
+    sets = None if folds is None else folds.along(path.position)
     points = tree_points(
         driven.structures,
         driven.drive,
         driven.sign * path.torque[kept],
         path.position[kept],
         resting[kept],
-        None if sets is None else sets[kept],
+        None if folds is None or sets is None else replace(folds, sets=sets[kept]),
     )
     events = list[NumberedEvent]()
     for first, last in path.snaps:
         torque = float(path.torque[last])
-        both = replace(driven.structures.repeated(2), sets=None if sets is None else sets[[first, first]])
+        both = driven.structures.repeated(2).with_sets(None if sets is None else sets[[first, first]])
         energy = potential(both, path.position[[first, last]], torque * driven.torques)[0]
         events.append(
             NumberedEvent(
@@ -258,7 +259,12 @@ def _points(
 
 
 def tree_points(
-    structures: Ensemble, drive: Drive, strength: Array, angles: Array, resting: Flags, sets: Array | None = None
+    structures: Ensemble,
+    drive: Drive,
+    strength: Array,
+    angles: Array,
+    resting: Flags,
+    folds: PermanentFolds | None = None,
 ) -> list[QuasiStaticPoint]:
     """Return shapes of a tree as points of a quasi-static path.
 
@@ -268,10 +274,10 @@ def tree_points(
         strength: of the drive, in its SI unit, with its sign, (point,).
         angles: of all joints, rad, (point, joint).
         resting: whether the tree is at rest, (point,).
-        sets: permanent folds of all hinges, rad, (point, hinge); None if no hinge folds permanently.
+        folds: permanent folds of all points; None if no hinge folds permanently.
     """
     further = strength[:, None] * rest_changes(structures.structure, drive)
-    energy = stored_energy(structures.repeated(len(strength)), angles, further, sets)
+    energy = stored_energy(structures.repeated(len(strength)), angles, further, folds)
     positions, every = place_positions(structures.structure, angles), hinge_angles(structures, angles)
     return [
         QuasiStaticPoint(
@@ -281,7 +287,7 @@ def tree_points(
             positions=positions[number],
             coordinates=angles[number],
             energy={part: float(values[number]) for part, values in energy.items()},
-            sets=None if sets is None else sets[number],
+            sets=None if folds is None else folds.sets[number],
         )
         for number in range(len(strength))
     ]

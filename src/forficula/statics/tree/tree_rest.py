@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 import scipy
@@ -44,8 +43,8 @@ def tree_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) ->
 class _LoadedTree:
     """A tree under a load.
 
-    Its states are the angles of the joints, rad, (joint,), and then the permanent folds of all hinges, rad, (hinge,), if
-    a hinge folds permanently.
+    Its states are the angles of the joints, rad, (joint,), and then, if a hinge folds permanently, the permanent folds
+    of all hinges, rad, (hinge,).
     """
 
     def __init__(self, structure: Structure, load: GrowingLoad) -> None:
@@ -72,7 +71,7 @@ class _LoadedTree:
         """Return the tree with the permanent folds of a state, and the angles of the joints, rad, (joint,)."""
         angles, sets = state[: self.size], state[self.size :]
         structures = self._structures
-        return structures if structures.sets is None else replace(structures, sets=sets[None]), angles
+        return structures.with_sets(sets[None]), angles
 
     @staticmethod
     def _state(structures: Ensemble, angles: Array) -> Array:
@@ -149,14 +148,8 @@ class _LoadedTree:
         return structures, angles[None]
 
     def yield_loss(self, before: Array, after: Array) -> float:
-        structures, size = self._structures, self.size
-        if structures.yielding is None:
-            return 0.0
-        change = after[size:] - before[size:]
-        lost = structures.yielding.yield_loss(change[:size]).sum()
-        if structures.flaps is not None:
-            lost += structures.flaps.law.yield_loss(change[size:]).sum()
-        return float(lost)
+        folds = self._at(before)[0].folds
+        return 0.0 if folds is None else folds.loss(after[self.size :])
 
     def middle(self, one: Array, other: Array) -> Array:
         # the motion begins with the permanent folds of the first state
