@@ -211,10 +211,13 @@ def test_creases_that_close_a_loop_of_rigid_facets_fold_as_far_in_statics_as_in_
 
 
 def test_the_second_transition_of_a_path_starts_with_the_permanent_fold_of_the_first_one():
-    text = TEXT.format(moment=MOMENT, second="unfold", drive="back", time="0.2 s") + FACET
-    goals = {"protocol.stages.0.until": "crease > 60 deg", "protocol.stages.1.until": "crease < -10 deg"}
-    values = NUMBERS | {f"facet.{key}": value for key, value in FACETS["plates"].items()} | goals
-    path = quasi_static_path(with_values(design_from_text(text), values), "unfold")
+    stages = [
+        {"name": "close", "drive": "fold", "until": "crease > 60 deg", "time_limit": "1 s"},
+        {"name": "release closed", "drive": "none", "until": "rest", "time_limit": "1 s", "state": "closed"},
+        {"name": "open", "drive": "back", "until": "crease < -10 deg", "time_limit": "1 s"},
+        {"name": "release open", "drive": "none", "until": "rest", "time_limit": "1 s", "state": "opened"},
+    ]
+    path = quasi_static_path(with_values(strip("plates"), {"protocol.stages": stages}), "open")
     folded = np.deg2rad(60) - YIELD / STIFFNESS
     # the least torque that reaches the first goal is known to 1 %
     assert path.sets[0, 0] == pytest.approx(folded, rel=0.05)

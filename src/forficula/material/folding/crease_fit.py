@@ -10,7 +10,7 @@ from typing import Annotated
 import numpy as np
 import scipy
 
-from forficula.arrays import Array, Indices
+from forficula.arrays import Array, Flags, Indices
 from forficula.errors import InputError
 from forficula.material.fit.uncertainty import effective_points, half_widths, undetermined
 from forficula.material.folding.folding_test import FoldingTest
@@ -121,6 +121,9 @@ class _Problem:
         self.specimen: Indices = np.repeat(np.arange(len(tests)), [len(test.angle) for test in tests])
         self.speed = np.concatenate([_speed(test) for test in tests])
         self.peak = float(np.abs(self.moment).max())
+        # rows that are compared: near turning points the speed is not known
+        self.kept = np.concatenate([_away_from_turns(test) for test in tests])
+        self.kept_specimen: Indices = self.specimen[self.kept]
 
     def play(self, rest_angle: float, yield_angle: float) -> Array:
         """Return the permanent folds, rad, (row,)."""
@@ -136,14 +139,18 @@ class _Problem:
             moment = moment - (stiffness - hardening) * self.play(rest, value["yield_moment"] / stiffness)
         return np.asarray(moment + value.get("damping", 0.0) * self.speed)
 
+    def residual(self, keys: Sequence[str], values: Array) -> Array:
+        """Return the moment of a law minus the measured one in the rows that are compared, N m/m, (point,)."""
+        return np.asarray((self.fitted(keys, values) - self.moment)[self.kept])
+
     def sensitivity(self, keys: Sequence[str], values: Array) -> Array:
-        """Return the derivatives of the moment by the values, (row, value), by central differences."""
+        """Return the derivatives of the residual by the values, (point, value), by central differences."""
         scale = np.where(values != 0, np.abs(values), 1.0)
         columns = []
         for number in range(len(values)):
             step = np.zeros(len(values))
             step[number] = _STEP * scale[number]
-            change = self.fitted(keys, values + step) - self.fitted(keys, values - step)
+            change = self.residual(keys, values + step) - self.residual(keys, values - step)
             columns.append(change / (2 * step[number]))
         return np.stack(columns, axis=1)
 
@@ -197,7 +204,7 @@ def permanent_folds(turned: Array, yield_angle: float) -> Array:
 
 def turns_back(test: FoldingTest) -> bool:
     """Return whether a test unloads: whether the angle turns back by more than 5 % of its range."""
-    return len(turning_points(test.angle, _BAND * float(np.ptp(test.angle)))) > 2
+    return bool(_turns(test))
 
 
 def turning_speeds(tests: Sequence[FoldingTest]) -> list[float]:
@@ -219,15 +226,31 @@ def _speed(test: FoldingTest) -> Array:
     """Return the turning speed, rad/s, (row,), averaged over neighbouring rows of a motion; 0 without a time."""
     if test.time is None:
         return np.zeros(len(test.angle))
-    half = max(1, len(test.angle) // (2 * _SPEEDS))
-    rows = np.arange(len(test.angle))
-    turns = turning_points(test.angle, _BAND * float(np.ptp(test.angle)))[1:-1]
+    half, rows, turns = _averaged(test), np.arange(len(test.angle)), _turns(test)
     ends = np.array([0, *turns, len(rows) - 1])
     motion = np.searchsorted(ends[1:-1], rows)
     first, last = np.maximum(rows - half, ends[motion]), np.minimum(rows + half, ends[motion + 1])
     span = test.time[last] - test.time[first]
     turned = test.angle[last] - test.angle[first]
     return np.asarray(np.divide(turned, span, out=np.zeros(len(rows)), where=span > 0))
+
+
+def _averaged(test: FoldingTest) -> int:
+    """Return half the number of rows over which a turning speed is averaged."""
+    return max(1, len(test.angle) // (2 * _SPEEDS))
+
+
+def _turns(test: FoldingTest) -> list[int]:
+    """Return the rows in which a test turns back."""
+    return turning_points(test.angle, _BAND * float(np.ptp(test.angle)))[1:-1]
+
+
+def _away_from_turns(test: FoldingTest) -> Flags:
+    """Return which rows are so far from turning points that their speed is known, (row,); all without a time."""
+    kept, half = np.ones(len(test.angle), dtype=np.bool_), _averaged(test)
+    for turn in _turns(test) if test.time is not None else ():
+        kept[max(turn - half, 0) : turn + half + 1] = False
+    return kept
 
 
 def one_speed(tests: Sequence[FoldingTest]) -> bool:
@@ -260,11 +283,11 @@ def _fit(problem: _Problem, name: str, keys: tuple[str, ...]) -> _Fitted:
         )
         raise InputError(f"damping: cannot be determined, because {known}; fold at two rates")
     needed = _POINTS_BY_VALUE * len(keys)
-    if len(problem.moment) < needed:
-        raise InputError(f"{', '.join(keys)}: need at least {needed} rows, got {len(problem.moment)}")
+    if (points := int(problem.kept.sum())) < needed:
+        raise InputError(f"{', '.join(keys)}: need at least {needed} rows, got {points}")
     start = _start(problem, keys)
     solution = scipy.optimize.least_squares(
-        lambda values: (problem.fitted(keys, values) - problem.moment) / problem.peak,
+        lambda values: problem.residual(keys, values) / problem.peak,
         start,
         jac=lambda values: problem.sensitivity(keys, values) / problem.peak,
         x_scale=np.where(start != 0, np.abs(start), 1.0),
@@ -282,7 +305,7 @@ def _fit(problem: _Problem, name: str, keys: tuple[str, ...]) -> _Fitted:
     at_zero = [key for key in keys if key != "rest_angle" and value[key] <= _FLOOR * abs(start[keys.index(key)])]
     if at_zero:
         raise InputError(f"{', '.join(at_zero)}: the best value is 0")
-    residual = problem.fitted(keys, values) - problem.moment
+    residual = problem.residual(keys, values)
     return _Fitted(name=name, keys=keys, values=values, residual=residual, sensitivity=sensitivity)
 
 
@@ -323,13 +346,13 @@ def _start(problem: _Problem, keys: Sequence[str]) -> Array:
 
 def _chosen(problem: _Problem, fitted: list[_Fitted], refused: list[CreaseCandidate]) -> CreaseFit:
     least = min(fitted, key=lambda fit: fit.misfit())
-    effective = max(effective_points(least.residual, problem.specimen), len(least.keys) + 2.0)
+    effective = max(effective_points(least.residual, problem.kept_specimen), len(least.keys) + 2.0)
     ranked = sorted(fitted, key=lambda fit: fit.bic(effective, problem.peak))
     equivalent = [
         fit for fit in ranked if fit.bic(effective, problem.peak) <= ranked[0].bic(effective, problem.peak) + _SAME_FIT
     ]
     best = min(equivalent, key=lambda fit: len(fit.keys))
-    halves = half_widths(best.sensitivity, best.residual, problem.specimen)
+    halves = half_widths(best.sensitivity, best.residual, problem.kept_specimen)
     values = [
         LawValue(key=key, value=float(value), interval=(float(value - half), float(value + half)), unit=_UNITS[key])
         for key, value, half in zip(best.keys, best.values, halves, strict=True)
@@ -342,8 +365,8 @@ def _chosen(problem: _Problem, fitted: list[_Fitted], refused: list[CreaseCandid
     return CreaseFit(
         law=best.name,
         values=tuple(values),
-        points=len(problem.moment),
-        effective_points=effective_points(best.residual, problem.specimen),
+        points=int(problem.kept.sum()),
+        effective_points=effective_points(best.residual, problem.kept_specimen),
         misfit=best.misfit(),
         relative_misfit=best.misfit() / problem.peak,
         fitted=tuple(moments[problem.specimen == number] for number in range(len(problem.tests))),
