@@ -84,6 +84,16 @@ def test_keys_of_the_design_override_values_of_the_law():
     assert crease.hardening == pytest.approx(0.1 * WIDTH)
 
 
+def test_a_law_laid_over_a_design_replaces_the_spring_that_the_design_had():
+    letter = load_design("letter-fold")
+    design = letter.with_values({"crease.law": "paper"})
+    assert design.crease.stiffness is None
+    assert design.crease.damping == letter.crease.damping
+    assert load_design("letter-fold", {"crease.law": "paper"}).hash == design.hash
+    kept = letter.with_values({"crease.law": "paper", "crease.stiffness": 0.5})
+    assert hinge(kept).stiffness / hinge(letter).stiffness == pytest.approx(0.5 / letter.crease.stiffness)
+
+
 def test_another_law_replaces_all_values_of_the_first_one():
     changed, direct = strip(law="petg-film"), design_from_text(TEXT.replace("paper", "petg-film"))
     assert spring(changed) == spring(direct)
