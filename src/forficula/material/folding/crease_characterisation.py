@@ -140,6 +140,9 @@ def _remarks(tests: Sequence[FoldingTest], fit: CreaseFit) -> Iterator[str]:
         yield from (reason for reason in refused if reason.startswith("damping: cannot"))
         if "yield_moment" in keys and any(reason.startswith("damping: cannot") for reason in refused):
             yield "a viscous loss, if there is one, counts as yielding"
+    elif speeds := turning_speeds(tests):
+        fastest = show_quantity(max(speeds), _SPEED)
+        yield f"the damping was measured up to {fastest}; in faster motions it is extrapolated"
     sizes = [test.thickness for test in tests]
     if any(size is None for size in sizes):
         yield "the thickness is not known, so a design cannot compare it with that of its sheet; give --thickness"
