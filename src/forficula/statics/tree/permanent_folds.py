@@ -10,7 +10,7 @@ from forficula.arrays import Array, Indices
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.statics.path_dependence import path_dependence
 from forficula.statics.tree.flaps import Flaps, crease_angles
-from forficula.structure import Structure
+from forficula.structure import Structure, crease_law
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -96,13 +96,11 @@ def permanent_folds_of(structure: Structure, size: int, flaps: Flaps | None, cas
     """
     if not path_dependence(structure):
         return None
-    joints = structure.hinges[:size]
+    # stops are bounds of angles
+    free = {"lower": -np.inf, "upper": np.inf, "lock_below": -np.inf, "lock_above": np.inf, "stop_stiffness": 0.0}
     return PermanentFolds(
-        joints=CreaseLaw(
-            stiffness=np.array([hinge.stiffness for hinge in joints]),
-            rest_angle=np.array([hinge.rest_angle for hinge in joints]),
-            yield_angle=np.array([hinge.yield_angle for hinge in joints]),
-            hardening=np.array([hinge.hardening for hinge in joints]),
+        joints=replace(
+            crease_law(structure, np.arange(size)), **{key: np.full(size, end) for key, end in free.items()}
         ),
         flaps=flaps,
         sets=np.zeros((cases, len(structure.hinges))),
