@@ -11,6 +11,7 @@ from forficula.design.chosen import Choice, choices, with_choices
 from forficula.design.design import Design
 from forficula.design.named_protocol import NamedProtocol
 from forficula.design.sheet_protocol import sheet_protocol
+from forficula.design.sheets.crease_values import law_sentences
 from forficula.design.sheets.sheet_checks import check_sheet, measured_units
 from forficula.design.sheets.sheet_drives import SheetDrive, SheetMeasure, SheetProtocol, SheetTendon
 from forficula.design.sheets.sheet_places import facet_of
@@ -77,6 +78,11 @@ class SheetDesign(Design):
     def chosen(self) -> tuple[Choice, ...]:
         """The values that are not given and that a rule chooses."""
         return _choices(self.pattern, self.facet, self.crease)
+
+    @property
+    def law_sentences(self) -> tuple[str, ...]:
+        """Sentences about laws of creases with chosen values, or for a sheet of another thickness."""
+        return law_sentences(self.crease, self.settled().facet.thickness)
 
     @property
     def has_stops_of_bodies(self) -> bool:
