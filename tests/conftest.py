@@ -298,7 +298,7 @@ def leave_figures_empty(monkeypatch, tell):
         return texts
 
     kinds = ("convergence", "cycling", "identify", "landscape", "material", "optimum", "run", "static_map", "study")
-    for kind in (*kinds, "assumptions", "parts", "tolerance"):
+    for kind in (*kinds, "assumptions", "crease", "parts", "tolerance"):
         monkeypatch.setattr(f"forficula.show.folder.{kind}_folder.save_figures", save_nothing)
     # the fold path of a page takes as long as a figure
     for kind in ("run", "landscape"):

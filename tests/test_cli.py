@@ -19,6 +19,7 @@ from forficula.design import design_pattern
 from forficula.goals import load_goal
 from forficula.show.style import figure_files
 from tests.assumptions import flap
+from tests.material.folding.strips import folded_strip
 from tests.material.synthetic import cyclic_test, plain_text
 
 # the shortest run that leaves everything: 10 ms of settling
@@ -389,7 +390,7 @@ def test_json_is_the_only_standard_output(in_an_empty_folder, call, refusal):
     assert points["binder2025-search"] == 60
     sizes = json.loads(call("size", "binder2025", "--material", "tpu-82a", "--stiffness", "10 N/cm", "--json").out)
     assert [row["length_m"] for row in sizes] == [0.06, 0.09]
-    assert json.loads(call("materials", "--json").out)[0].keys() == {"name", "source"}
+    assert json.loads(call("materials", "--json").out)[0].keys() == {"name", "source", "for"}
     assert refusal("new", "other.toml", "--json").startswith("--json: need run, landscape, converge, ")
 
 
@@ -991,8 +992,42 @@ def test_a_run_warns_of_tendons_far_faster_than_the_tests_of_their_material(in_a
 
 def test_the_named_materials_are_listed_with_their_sources(call):
     lines = call("materials").out.splitlines()
-    assert lines[::2] == ["petg", "resilin", "steel", "tpu-82a", "tpu-95a"]
-    assert all(line.strip() for line in lines[1::2])
+    assert [line for line in lines if not line.startswith(" ")] == ["Laws of tendons", "Laws of creases"]
+    names = [line.strip() for line in lines if line.startswith("  ") and not line.startswith("   ")]
+    assert names[:5] == ["petg", "resilin", "steel", "tpu-82a", "tpu-95a"]
+    assert names[5:] == ["paper", "pet-film", "petg-film", "pp-living-hinge"]
+    assert len([line for line in lines if line.startswith("    ")]) == len(names)
+
+
+def test_the_values_of_a_law_of_creases_are_shown_with_their_reasons_and_facts(call):
+    output = call("materials", "paper").out
+    assert "0.2358 N m/rad/m" in output
+    assert "plastic moment of a strip, S t^2 / 4" in output
+    assert "[chosen] stress at a strain of 1 %" in output
+
+
+def test_folding_tests_become_a_law_that_a_design_can_name(call, in_an_empty_folder):
+    strip = folded_strip()
+    rows = zip(strip.time, np.rad2deg(strip.angle), 1e3 * strip.moment, strict=True)
+    lines = ["Time (s),Angle (deg),Moment (N mm)", *(",".join(f"{cell:.8g}" for cell in row) for row in rows), ""]
+    (in_an_empty_folder / "strip.csv").write_text("\n".join(lines), "utf-8")
+    output = call("material", "strip.csv", "--width", "20 mm", "--thickness", "0.1 mm", "--out", "fold").out
+    assert "fold: 1 strip, width 20 mm, thickness 0.1 mm" in output
+    assert 'use the law in a design with --set crease.law="fold/crease_law.toml"' in output
+    content = json.loads((in_an_empty_folder / "fold" / "crease.json").read_text("utf-8"))
+    assert content["fit"]["law"] == "elastic and plastic"
+    design = ff.load_design("letter-fold", {"crease.law": "fold/crease_law.toml", "crease.rest_angle": "0 deg"})
+    fitted = {value["key"]: value["value"] for value in content["fit"]["values"]}
+    assert design.crease.law.yield_moment == pytest.approx(fitted["yield_moment"], rel=1e-5)
+    assert design.crease.law.name == "fold"
+    page = (in_an_empty_folder / "fold" / "report.html").read_text("utf-8")
+    assert "elastic and plastic" in page
+
+
+def test_options_of_tensile_tests_are_refused_for_folding_tests(refusal, in_an_empty_folder):
+    (in_an_empty_folder / "strip.csv").write_text("Angle (deg),Moment (N mm)\n0,0\n1,1\n2,2\n", "utf-8")
+    message = refusal("material", "strip.csv", "--length", "60 mm")
+    assert message == "--length: is for tensile tests; these are folding tests"
 
 
 def test_a_material_known_as_a_range_is_sized_at_the_modulus_chosen(call):

@@ -248,6 +248,16 @@ KINDS: tuple[ResultKind, ...] = (
         marker="trace.json",
         named_by="name",
     ),
+    ResultKind(
+        name="law of creases",
+        module="crease_folder",
+        classes=("CreaseCharacterisation",),
+        data="crease.json",
+        json="crease",
+        shape="forficula.material.folding.crease_characterisation:CreaseCharacterisation",
+        marker="crease.json",
+        named_by="law_of_creases",
+    ),
     ResultKind(name="bill of parts", module="parts_folder", classes=("PartSet",), data="bill.json", marker="bill.json"),
     ResultKind(
         name="optimisation",

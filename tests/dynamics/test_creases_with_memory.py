@@ -154,13 +154,14 @@ def test_statics_has_nonlinear_moments_and_relaxed_branches(facets):
     assert path.stored == pytest.approx(WIDTH * (angle**2 / 2 + 0.1 * angle**3 / 3 + 0.3 * angle**4 / 4), abs=1e-9)
 
 
-def test_a_crease_that_yields_and_is_nonlinear_has_the_sum_of_both_moments():
-    path = quasi_static_path(changed("nodes", bent=NONLINEAR, yields=YIELD))
+@pytest.mark.parametrize("facets", FACETS)
+def test_a_crease_that_yields_and_is_nonlinear_has_the_sum_of_both_moments(facets):
+    path = quasi_static_path(changed(facets, bent=NONLINEAR, yields=YIELD))
     angle = path.angles[:, 0]
     plastic = 0.4 * angle + 0.6 * np.minimum(angle, 0.3)
     closed = WIDTH * (plastic + 0.1 * angle**2 + 0.3 * angle**3)
-    assert closed == pytest.approx(path.strength, abs=1e-9)
-    assert path.moments[:, 0] == pytest.approx(path.strength, abs=1e-9)
+    assert closed == pytest.approx(path.strength, abs=1e-7)
+    assert path.moments[:, 0] == pytest.approx(path.strength, abs=1e-7)
 
 
 @pytest.mark.parametrize("facets", FACETS)

@@ -21,6 +21,7 @@ from forficula.goals.static_values import static_values
 from forficula.show.run.strength_rows import strength_rows
 from forficula.statics import quasi_static_path, start_drag
 from forficula.statics.slow_margin import least_slow_torques
+from forficula.structure import crease_law
 from forficula.study.landscape_and_run import landscape_and_run
 from forficula.study.tables.static_map import map_study
 
@@ -129,8 +130,9 @@ def test_a_cycle_of_the_moment_dissipates_the_area_of_its_loop():
     assert energy_balance(run).crease_yielding == pytest.approx(lost, rel=5e-3)
 
 
-def test_the_quasi_static_path_has_the_moment_of_the_closed_form():
-    path = quasi_static_path(strip("nodes"))
+@pytest.mark.parametrize("facets", FACETS)
+def test_the_quasi_static_path_has_the_moment_of_the_closed_form(facets):
+    path = quasi_static_path(strip(facets))
     moment, angle, sets = path.strength, path.angles[:, 0], path.sets[:, 0]
     beyond = np.maximum(moment - YIELD, 0.0) / HARDENING
     assert path.reached
@@ -144,8 +146,116 @@ def test_the_quasi_static_path_has_the_moment_of_the_closed_form():
 def test_a_structure_whose_rest_depends_on_its_past_has_no_landscape():
     with pytest.raises(InputError, match="strip: has no energy landscape, because crease 0 folds permanently"):
         ff.landscape(strip("nodes"))
-    with pytest.raises(InputError, match="strip: has no quasi-static path, because crease 0 folds permanently"):
-        ff.quasi_static_path(strip("plates"))
+
+
+@cache
+def slow_strip(second, drive):
+    stages = 'until = "time"\nmotion = "quasi-static"'
+    text = TEXT.replace('until = "time"', stages).format(moment=MOMENT, second=second, drive=drive, time="0.2 s")
+    return with_values(
+        design_from_text(text + FACET), NUMBERS | {f"facet.{key}": v for key, v in FACETS["plates"].items()}
+    )
+
+
+def test_quasi_static_stages_fold_a_strip_of_rigid_facets_as_far_as_the_closed_form():
+    run = ff.run(with_values(slow_strip("unfold", "back"), {"protocol.timestep": STEP["plates"]})).record
+    balance = energy_balance(run)
+    assert run.series["hinge_set"][-1, 0] == pytest.approx(-SET, abs=1e-6)
+    assert run.series["hinge_angle"][-1, 0] == pytest.approx(-YIELD / STIFFNESS - SET, abs=1e-6)
+    assert balance.crease_yielding == pytest.approx((STIFFNESS - HARDENING) * YIELD / STIFFNESS * 3 * SET, rel=1e-6)
+    assert balance.residual < 1e-6
+
+
+VERTEX = """
+name = "vertex"
+source = "a test"
+[pattern]
+kind = "vertex"
+sectors = ["60 deg", "90 deg", "120 deg", "90 deg"]
+lengths = ["4 cm"]
+fold = "30 deg"
+assignment = "MVVV"
+[facet]
+kind = "rigid"
+thickness = "0.3 mm"
+[crease]
+stiffness = "1 N m/rad/m"
+yield_moment = "0.5 N m/m"
+hardening = "0.4 N m/rad/m"
+damping = "5e-3 N m s/rad/m"
+[[drive]]
+name = "fold"
+kind = "torque"
+of = "valleys"
+value = "0.04 N m"
+rise = "0.5 s"
+[[protocol.stages]]
+name = "fold"
+drive = "fold"
+until = "time"
+time_limit = "0.7 s"
+"""
+
+
+def test_creases_that_close_a_loop_of_rigid_facets_fold_as_far_in_statics_as_in_a_slow_run():
+    design = design_from_text(VERTEX)
+    path, run = quasi_static_path(design), ff.run(design).record
+    assert path.angles[-1] == pytest.approx(run.series["hinge_angle"][-1], rel=5e-3)
+    assert path.sets[-1] == pytest.approx(run.series["hinge_set"][-1], rel=5e-3)
+    # the work of the torques on the valleys is stored or dissipated
+    law = crease_law(path.structure, np.arange(4))
+    lost = law.yield_loss(np.diff(path.sets, axis=0)).sum()
+    turned = path.angles[:, [hinge.assignment == "V" for hinge in path.structure.hinges]].sum(axis=1)
+    work = np.trapezoid(path.strength, turned)
+    assert work == pytest.approx(path.stored[-1] - path.stored[0] + lost, rel=1e-3)
+
+
+def test_the_second_transition_of_a_path_starts_with_the_permanent_fold_of_the_first_one():
+    stages = [
+        {"name": "close", "drive": "fold", "until": "crease > 60 deg", "time_limit": "1 s"},
+        {"name": "release closed", "drive": "none", "until": "rest", "time_limit": "1 s", "state": "closed"},
+        {"name": "open", "drive": "back", "until": "crease < -10 deg", "time_limit": "1 s"},
+        {"name": "release open", "drive": "none", "until": "rest", "time_limit": "1 s", "state": "opened"},
+    ]
+    path = quasi_static_path(with_values(strip("plates"), {"protocol.stages": stages}), "open")
+    folded = np.deg2rad(60) - YIELD / STIFFNESS
+    # the least torque that reaches the first goal is known to 1 %
+    assert path.sets[0, 0] == pytest.approx(folded, rel=0.05)
+    assert path.angles[0, 0] == pytest.approx((1 - HARDENING / STIFFNESS) * path.sets[0, 0], abs=1e-6)
+    moment = HARDENING * path.angles[-1, 0] + (STIFFNESS - HARDENING) * (path.angles[-1, 0] - path.sets[-1, 0])
+    assert path.strength[-1] == pytest.approx(moment, abs=1e-9)
+
+
+@pytest.mark.parametrize("facets", FACETS)
+def test_a_dragged_panel_springs_back_along_the_elastic_slope(facets):
+    path = quasi_static_path(strip(facets))
+    tip = int(np.argmax(path.positions[0][:, 0]))
+    drag = start_drag(strip(facets), tip)
+    near, angles, sets = None, [], []
+    for angle in (0.9, 0.8):
+        target = np.array([0.04 + 0.04 * np.cos(angle), path.positions[0][tip, 1], 0.04 * np.sin(angle)])
+        dragged = drag.to(target, near)
+        near = dragged.point
+        angles.append(near.angles[0])
+        sets.append(near.sets[0])
+        moment = HARDENING * angles[-1] + (STIFFNESS - HARDENING) * (angles[-1] - sets[-1])
+        if facets == "plates":
+            assert np.linalg.norm(dragged.force) * 0.04 == pytest.approx(abs(moment), rel=1e-3)
+    assert sets[0] == pytest.approx(angles[0] - YIELD / STIFFNESS, abs=1e-9)
+    assert sets[1] == pytest.approx(sets[0], abs=1e-12)
+
+
+@pytest.mark.parametrize("call", [ff.quasi_static_path, lambda design: start_drag(design, 0)])
+def test_driven_rest_angles_and_permanent_folds_are_not_combined_in_statics(call):
+    text = TEXT.replace('kind = "torque"', 'kind = "rest-angle"').replace('"{moment} N m"', '"60 deg"')
+    text = (
+        text.replace('value = "-60 deg"', 'value = "-60 deg"')
+        .replace('"-{moment} N m"', '"-60 deg"')
+        .replace("value", "angle")
+    )
+    design = design_from_text(text.format(second="release", drive="none", time="0.1 s") + FACET)
+    with pytest.raises(InputError, match='under "fold", which changes rest angles, because crease 0 folds permanently'):
+        call(with_values(design, NUMBERS))
 
 
 def folding_letter():
@@ -157,7 +267,6 @@ STATICS = {
     "least slow drives": lambda design: static_values(design, ["slow"]),
     "least slow torques": lambda design: least_slow_torques([design]),
     "quantities of statics": lambda _: quantity_of(folding_letter(), "slow_close"),
-    "point that can be dragged": lambda design: start_drag(design, 0),
     "energy landscape": lambda design: landscape_and_run(design, simulation=True),
 }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -34,6 +35,17 @@ def material(
         str | None,
         Parameter(help='Cross-section of every specimen, such as "5 mm^2", where the files do not state it.'),
     ] = None,
+    width: Annotated[
+        str | None,
+        Parameter(help='Folding tests: length of every crease, such as "20 mm", where the files do not state it.'),
+    ] = None,
+    thickness: Annotated[
+        str | None, Parameter(help='Folding tests: thickness of every strip, such as "0.1 mm".')
+    ] = None,
+    lever: Annotated[
+        str | None,
+        Parameter(help='Folding tests with a travel or a force: distance of the force from the crease, "30 mm".'),
+    ] = None,
     law: Annotated[
         str | None,
         Parameter(
@@ -48,11 +60,21 @@ def material(
     out: Annotated[Out, Parameter(help="Output folder; its name is the name of the material.")] = Path("out/material"),
     open_report: OpenReport = False,
 ) -> None:
-    """Fit a material law for tendons to tensile tests, and report cycles, moduli and their drift."""
+    """Fit a law for tendons to tensile tests, or a law for creases to folding tests of strips.
+
+    Files with a column of angles or moments are folding tests; with --width, --thickness or --lever all files are.
+    """
     from forficula.material.characterisation import AREA, BAND_SHARE, LENGTH, characterise
     from forficula.material.law.law_family import family_forms
-    from forficula.material.machine.specimen_files import read_specimens
+    from forficula.material.machine.specimen_files import is_folding, read_specimens
 
+    strip = {"width": width, "thickness": thickness, "lever": lever}
+    if any(strip.values()) or is_folding(files):
+        for name, value in (("length", length), ("area", area), ("law", law), ("keep-first", keep_first or None)):
+            if value is not None:
+                raise InputError(f"--{name}: is for tensile tests; these are folding tests")
+        _crease(files, strip, out, show=open_report)
+        return
     check_folder(out, "material")
     forms = None if law is None else read_option("--law", lambda: family_forms(law))
     read = read_specimens(
@@ -76,13 +98,45 @@ def material(
     finish_folder(out, "material", show=open_report)
 
 
-def materials() -> None:
-    """List the named materials with their sources."""
+def _crease(files: Sequence[str], strip: Mapping[str, str | None], out: Path, *, show: bool) -> None:
+    """Fit a law for creases to folding tests."""
+    from forficula.material.folding.crease_characterisation import characterise_crease
+    from forficula.material.machine.specimen_files import read_strips
+    from forficula.material.tensile.tensile_test import UNITS
+    from forficula.show.folder.crease_folder import CREASE_LAW_FILE, write_crease
+    from forficula.show.material.crease_table import print_crease
+
+    check_folder(out, "law of creases")
+    sizes = {key: read_quantity(f"--{key}", text, UNITS[key]) for key, text in strip.items() if text is not None}
+    read = read_strips(files, **sizes)
+    note_replaced(out, "law of creases")
+    result = characterise_crease(read.tests, name=out.resolve().name, source=read.source)
+    print_crease(result)
+    write_crease(result, out)
+    print(f'use the law in a design with --set crease.law="{out / CREASE_LAW_FILE}"')
+    finish_folder(out, "law of creases", show=show)
+
+
+def materials(
+    name: Annotated[str, Parameter(help="Show the values and sources of this law of creases, or law file.")] = "", /
+) -> None:
+    """List the named materials of tendons and laws of creases with their sources."""
+    from forficula.material.law.crease_law_file import load_crease_law, named_crease_laws
     from forficula.material.law.law_file import named_laws
 
-    for name, source in named_laws().items():
-        print(f"{name}\n    {source}")
-    set_result([{"name": name, "source": source} for name, source in named_laws().items()])
+    if name:
+        from forficula.show.material.crease_law_table import crease_law_json, print_crease_law
+
+        law = load_crease_law(name)
+        print_crease_law(law)
+        set_result(crease_law_json(law))
+        return
+    laws = {"tendons": named_laws(), "creases": named_crease_laws()}
+    for use, named in laws.items():
+        print(f"Laws of {use}")
+        for law_name, source in named.items():
+            print(f"  {law_name}\n    {source}")
+    set_result([{"name": law, "source": source, "for": use} for use in laws for law, source in laws[use].items()])
 
 
 def size(

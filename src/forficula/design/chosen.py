@@ -10,7 +10,14 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.design.sheets.sheet_sections import Crease, FacetSection, largest_extension
+from forficula.design.sheets.sheet_sections import (
+    Crease,
+    CreaseLawSection,
+    FacetSection,
+    group_values,
+    largest_extension,
+    with_law,
+)
 from forficula.pattern import CreasePattern, triangulated
 from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.shared_edges import shared_edges
@@ -60,6 +67,7 @@ def choices(sheet: CreasePattern, facet: FacetSection, crease: Crease) -> tuple[
         crease: section of the creases, with None for values to be chosen.
     """
     made: list[Choice] = []
+    law, crease = crease.law, with_law(crease)
     size = _facet_size(sheet)
     rigid = facet.kind == "rigid"
 
@@ -70,7 +78,9 @@ def choices(sheet: CreasePattern, facet: FacetSection, crease: Crease) -> tuple[
             made.append(Choice(section=section, key=key, value=rule[0], reason=rule[1]))
         return rule[0] if from_design is None else from_design
 
-    thickness = value("facet", "thickness", (_THICKNESS_RATIO * size, "1/100 of the size of a facet, as in card"))
+    by_size = (_THICKNESS_RATIO * size, "1/100 of the size of a facet, as in card")
+    of_law = law.thickness if isinstance(law, CreaseLawSection) else None
+    thickness = value("facet", "thickness", by_size if of_law is None else (of_law, "to which crease.law applies"))
     density = value("facet", "density", (_DENSITY, "of PETG; paper has 0.8 g/cm^3"))
     if rigid and largest_extension(crease):
         damping = 2 * _SOUND_DAMPING * math.sqrt(largest_extension(crease) * density * thickness * size)
@@ -137,7 +147,7 @@ def mean_bar_area(triangles: CreasePattern, thickness: float, poisson: float) ->
 
 def _modulus(triangles: CreasePattern, thickness: float, poisson: float, crease: Crease) -> tuple[float, str]:
     """Choose Young's modulus: that of a material, or one that makes the bars much stiffer than the given creases."""
-    stiffest = max([crease.stiffness or 0.0, *(group.stiffness or 0.0 for group in crease.group)])
+    stiffest = max([crease.stiffness or 0.0, *(group_values(group).get("stiffness", 0.0) for group in crease.group)])
     if not crease.stiffness or not stiffest:
         return _MODULUS, "of PETG, or of paper"
     area = mean_bar_area(triangles, thickness, poisson)

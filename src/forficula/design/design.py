@@ -149,6 +149,11 @@ class Design(Displayed, Section):
         """Sentences about given values that have no effect."""
         return ()
 
+    @property
+    def law_sentences(self) -> tuple[str, ...]:
+        """Sentences about laws of creases with chosen values, or for a sheet of another thickness."""
+        return ()
+
     def with_values(self, values: Mapping[str, object]) -> Self:
         """Return the design with some values replaced, by dotted key: text with a unit, or a number in SI.
 

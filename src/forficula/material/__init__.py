@@ -1,10 +1,14 @@
-"""Materials: from tensile tests to a law."""
+"""Materials: from tensile and folding tests to a law."""
 
 from forficula.public_names import public_names
 
 _PUBLIC = (
     "Characterisation",
+    "CreaseCharacterisation",
+    "CreaseFit",
+    "CreaseLawFile",
     "Cycle",
+    "FoldingTest",
     "LawFit",
     "MaterialLaw",
     "ModulusClass",
@@ -14,13 +18,19 @@ _PUBLIC = (
     "TensileTest",
     "area_for",
     "characterise",
+    "characterise_crease",
     "find_cycles",
+    "fit_crease_law",
     "fit_law",
+    "load_crease_law",
     "load_law",
     "moduli_by_strain",
+    "named_crease_laws",
     "named_laws",
+    "read_folding_tests",
     "read_tensile_test",
     "read_tensile_tests",
+    "save_crease_law",
     "save_law",
     "size_tendons",
 )

@@ -8,7 +8,16 @@ from .fit.fit import FitCandidate as FitCandidate
 from .fit.fit import LawFit as LawFit
 from .fit.fit import Residual as Residual
 from .fit.fit import fit_law as fit_law
+from .folding.crease_characterisation import CreaseCharacterisation as CreaseCharacterisation
+from .folding.crease_characterisation import characterise_crease as characterise_crease
+from .folding.crease_fit import CreaseFit as CreaseFit
+from .folding.crease_fit import fit_crease_law as fit_crease_law
+from .folding.folding_test import FoldingTest as FoldingTest
 from .law.crease_law import CreaseLaw as CreaseLaw
+from .law.crease_law_file import CreaseLawFile as CreaseLawFile
+from .law.crease_law_file import load_crease_law as load_crease_law
+from .law.crease_law_file import named_crease_laws as named_crease_laws
+from .law.crease_law_file import save_crease_law as save_crease_law
 from .law.drift import Drift as Drift
 from .law.drift import fit_drift as fit_drift
 from .law.law_cycle import change_at_cycle as change_at_cycle
@@ -36,6 +45,7 @@ from .law.softening import OgdenRoxburgh as OgdenRoxburgh
 from .law.tendon_law import ElasticLaw as ElasticLaw
 from .law.tendon_law import TendonBranch as TendonBranch
 from .law.tendon_law import TendonLaw as TendonLaw
+from .machine.folding_file import read_folding_tests as read_folding_tests
 from .machine.machine_file import read_tensile_test as read_tensile_test
 from .machine.machine_file import read_tensile_tests as read_tensile_tests
 from .tensile.cycle_drift import CycleDrift as CycleDrift

@@ -23,6 +23,8 @@ _UPDATES = 4  # of the pull, until the target is reached
 _LESS = 0.5  # ratio of the distances before and after an update above which a target is out of reach
 # stiffness of the pull, relative to the stiffness of the structure at the dragged point
 STIFF = 1e3
+# [chosen] longest move in one increment, as a share of the span, where creases fold permanently; and most increments
+_INCREMENT, _MOST_INCREMENTS = 0.05, 100
 _RIGID = 5e-3  # compliance that counts as none, relative to the largest one at the dragged point
 
 
@@ -69,6 +71,9 @@ class DraggedPoint:
     def to(self, target: Array, near: QuasiStaticPoint | None = None) -> DraggedShape:
         """Pull the point to a target.
 
+        Where creases fold permanently, the point moves straight to the target in short increments. In each increment
+        every crease turns in one sense.
+
         Args:
             target: m, (3,).
             near: shape of the previous move; by default that from which the drag starts.
@@ -76,7 +81,15 @@ class DraggedPoint:
         target = np.asarray(target, dtype=np.float64)
         if target.shape != (3,) or not np.isfinite(target).all():
             raise InputError(f"target: need three finite coordinates in m, got {target}")
-        return self.pull(self.start if near is None else near, target)
+        near = self.start if near is None else near
+        if near.sets is None:
+            return self.pull(near, target)
+        begin = np.sum([weight * near.positions[place] for place, weight in self.places.items()], axis=0)
+        away = float(np.linalg.norm(target - begin)) / (_INCREMENT * self.structure.span)
+        count = min(max(math.ceil(away), 1), _MOST_INCREMENTS)
+        for number in range(1, count):
+            near = self.pull(near, begin + number / count * (target - begin)).point
+        return self.pull(near, target)
 
 
 class Held(NamedTuple, Generic[Shape]):

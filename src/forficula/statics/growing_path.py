@@ -160,6 +160,7 @@ def path_of(
         coordinates=np.array([point.coordinates for point in points]),
         energy={part: np.array([point.energy[part] for point in points]) for part in points[0].energy},
         force=np.array([point.force for point in points]),
+        sets=np.array([np.zeros_like(point.angles) if point.sets is None else point.sets for point in points]),
         length=float(length[-1]),
         marks=tuple(sorted(marks, key=lambda mark: mark.share)),
         reached=reached,

@@ -13,6 +13,7 @@ from forficula.arrays import Array, Flags
 from forficula.errors import InputError
 from forficula.results import pandas_module
 from forficula.statics.friction import friction_range
+from forficula.statics.path_dependence import path_dependence
 from forficula.structure import Drive, Structure, crease_law, drive_unit, springs_name
 from forficula.structure.membrane_stress import principal_strains
 
@@ -35,6 +36,7 @@ class QuasiStaticPoint:
             the built shape, m.
         energy: stored by part, J; parts that the structure does not have are left out.
         force: total force along the displacement of the drive, N; 0 for other drives.
+        sets: permanent folds of all hinges in their own senses, rad, (hinge,); None if no hinge folds permanently.
     """
 
     strength: float
@@ -44,6 +46,7 @@ class QuasiStaticPoint:
     coordinates: Array
     energy: Mapping[str, float]
     force: float = 0.0
+    sets: Array | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,6 +93,7 @@ class QuasiStaticPath:
         coordinates: what the solver moves, (point, coordinate).
         energy: stored energy by part, J, (point,) each.
         force: total force along the displacement of the drive, N, (point,); 0 for other drives.
+        sets: permanent folds of creases that yield, rad, (point, hinge); 0 for others.
         length: distance along the path in the measure of `share`, m.
         marks: events, by share.
         reached: whether the path reaches the goal of its transition, or the full strength of the drive without a goal.
@@ -111,6 +115,7 @@ class QuasiStaticPath:
     coordinates: Array
     energy: Mapping[str, Array]
     force: Array
+    sets: Array
     length: float
     marks: tuple[PathMark, ...]
     reached: bool
@@ -152,17 +157,6 @@ class QuasiStaticPath:
         """
         further = self.strength[:, None] * rest_changes(self.structure, self.drive)
         return spring_moments(self.structure, self.angles, further, self._rest_shifts)
-
-    @cached_property
-    def sets(self) -> Array:
-        """Return the permanent folds of creases that yield, rad, (point, hinge); 0 for others."""
-        law = crease_law(self.structure, np.arange(len(self.structure.hinges)), rigid_stops=True)
-        sets = np.zeros_like(self.angles)
-        if law.yields:
-            before = np.zeros(self.angles.shape[1])
-            for row, angles in enumerate(self.angles):
-                sets[row] = before = law.next_set(angles, 0.0, before)
-        return sets
 
     @property
     def _rest_shifts(self) -> Array:
@@ -233,6 +227,7 @@ class QuasiStaticPath:
             coordinates=between(self.coordinates),
             energy={part: float(between(values)) for part, values in self.energy.items()},
             force=float(between(self.force)),
+            sets=between(self.sets) if path_dependence(self.structure) else None,
         )
 
     def _lengths(self, pairs: Sequence[tuple[int, int]]) -> Array:

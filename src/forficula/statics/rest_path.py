@@ -52,6 +52,10 @@ class LoadedSystem(Protocol[State]):
         """
         ...
 
+    def yield_loss(self, before: State, after: State, /) -> float:
+        """Return the energy that permanent folds dissipate between two states, J."""
+        ...
+
     @property
     def prescribes(self) -> Flags:
         """Return whether each motor sets a displacement or a rest angle instead of a torque or a force, (motor,)."""
@@ -83,7 +87,8 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
         creep = system.creep(load.begin, start)
         if creep is None:
             none = np.zeros((0, motors))
-            return RestPath(share=np.zeros(0), shapes=(), work=none, lost=0.0, forces=none, ended="away")
+            empty = np.zeros(0)
+            return RestPath(share=empty, shapes=(), work=none, lost=0.0, yielded=empty, forces=none, ended="away")
         first, lost = creep
         moved = system.conjugates(load.begin, first) - system.conjugates(load.begin, start)
         crept = np.where(system.prescribes, 0.0, load.settings(load.begin) * moved)
@@ -110,6 +115,7 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
         shapes=tuple(system.shape(state) for state in states),
         work=crept + _works(system, load, shares, states, conjugates),
         lost=lost,
+        yielded=np.cumsum([system.yield_loss(*pair) for pair in pairwise([start, *states])]),
         forces=np.where(system.prescribes, conjugates, 0.0),
         ended=ended,
     )

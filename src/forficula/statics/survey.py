@@ -113,16 +113,7 @@ def quasi_static_path(
     refuse_table(structure, "quasi-static path")
     refuse_wear(structure, "quasi-static path")
     drive, made = _driven_transition(structure, transition)
-    reason = path_dependence(structure)
-    if reason and not is_net(structure):
-        raise InputError(f"{structure.name}: has no quasi-static path, because {reason}, and its facets are rigid")
-    if reason and any(
-        setting and motor.kind == "rest-angle" for setting, motor in zip(drive.strengths, structure.motors, strict=True)
-    ):
-        raise InputError(
-            f'{structure.name}: has no quasi-static path under "{drive.name}", which changes rest angles, because'
-            f" {reason}"
-        )
+    _check_rest_angles(structure, drive, "quasi-static path")
     if is_net(structure):
         return net_path(structure, drive, made, error=error, near=near, follow=follow)
     return tree_path(structure, drive, made, error=error, near=near, follow=follow)
@@ -170,8 +161,8 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
         return reason
     if any(law.yield_extension is not None for law in laws):
         return "a tendon yields, and statics ignores permanent extensions"
-    if reason := path_dependence(structure):
-        return reason
+    if (reason := path_dependence(structure)) and any(motor.kind == "rest-angle" for motor in motors):
+        return f"a drive changes rest angles, and {reason}"
     if structure.contact is not None:
         return "statics ignores contact"
     if structure.table is not None:
@@ -205,20 +196,35 @@ def start_drag(
         transition: name of the transition whose drive acts; as for `quasi_static_path`.
 
     Raises:
-        InputError: the design cannot be built, there is no such transition or place, the point cannot move, or a crease
-            folds permanently.
+        InputError: the design cannot be built, there is no such transition or place, the point cannot move, or the
+            drive changes rest angles of creases that fold permanently.
     """
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
     refuse_wear(structure, "point that can be dragged")
-    refuse_path_dependence(structure, "point that can be dragged")
     if transition is None and not any(any(drive.strengths) for drive in structure.drives):
         shares = tuple(0.0 for _ in structure.motors)
         drive, made = Drive(name="none", shares=shares, rise=0.0, key="", strength=0.0), None
     else:
         drive, made = _driven_transition(structure, transition)
+    _check_rest_angles(structure, drive, "point that can be dragged")
     if is_net(structure):
         return net_drag(structure, drive, made, places, near)
     return tree_drag(structure, drive, places, near)
+
+
+def _check_rest_angles(structure: Structure, drive: Drive, results: str) -> None:
+    """Refuse a drive that changes rest angles of a structure whose creases fold permanently.
+
+    Raises:
+        InputError: the drive changes rest angles, and a crease folds permanently.
+    """
+    if (reason := path_dependence(structure)) and any(
+        setting and motor.kind == "rest-angle" for setting, motor in zip(drive.strengths, structure.motors, strict=True)
+    ):
+        raise InputError(
+            f'{structure.name}: has no {results} under "{drive.name}", which changes rest angles, because {reason}; a'
+            " run follows both"
+        )
 
 
 def _driven_transition(structure: Structure, name: str | None) -> tuple[Drive, Transition | None]:

@@ -20,12 +20,14 @@ class RestShape:
         points: positions of the points, m, (point, 3).
         origins: of the bodies, m, (body, 3).
         frames: rotations from the bodies' axes to the ground's, (body, 3, 3).
+        sets: permanent folds of all hinges in their own senses, rad, (hinge,); None if no hinge folds permanently.
     """
 
     angles: Array
     points: Array
     origins: Array
     frames: Array
+    sets: Array | None = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -62,6 +64,7 @@ class RestPath:
         shapes: at these shares.
         work: of the motors since the start, J, (row, motor).
         lost: energy that dampers dissipate while the structure creeps from the start to the first row, J.
+        yielded: energy that permanent folds have dissipated since the start, J, (row,).
         forces: of motors that displace points, N; 0 for other motors, (row, motor).
         ended: "goal"; "full" at the share 1; "lost" if no stable equilibrium is near the last one at a larger share;
             "away" if no stable equilibrium is near the start, so that there are no rows.
@@ -71,6 +74,7 @@ class RestPath:
     shapes: tuple[RestShape, ...]
     work: Array
     lost: float
+    yielded: Array
     forces: Array
     ended: Literal["goal", "full", "lost", "away"]
 

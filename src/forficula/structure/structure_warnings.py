@@ -48,6 +48,7 @@ def structure_warnings(design: Design, structure: Structure) -> list[str]:
         *_overlapping_bars(structure),
         *_heavy_medium(structure),
         *design.idle,
+        *design.law_sentences,
         *_sentences(structure, groups, [_unmeasured_strain(built, tendons[0], strain) for tendons, strain in groups]),
         *_sentences(structure, groups, [_relaxing_branches(structure, tendons[0], folded) for tendons, _ in groups]),
         *_sentences(structure, groups, [_softening(built, tendons[0], strain) for tendons, strain in groups]),

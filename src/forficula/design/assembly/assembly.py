@@ -254,6 +254,11 @@ class AssemblyDesign(Design):
         return {key: use for part in self.designs.values() for key, use in part.method_papers.items()}
 
     @property
+    def law_sentences(self) -> tuple[str, ...]:
+        """Sentences about laws of creases of parts."""
+        return tuple(f"{name}: {sentence}" for name, part in self.designs.items() for sentence in part.law_sentences)
+
+    @property
     def has_stops_of_bodies(self) -> bool:
         """Whether a part, or a hinge between parts, has stops."""
         return any(part.has_stops_of_bodies for part in self.designs.values()) or any(

@@ -10,9 +10,11 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
-from forficula.design.files.key_table import KeyFact, field_fact, field_forms
-from forficula.design.files.keys import entry_of, holds_sections, names_law, section_fields
+from forficula.design.files.key_table import KeyFact, crease_law_fact, field_fact, field_forms
+from forficula.design.files.keys import entry_of, holds_sections, names_crease_law, names_law, section_fields
 from forficula.design.section import Quantity, Section, field_quantity
+from forficula.design.sheets.sheet_sections import CreaseLawSection
+from forficula.material.law.crease_law_file import FORMS, named_crease_laws
 from forficula.material.law.law_file import named_laws
 from forficula.names import listed
 from forficula.quantities import Unit, show_quantity
@@ -75,6 +77,8 @@ def _held(annotation: Any, section: Section | None, prefix: str) -> Iterator[Des
             continue
         if names_law(key):
             yield _law(key, field, value)
+        elif names_crease_law(key):
+            yield _crease_law(key, field, value)
         if isinstance(value, Section):
             yield from _held(field.annotation, value, f"{key}.")
         elif (isinstance(value, tuple) and not value) or (section is not None and value is None and entry is not None):
@@ -83,7 +87,7 @@ def _held(annotation: Any, section: Section | None, prefix: str) -> Iterator[Des
             for number, item in enumerate(value):
                 if isinstance(item, Section):
                     yield from _held(entry, item, f"{key}.{number}.")
-        elif not names_law(key) and entry is None:
+        elif not (names_law(key) or names_crease_law(key)) and entry is None:
             yield from _held(field.annotation, None, f"{key}.")
 
 
@@ -98,6 +102,13 @@ def _law(key: str, field: FieldInfo, value: Any) -> DesignKey:
     """Return the key of a material law as a single value, its name."""
     fact = KeyFact(key=key, meaning=field.description or "", allowed="name of a material, or of a law file", default="")
     return DesignKey(fact=fact, value=value.name if value is not None else "", words=tuple(named_laws()))
+
+
+def _crease_law(key: str, field: FieldInfo, value: Any) -> DesignKey:
+    """Return the key of a law of creases as a single value: the form of a spring, or the name of a law."""
+    words = (*FORMS, *named_crease_laws())
+    shown = value.name if isinstance(value, CreaseLawSection) else value or ""
+    return DesignKey(fact=crease_law_fact(key, field), value=shown, words=words)
 
 
 def _empty(key: str, field: FieldInfo, entry: Iterable[str]) -> DesignKey:

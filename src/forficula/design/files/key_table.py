@@ -12,9 +12,10 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.fans.fan import FanDesign
 from forficula.design.file_fields import by_key, left_out
-from forficula.design.files.keys import fields_of, hint, holds_sections
+from forficula.design.files.keys import fields_of, hint, holds_sections, names_crease_law
 from forficula.design.section import Quantity, Section, field_quantity, is_list
 from forficula.errors import InputError
+from forficula.material.law.crease_law_file import FORMS, named_crease_laws
 from forficula.names import listed, unknown_key
 from forficula.quantities import show_quantity
 
@@ -48,7 +49,11 @@ def key_facts(within: str = "", model: type[Section] = FanDesign) -> list[KeyFac
         InputError: there is no such section or key; the message names the nearest one.
     """
     wanted = _unnumbered(within) if within else []
-    facts = [field_fact(key, field) for key, field in fields_of(model) if not holds_sections(field)]
+    facts = [
+        crease_law_fact(key, field) if names_crease_law(key) else field_fact(key, field)
+        for key, field in fields_of(model)
+        if names_crease_law(key) or not holds_sections(field)
+    ]
     matches = [fact for fact in facts if _unnumbered(fact.key)[: len(wanted)] == wanted]
     if not matches:
         raise InputError(unknown_key(within, None, hint(within.split("."), model)))
@@ -69,6 +74,13 @@ def field_fact(key: str, field: FieldInfo) -> KeyFact:
         allowed=_allowed(field),
         default=left_out(field) or default,
     )
+
+
+def crease_law_fact(key: str, field: FieldInfo) -> KeyFact:
+    """Return the meaning of the law of creases, which is one value, a form or a name, or has keys of its own."""
+    words = listed((f'"{word}"' for word in (*FORMS, *named_crease_laws())), "or")
+    allowed = f"{words}, or the path of a law file"
+    return KeyFact(key=key, meaning=field.description or "", allowed=allowed, default=_written(field.default, None))
 
 
 def _allowed(field: FieldInfo) -> str:

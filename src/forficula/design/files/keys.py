@@ -18,6 +18,7 @@ from forficula.design.file_fields import by_key
 from forficula.design.files.tables import check_once, entry_index, numbered
 from forficula.design.law import LawSection
 from forficula.design.section import Quantity, Section, field_quantity
+from forficula.design.sheets.sheet_sections import CreaseLawSection
 from forficula.errors import InputError
 from forficula.names import unknown_key
 from forficula.quantities import as_written
@@ -87,7 +88,7 @@ def _find_quantity(key: str, model: type[Design], text: object) -> Quantity | No
             raise InputError(f"{key}: need the number of an entry of {of}, from 0 on, got {as_written(part)}")
         else:
             raise InputError(unknown_key(key, text, f"did you mean {'.'.join(parts[:depth])}?"))
-    if LawSection in _forms(place):
+    if {LawSection, CreaseLawSection}.intersection(form for form in _forms(place) if isinstance(form, type)):
         return None
     section, entry = section_fields(place), entry_of(place)
     if inside := section or section_fields(entry):
@@ -102,6 +103,15 @@ def names_law(key: str) -> bool:
     # the name of a part of an assembly may come first
     match key.split(".")[-3:]:
         case [*_, "tendon", "law"] | ["tendon", _, "law"]:
+            return True
+        case _:
+            return False
+
+
+def names_crease_law(key: str) -> bool:
+    """Return whether a key is the law of creases, of all or of a group."""
+    match key.split(".")[-4:]:
+        case [*_, "crease", "law"] | ["crease", "group", _, "law"]:
             return True
         case _:
             return False

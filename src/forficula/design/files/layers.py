@@ -17,7 +17,9 @@ from forficula.design.files.tables import (
     RejectedError,
 )
 from forficula.design.files.tendon_tables import entries_over, tendon_over, tendons_over
-from forficula.errors import InputError
+from forficula.design.sheets.sheet_sections import CreaseSpring
+from forficula.errors import InputError, error_prefix
+from forficula.material.law.crease_law_file import FORMS, CreaseLawFile, load_crease_law
 from forficula.quantities import as_written
 
 
@@ -27,7 +29,7 @@ def laid_over(
     """Lay tables over others; tendons have separate rules, and the pattern of a fan gives their number."""
     if names := tuple(dict.fromkeys([*part_names(tables), *part_names(upper)])):
         return _assembly_over(tables, upper, lay, names, si=si)
-    tables = _without_other_pattern(tables, kind_of(upper))
+    tables = _without_other_spring(_without_other_pattern(tables, kind_of(upper)), upper)
     both: dict[str, Any] = lay(tables, {key: value for key, value in upper.items() if key != "tendon"})
     if REMOVED in both.values():
         both = _without_removed(both)
@@ -83,6 +85,22 @@ def _without_removed(tables: dict[str, Any]) -> dict[str, Any]:
         if value == REMOVED and key in fields and fields[key].default is None and section_fields(fields[key].annotation)
     }
     return {key: value for key, value in tables.items() if key not in removed}
+
+
+def _without_other_spring(tables: dict[str, Any], upper: dict[str, Any]) -> dict[str, Any]:
+    """Remove the spring of the creases from tables if a law of creases is to be laid over them.
+
+    Damping and rest angle stay if the law gives none.
+    """
+    crease, changes = tables.get("crease"), upper.get("crease")
+    law = changes.get("law") if isinstance(changes, dict) else None
+    named = law.get("based_on") if isinstance(law, dict) else law
+    if not isinstance(crease, dict) or not isinstance(named, str | CreaseLawFile) or named in FORMS:
+        return tables
+    with error_prefix("crease.law: "):
+        file = named if isinstance(named, CreaseLawFile) else load_crease_law(named)
+    replaced = set(CreaseSpring.model_fields) - ({"damping", "rest_angle"} - file.values.keys())
+    return tables | {"crease": {key: value for key, value in crease.items() if key not in replaced}}
 
 
 def _without_other_pattern(tables: dict[str, Any], kind: str | None) -> dict[str, Any]:

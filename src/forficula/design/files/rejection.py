@@ -194,6 +194,8 @@ def _list_rule(place: list[str], model: type[Section]) -> str:
 
 
 def _table_rule(header: str, *, is_list: bool) -> str:
+    if header in ("crease.law", "crease.group.law"):
+        return f"the form of a spring, the name of a law, the path of a law file, or a table under [{header}]"
     if header == "tendon.law":
         return "the name of a material, the path of a law file, or a table under [tendon.law]"
     return f"a table under [[{header}]]" if is_list else f"a table under [{header}]"

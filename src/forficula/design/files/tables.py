@@ -77,7 +77,8 @@ def with_settings_over(below: object, upper: object, place: tuple[str, ...] = ()
     Raises:
         RejectedError: a list has no such entry, or a key continues where there is a value.
     """
-    if not isinstance(upper, dict) or below is None:
+    # a law that is given by name with further values replaces another law
+    if not isinstance(upper, dict) or below is None or (place[-1:] == ("law",) and "based_on" in upper):
         return upper
     if isinstance(below, dict):
         return {

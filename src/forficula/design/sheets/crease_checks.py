@@ -10,8 +10,8 @@ import numpy as np
 from forficula.design.section import ANGLE, Section
 from forficula.design.sheets.crease_values import crease_key, creases_by_edge, rest_angle
 from forficula.design.sheets.sheet_creases import crease_sense
-from forficula.design.sheets.sheet_sections import CREASE_MOMENT
 from forficula.errors import InputError
+from forficula.material.law.crease_law_file import CREASE_MOMENT
 from forficula.pattern import built_fold_angles
 from forficula.quantities import show_quantity
 

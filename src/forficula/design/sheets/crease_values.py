@@ -5,26 +5,34 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from forficula.design.section import SMALL_LENGTH
 from forficula.design.sheets.sheet_creases import creases_of, fold_edges
-from forficula.design.sheets.sheet_sections import NONE
+from forficula.design.sheets.sheet_sections import (
+    Crease,
+    CreaseGroup,
+    CreaseLawSection,
+    group_values,
+    named_laws_of,
+    with_law,
+)
+from forficula.names import listed
+from forficula.quantities import show_quantity
 
 if TYPE_CHECKING:
     from forficula.design.sheets.sheet import SheetDesign
-    from forficula.design.sheets.sheet_sections import Crease
+
+_SAME_THICKNESS = 0.01  # largest relative difference of thicknesses that count as equal
 
 
 def creases_by_edge(design: SheetDesign) -> dict[int, Crease]:
-    """Return the values of every crease by the number of its edge; values of the last group with the crease prevail."""
+    """Return the values of every crease by the number of its edge; values of the last group with the crease prevail.
+
+    Values that a law gives are filled in, and `law` is the form of the spring.
+    """
     sheet, groups = design.sheet, design.crease.group
-    creases = dict.fromkeys(fold_edges(sheet), design.crease)
+    creases = dict.fromkeys(fold_edges(sheet), with_law(design.crease))
     for number, group in enumerate(groups):
-        values: dict[str, object] = {
-            key: None if value == NONE else value
-            for key, value in group
-            if key not in ("name", "of") and value is not None
-        }
-        if group.yield_moment == NONE:
-            values["hardening"] = None
+        values = group_values(group)
         for edge in creases_of(sheet, group.of, groups[:number]):
             creases[edge] = creases[edge].model_copy(update=values)
     return creases
@@ -45,14 +53,44 @@ def stops(design: SheetDesign, edge: int, crease: Crease) -> tuple[float, float]
 
 
 def crease_key(design: SheetDesign, edge: int, key: str) -> str:
-    """Return the key that sets a value of a crease: that of the last group which has it, or of the section."""
+    """Return the key that sets a value of a crease: that of the last group which has it, or of the section.
+
+    If a law gives the value, it is the key of the value in the law.
+    """
     groups = design.crease.group
-    group_keys = (
-        f"crease.group.{number}.{key}"
+    sections: list[tuple[str, CreaseGroup | Crease]] = [
+        (f"crease.group.{number}", group)
         for number, group in reversed(list(enumerate(groups)))
-        if getattr(group, key) is not None and edge in creases_of(design.sheet, group.of, groups[:number])
-    )
-    return next(group_keys, f"crease.{key}")
+        if edge in creases_of(design.sheet, group.of, groups[:number])
+    ]
+    for name, section in (*sections, ("crease", design.crease)):
+        if getattr(section, key) is not None:
+            return f"{name}.{key}"
+        if isinstance(section.law, CreaseLawSection) and getattr(section.law, key, None) is not None:
+            return f"{name}.law.{key}"
+    return f"crease.{key}"
+
+
+def law_sentences(crease: Crease, thickness: float | None) -> tuple[str, ...]:
+    """Return sentences about laws of creases with chosen values, or for a sheet of another thickness.
+
+    Args:
+        crease: section of the creases.
+        thickness: thickness of the sheet, m.
+    """
+    sentences = list[str]()
+    for key, law in named_laws_of(crease).items():
+        section = crease if key == "crease.law" else crease.group[int(key.split(".")[2])]
+        chosen = [name for name in law.chosen if getattr(section, name, None) is None]
+        if chosen:
+            verb = "is" if len(chosen) == 1 else "are"
+            sentences.append(f'{key} "{law.name}": {listed(chosen)} {verb} chosen, not measured ({law.source})')
+        if law.thickness is not None and not math.isclose(law.thickness, thickness or 0.0, rel_tol=_SAME_THICKNESS):
+            sentences.append(
+                f'{key} "{law.name}" applies to a sheet of {show_quantity(law.thickness, SMALL_LENGTH)}, but'
+                f" facet.thickness is {show_quantity(thickness or 0.0, SMALL_LENGTH)}; its values are not scaled"
+            )
+    return tuple(sentences)
 
 
 def yield_angle(crease: Crease) -> float:
@@ -67,7 +105,7 @@ def rest_angle(crease: Crease, built: float) -> float:
     match crease.rest_angle:
         case "flat":
             return 0.0
-        case str():
+        case None | str():
             return built
         case angle:
             return angle

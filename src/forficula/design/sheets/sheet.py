@@ -13,6 +13,7 @@ from forficula.design.contact import WITHOUT_CONTACT, ContactSection
 from forficula.design.design import Design
 from forficula.design.named_protocol import NamedProtocol
 from forficula.design.sheet_protocol import sheet_protocol
+from forficula.design.sheets.crease_values import law_sentences
 from forficula.design.sheets.sheet_checks import check_sheet, measured_units
 from forficula.design.sheets.sheet_drives import SheetDrive, SheetMeasure, SheetProtocol, SheetTendon
 from forficula.design.sheets.sheet_places import edge_of, facet_of
@@ -102,6 +103,11 @@ class SheetDesign(Design):
     def method_papers(self) -> Mapping[str, str]:
         """Publication of the method that makes room for the thickness of facets."""
         return METHOD_PAPERS.get(self.facet.thickness_method or "", {})
+
+    @property
+    def law_sentences(self) -> tuple[str, ...]:
+        """Sentences about laws of creases with chosen values, or for a sheet of another thickness."""
+        return law_sentences(self.crease, self.settled().facet.thickness)
 
     @property
     def has_stops_of_bodies(self) -> bool:

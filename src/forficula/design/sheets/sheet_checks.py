@@ -31,10 +31,11 @@ from forficula.design.sheets.sheet_places import (
     place_on,
     vertex_of,
 )
-from forficula.design.sheets.sheet_sections import CREASE_STIFFNESS
+from forficula.design.sheets.sheet_sections import named_laws_of
 from forficula.design.sheets.thick_panels import check_thickness
 from forficula.design.stops import StopSection
 from forficula.errors import InputError
+from forficula.material.law.crease_law_file import CREASE_STIFFNESS
 from forficula.pattern import CreasePattern, built_fold_angles
 from forficula.pattern.shared_edges import shared_edges
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
@@ -114,7 +115,7 @@ def _check_yielding(design: SheetDesign) -> None:
     """Refuse creases that cannot yield, and a hardening without a yield or above the stiffness."""
     moments = [design.crease.yield_moment, *(group.yield_moment for group in design.crease.group)]
     slopes = [design.crease.hardening, *(group.hardening for group in design.crease.group)]
-    if all(value is None for value in (*moments, *slopes)):
+    if all(value is None for value in (*moments, *slopes)) and not named_laws_of(design.crease):
         return
     settled = design.settled()
     for edge, crease in creases_by_edge(settled).items():

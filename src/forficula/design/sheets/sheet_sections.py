@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import BeforeValidator, Field, field_validator
+from pydantic import BeforeValidator, Discriminator, Field, Tag, field_validator, model_validator
 
 from forficula.design.section import ANGLE, DENSITY, MODULUS, SHORT_TIME, SMALL_LENGTH, TIME, Section, quantity
 from forficula.design.sheets.sheet_names import checked_name
+from forficula.material.law.crease_law_file import (
+    CREASE_DAMPING,
+    CREASE_MOMENT,
+    CREASE_STIFFNESS,
+    FORMS,
+    CreaseLawFile,
+    load_crease_law,
+)
 from forficula.quantities import Unit
 
-CREASE_STIFFNESS = Unit(display="N m/rad/m", si="N m/rad/m", example="1e-2 N m/rad/m")
 EXTENSION = Unit(display="N/m^2", si="N/m^2", example="1e5 N/m^2")
 EXTENSION_DAMPING = Unit(display="N s/m^2", si="N s/m^2", example="10 N s/m^2")
-CREASE_MOMENT = Unit(display="N m/m", si="N m/m", example="1e-2 N m/m")
 CREASE_QUADRATIC = Unit(display="N m/rad^2/m", si="N m/rad^2/m", example="1e-3 N m/rad^2/m")
 CREASE_CUBIC = Unit(display="N m/rad^3/m", si="N m/rad^3/m", example="1e-3 N m/rad^3/m")
-CREASE_DAMPING = Unit(display="N m s/rad/m", si="N m s/rad/m", example="1e-3 N m s/rad/m")
 
 _RESTS = ("as built", "flat")
 # word of a group that switches off what the section of all creases has
@@ -142,24 +147,102 @@ class CreaseDamage(Section):
     ] = "turns"
 
 
-class CreaseGroup(Section):
-    """Creases that differ from the others; values that are not given are those of [crease]."""
-
-    about: ClassVar[str] = "Creases that differ from the others; values that are not given are those of [crease]"
+class _NamedCreases(Section):
+    """Creases that a group selects."""
 
     name: Annotated[
         str | None,
         Field(description="name of the group, for drives, measures and other groups", examples=["gates"]),
     ] = None
     of: Annotated[str, Field(description=f"creases of the group: {_OF}", examples=["crease 0"])]
+
+    @field_validator("name")
+    @classmethod
+    def _checked(cls, name: str | None) -> str | None:
+        return None if name is None else checked_name(name)
+
+
+class CreaseSpring(Section):
+    """The values of a crease that a law file may contain; groups have them, too."""
+
     stiffness: float | None = quantity(
         CREASE_STIFFNESS, "stiffness of their springs per length", default=None, at_least=0
     )
     rest_angle: float | str | None = quantity(
         ANGLE, "rest angle of their springs", default=None, words=_RESTS, examples=["0 deg"]
     )
+    yield_moment: float | None = quantity(
+        CREASE_MOMENT, "moment per length at which they begin to fold permanently", default=None, above=0
+    )
+    hardening: float | None = quantity(
+        CREASE_STIFFNESS,
+        "slope of their moment while they yield, per length",
+        default=None,
+        at_least=0,
+        examples=["1e-3 N m/rad/m"],
+    )
+    damping: float | None = quantity(CREASE_DAMPING, "viscous damping per length", default=None, at_least=0)
+
+
+class CreaseLawSection(CreaseSpring):
+    """The law of creases: values per length of the crease that a law file or the name of a law gives.
+
+    It is read from values by key, from the name of a law or the path of a law file, or from values with either of these
+    under `based_on`.
+    """
+
+    about: ClassVar[str] = (
+        "The law of creases: values per length of the crease that a law file or the name of a law gives"
+    )
+
+    name: Annotated[str, Field(description="name of the law")] = ""
+    source: Annotated[str, Field(description="where the values of the law come from")] = ""
+    thickness: float | None = quantity(
+        SMALL_LENGTH, "thickness of the sheet to which the values apply", default=None, above=0
+    )
+    width: float | None = quantity(
+        SMALL_LENGTH, "length of the crease on which the values were measured", default=None, above=0
+    )
+    chosen: Annotated[
+        tuple[str, ...], Field(description="keys whose values are chosen, not measured", examples=[["hardening"]])
+    ] = ()
+    kind: Annotated[Literal["linear", "locking"], Field(description="law of the elastic part of the spring")] = "linear"
+
+    @model_validator(mode="before")
+    @classmethod
+    def _read_by_name(cls, value: object) -> object:
+        if isinstance(value, str | CreaseLawFile):
+            value = {"based_on": value}
+        if not isinstance(value, dict) or not isinstance(named := value.get("based_on"), str | CreaseLawFile):
+            return value
+        file = named if isinstance(named, CreaseLawFile) else load_crease_law(named)
+        return file.tables | {key: inside for key, inside in value.items() if key != "based_on"}
+
+    def hash_values(self) -> dict[str, Any]:
+        """Return the values that affect a run: all but names, sources and the size of the specimen."""
+        described = ("name", "source", "thickness", "width", "chosen")
+        return {key: value for key, value in super().hash_values().items() if key not in described}
+
+
+def _form(value: object) -> str:
+    return "<word>" if isinstance(value, str) and value in FORMS else "<law>"
+
+
+# the form of a spring, or a law with its values
+CreaseLawValue = Annotated[
+    Annotated[Literal["linear", "locking"], Tag("<word>")] | Annotated[CreaseLawSection, Tag("<law>")],
+    Discriminator(_form),
+]
+
+
+class CreaseGroup(CreaseSpring, _NamedCreases):
+    """Creases that differ from the others; values that are not given are those of [crease]."""
+
+    about: ClassVar[str] = "Creases that differ from the others; values that are not given are those of [crease]"
+
     law: Annotated[
-        Literal["linear", "locking"] | None, Field(description="law of their springs", examples=["linear"])
+        CreaseLawValue | None,
+        Field(description="law of their springs: its form, or the name or file of a law", examples=["linear"]),
     ] = None
     lock_angle: float | None = quantity(
         ANGLE,
@@ -176,19 +259,12 @@ class CreaseGroup(Section):
         CREASE_QUADRATIC, "quadratic term of their moment per length", default=None
     )
     cubic_stiffness: float | None = quantity(CREASE_CUBIC, "cubic term of their moment per length", default=None)
-    yield_moment: float | str | None = quantity(
+    yield_moment: float | str | None = quantity(  # type: ignore[assignment]
         CREASE_MOMENT,
         'moment per length at which they begin to fold permanently; "none" if they never do',
         default=None,
         words=(NONE,),
         above=0,
-    )
-    hardening: float | None = quantity(
-        CREASE_STIFFNESS,
-        "slope of their moment while they yield, per length",
-        default=None,
-        at_least=0,
-        examples=["1e-3 N m/rad/m"],
     )
     branches: Annotated[
         tuple[CreaseBranch, ...] | None,
@@ -199,7 +275,6 @@ class CreaseGroup(Section):
         CreaseDamage | Literal["none"] | None,
         Field(description='loss of their moment over many folds; "none" if they keep it', examples=["none"]),
     ] = None
-    damping: float | None = quantity(CREASE_DAMPING, "viscous damping per length", default=None, at_least=0)
     extension: float | None = quantity(
         EXTENSION, "stiffness per length of the springs against opening", default=None, above=0
     )
@@ -222,11 +297,6 @@ class CreaseGroup(Section):
     )
     start: float | None = quantity(ANGLE, "initial fold angle", default=None, examples=["-1 deg"])
 
-    @field_validator("name")
-    @classmethod
-    def _checked(cls, name: str | None) -> str | None:
-        return None if name is None else checked_name(name)
-
 
 class Crease(Section):
     """The creases; angles are 0 when flat and positive when a crease folds as assigned."""
@@ -240,19 +310,21 @@ class Crease(Section):
         default=None,
         at_least=0,
     )
-    rest_angle: float | str = quantity(
+    rest_angle: float | str | None = quantity(
         ANGLE,
-        'rest angle of the spring: an angle, "flat" or "as built"',
-        default="as built",
+        'rest angle of the spring: an angle, "flat" or "as built"; if not given, that of the law, or else "as built"',
+        default=None,
         words=_RESTS,
         at_least=-math.pi,
         at_most=math.pi,
     )
     law: Annotated[
-        Literal["linear", "locking"],
+        CreaseLawValue,
         Field(
-            description="law of the spring; locking: the spring stiffens beyond lock_angle, so that facets do not pass"
-            " through each other"
+            description="law of the spring: its form, or the name or file of a law, whose values apply where the"
+            " design gives none; locking: the spring stiffens beyond lock_angle, so that facets do not pass through"
+            " each other",
+            examples=["paper"],
         ),
     ] = "linear"
     lock_angle: float = quantity(
@@ -354,6 +426,45 @@ class Crease(Section):
         tuple[CreaseGroup, ...],
         Field(description="groups of creases that differ; for a crease in several groups the last one counts"),
     ] = ()
+
+    def hash_values(self) -> dict[str, Any]:
+        """Return the values that affect a run, with the rest angle of creases if neither key nor law gives one."""
+        of_law = self.law.rest_angle if isinstance(self.law, CreaseLawSection) else None
+        return ({} if of_law is not None else {"rest_angle": "as built"}) | super().hash_values()
+
+
+def with_law(crease: Crease) -> Crease:
+    """Return the section with the values of its law where it gives none, and the form of the spring as its law."""
+    if not isinstance(crease.law, CreaseLawSection):
+        return crease
+    absent = {key for key in CreaseSpring.model_fields if getattr(crease, key) in (None, ())}
+    return crease.model_copy(update={"law": crease.law.kind} | {key: getattr(crease.law, key) for key in absent})
+
+
+def group_values(group: CreaseGroup) -> dict[str, Any]:
+    """Return the values that a group sets, by the keys of [crease]; a law sets all values that a law may contain.
+
+    A law without a yield moment, for example, lets no crease of its group yield. Damping is that of [crease] if neither
+    the group nor its law gives one.
+    """
+    values = {
+        key: None if value == NONE else value for key, value in group if key not in ("name", "of") and value is not None
+    }
+    if group.yield_moment == NONE:
+        values["hardening"] = None
+    if not isinstance(group.law, CreaseLawSection):
+        return values
+    of_law = {key: getattr(group.law, key) for key in CreaseSpring.model_fields}
+    if of_law["damping"] is None:
+        del of_law["damping"]
+    return of_law | values | {"law": group.law.kind}
+
+
+def named_laws_of(crease: Crease) -> dict[str, CreaseLawSection]:
+    """Return the laws that the section and its groups name or contain, by the keys of the laws."""
+    laws = {"crease.law": crease.law}
+    laws |= {f"crease.group.{number}.law": group.law for number, group in enumerate(crease.group) if group.law}
+    return {key: law for key, law in laws.items() if isinstance(law, CreaseLawSection)}
 
 
 def largest_extension(crease: Crease) -> float:

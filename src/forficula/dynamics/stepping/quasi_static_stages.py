@@ -20,7 +20,7 @@ from forficula.dynamics.stepping.stages import StageTracker
 from forficula.dynamics.stepping.stepper import Stepper
 from forficula.dynamics.stepping.steps import EngineState
 from forficula.errors import InputError
-from forficula.structure import GrowingLoad, RestPath, RestSolver, goal_of
+from forficula.structure import GrowingLoad, RestPath, RestShape, RestSolver, goal_of
 
 # share of the stage by which the drive exceeds the value at which an equilibrium is lost
 _BEYOND = 1e-4
@@ -71,13 +71,12 @@ class QuasiStaticStages:
             tracker.rest_again(row)
             return
         steps, rows = _numbers(path, tracker.longest_stage(row))
-        states = [stepper.place(row, stepper.position_of(row, path.shapes[place])) for place in rows.values()]
+        states = [_placed(stepper, row, path.shapes[place]) for place in rows.values()]
         settings = np.array([load.settings(path.share[place]) for place in rows.values()])
-        final = stepper.place(row, stepper.position_of(row, path.shapes[-1]))
-        jump = _energy(model, stepper.place(row, stepper.position_of(row, path.shapes[0])), settings[0] / unit)
+        jump = _energy(model, _placed(stepper, row, path.shapes[0]), settings[0] / unit)
         jump -= _energy(model, reached, settings[0] / unit)
-        jump -= float(path.work[0].sum()) - path.lost
-        stepper.place(row, final.position)
+        jump -= float(path.work[0].sum()) - path.lost - float(path.yielded[0])
+        final = _placed(stepper, row, path.shapes[-1])
         first = int(tracker.steps[row])
         recorder.add_at_rest(
             first + np.array(list(rows)),
@@ -97,6 +96,11 @@ class QuasiStaticStages:
             tracker.lose(row, last, min(last + _BEYOND, 1.0), steps)
         else:
             tracker.end_at_rest(row, last, steps, final.position, at_goal=path.ended == "goal")
+
+
+def _placed(stepper: Stepper, row: int, shape: RestShape) -> EngineState:
+    """Put a structure at rest into a shape; return its state."""
+    return stepper.place(row, stepper.position_of(row, shape), shape.sets)
 
 
 def _setting_units(model: Model) -> Array:

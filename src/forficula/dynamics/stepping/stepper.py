@@ -243,11 +243,24 @@ class Stepper:
             points=series["point_position"][0],
             origins=model.units.length * state.derived["xpos"][bodies],
             frames=state.derived["xmat"][bodies].reshape(-1, 3, 3),
+            sets=series["hinge_set"][0] if "hinge_set" in series else None,
         )
 
-    def place(self, row: int, position: Array) -> EngineState:
-        """Put a structure at rest into a position, (position,); return its state."""
+    def place(self, row: int, position: Array, sets: Array | None = None) -> EngineState:
+        """Put a structure at rest into a position, (position,), with permanent folds, rad, (hinge,); return its state.
+
+        The permanent folds stay as they are if they are not given.
+        """
         changed = self._state[row, self._moving]
+        if sets is not None:
+            model = self._structures[row]
+            self._past[0, row] = sets[model.followed_hinges]
+            yielding = model.hinge_creep >= 0
+            if yielding.any():
+                rests = np.array([hinge.rest_angle for hinge in model.structure.hinges])
+                plastic = changed[self._branch_slices["plastic"]]
+                plastic[model.hinge_creep[yielding]] = (model.folds.senses * (rests + sets))[yielding]
+                changed[self._branch_slices["plastic"]] = plastic
         engine = self._structures[row].engine
         changed[1 : 1 + engine.nq], changed[1 + engine.nq : 1 + engine.nq + engine.nv] = position, 0.0
         self._state[row, self._moving] = changed

@@ -9,6 +9,7 @@ from pathlib import Path
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.files import read_bytes, shown_path
+from forficula.material.machine.machine_names import Test
 from forficula.material.machine.machine_text import parse_recordings
 from forficula.material.machine.machine_units import FORCE, LENGTH, STRAIN, STRESS, TIME, ColumnKind
 from forficula.material.machine.recording import RecordedColumn, Recording, message_at_line
@@ -70,34 +71,34 @@ def read_tensile_tests(
     tests: list[TensileTest] = []
     for path in map(Path, paths):
         try:
-            tests += [_tensile_test(recording, length, area) for recording in _recordings(path)]
+            tests += [_tensile_test(recording, length, area) for recording in recordings_in(path)]
         except InputError as error:
             raise InputError(f"{shown_path(path)}: {error}") from error
     return tuple(tests)
 
 
-def _recordings(path: Path) -> tuple[Recording, ...]:
+def recordings_in(path: Path, test: Test = "tensile") -> tuple[Recording, ...]:
     """Read the recordings of a file, one for each specimen."""
     content = read_bytes(path, _LARGEST)
     if path.suffix.lower() == ".zs2":
         return parse_zs2(content, path.stem)
     if path.suffix.lower() in SPREADSHEETS:
-        return parse_spreadsheet(content, path.stem)
-    return parse_recordings(content, path.stem)
+        return parse_spreadsheet(content, path.stem, test)
+    return parse_recordings(content, path.stem, test)
 
 
 def _tensile_test(recording: Recording, length: float | None, area: float | None) -> TensileTest:
     """Convert a recording to SI and check it, with errors that name lines of the file."""
     line = recording.names_line
-    time, _ = _in_si(recording.time, line, TIME)
+    time, _ = in_si(recording.time, line, TIME)
     if (row := falling(time)) is not None:
         before, after = recording.time.values[row - 1 : row + 1]
         message = f"{recording.time.name}: need times that never decrease, got {after:g} after {before:g}"
         raise InputError(message_at_line(int(recording.lines[row]), message))
     if len(time) < 2:
         raise InputError(message_at_line(line, "need at least two rows of numbers, got one: is it cut off?"))
-    travel, is_travel = _in_si(recording.travel, line, LENGTH, STRAIN)
-    force, is_force = _in_si(recording.force, line, FORCE, STRESS)
+    travel, is_travel = in_si(recording.travel, line, LENGTH, STRAIN)
+    force, is_force = in_si(recording.force, line, FORCE, STRESS)
     first_length = specimen_length(recording.properties, length)
     first_area = specimen_area(recording.properties, area)
     return TensileTest(
@@ -110,7 +111,7 @@ def _tensile_test(recording: Recording, length: float | None, area: float | None
     )
 
 
-def _in_si(column: RecordedColumn, line: int, kind: ColumnKind, other: ColumnKind | None = None) -> tuple[Array, bool]:
+def in_si(column: RecordedColumn, line: int, kind: ColumnKind, other: ColumnKind | None = None) -> tuple[Array, bool]:
     """Convert a column, shape (row,), to SI as one kind of quantity or else the other; return if it is the first."""
     if (factor := kind.factor(column.unit)) is not None:
         return column.values * factor, True

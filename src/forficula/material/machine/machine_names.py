@@ -6,6 +6,7 @@ import re
 import unicodedata
 from collections.abc import Sequence
 from functools import cache
+from typing import Literal
 
 from forficula.errors import InputError
 from forficula.material.machine.machine_units import is_unit
@@ -36,7 +37,30 @@ ROLES: dict[str, tuple[str, ...]] = {
         *("Primary load measurement", "Tensile stress", "Engineering stress", "Contrainte"),
     ),
 }
-_ORDINARY = {"time": "Time or Prüfzeit", "travel": "Extension or Standardweg", "force": "Load or Standardkraft"}
+_ANGLES = (
+    *("Fold angle", "Folding angle", "Angle", "Bending angle", "Angle of rotation", "Rotation", "Twist angle"),
+    *("Faltwinkel", "Biegewinkel", "Winkel", "Drehwinkel", "Verdrehwinkel", "Angle de pliage", "Angle de rotation"),
+)
+_MOMENTS = (
+    *("Bending moment", "Folding moment", "Moment", "Torque", "Standard torque", "Biegemoment", "Drehmoment"),
+    *("Faltmoment", "Standardmoment", "Moment de flexion", "Couple", "Moment per width", "Torque per width"),
+)
+# kind of test: a stretched specimen, or a strip that is folded at a crease
+Test = Literal["tensile", "folding"]
+# of a folding test, "travel" is an angle or else a travel of the machine, and "force" a moment or else a force
+_ROLES: dict[Test, dict[str, tuple[str, ...]]] = {
+    "tensile": ROLES,
+    "folding": {
+        "time": ROLES["time"],
+        "travel": (*_ANGLES, *ROLES["travel"]),
+        "position": ROLES["position"],
+        "force": (*_MOMENTS, *ROLES["force"]),
+    },
+}
+_ORDINARY: dict[Test, dict[str, str]] = {
+    "tensile": {"time": "Time or Prüfzeit", "travel": "Extension or Standardweg", "force": "Load or Standardkraft"},
+    "folding": {"travel": "Angle, or Extension or Standardweg", "force": "Moment, or Load or Standardkraft"},
+}
 _BRACKETED = re.compile(r"(.*?)[\s,_]*(?:\[([^\]]*)\]|\(([^)]*)\)|<([^>]*)>)\s*")
 _APPENDED = re.compile(r"(.*?\S)(?:\s+in\s+|\s*/\s*|\s*,\s*|_|\s+)([^\s_,/]+(?:/[^\s_,/]+)?)\s*")
 
@@ -54,16 +78,17 @@ def all_keys(name: str) -> tuple[str, str]:
 
 
 @cache
-def _rank(role: str) -> dict[str, int]:
+def _rank(test: Test, role: str) -> dict[str, int]:
     """Return the known keys of a role with their ranks, 0 for the best choice."""
-    return {key: rank for rank, name in reversed([*enumerate(ROLES[role])]) for key in all_keys(name)}
+    return {key: rank for rank, name in reversed([*enumerate(_ROLES[test][role])]) for key in all_keys(name)}
 
 
-def choose_columns(names: Sequence[str]) -> dict[str, int]:
-    """Find the columns that a tensile test needs.
+def choose_columns(names: Sequence[str], test: Test = "tensile") -> dict[str, int]:
+    """Find the columns that a test needs. A folding test may lack a time.
 
     Args:
         names: names of the columns, without units.
+        test: kind of the test.
 
     Returns:
         The number of the best column for each of "time", "travel" or else "position", and "force".
@@ -72,27 +97,28 @@ def choose_columns(names: Sequence[str]) -> dict[str, int]:
         InputError: a role has no column, or two columns have the same name.
     """
     keys, columns = [name_key(name) for name in names], {}
-    for role in ROLES:
-        known = [(_rank(role)[key], column) for column, key in enumerate(keys) if key in _rank(role)]
+    for role in _ROLES[test]:
+        known = [(_rank(test, role)[key], column) for column, key in enumerate(keys) if key in _rank(test, role)]
         if known and not (role == "position" and "travel" in columns):
             column = min(known)[1]
             if keys.count(keys[column]) > 1:
                 raise InputError(f"two columns are named {as_written(names[column])}; leave one of them out")
             columns[role] = column
-    for role, examples in _ORDINARY.items():
+    for role, examples in _ORDINARY[test].items():
         if role not in columns and not (role == "travel" and "position" in columns):
             shown = ", ".join(as_written(name) for name in names if name) or "none"
             raise InputError(f"need a column of {role}, such as {examples}, got {shown}")
     return columns
 
 
-def columns_by_specimen(names: Sequence[str]) -> list[dict[str, int]]:
+def columns_by_specimen(names: Sequence[str], test: Test = "tensile") -> list[dict[str, int]]:
     """Find the columns of every specimen in a table with specimens side by side.
 
     Force and travel have to be repeated under the same names for every specimen. Time may be shared by all of them.
 
     Args:
         names: of the columns, without their units.
+        test: kind of the test.
 
     Returns:
         For each specimen the columns as `choose_columns` returns them; one entry where nothing is repeated.
@@ -102,13 +128,14 @@ def columns_by_specimen(names: Sequence[str]) -> list[dict[str, int]]:
     """
     keys = [name_key(name) for name in names]
     first = choose_columns(
-        [name if keys.index(key) == place else "" for place, (name, key) in enumerate(zip(names, keys, strict=True))]
+        [name if keys.index(key) == place else "" for place, (name, key) in enumerate(zip(names, keys, strict=True))],
+        test,
     )
     counts = {role: keys.count(keys[column]) for role, column in first.items()}
     specimens = counts["force"]
     travel = counts["travel" if "travel" in counts else "position"]
-    if specimens == 1 or travel != specimens or counts["time"] not in (1, specimens):
-        return [choose_columns(names)]
+    if specimens == 1 or travel != specimens or counts.get("time", 1) not in (1, specimens):
+        return [choose_columns(names, test)]
     places = {role: [place for place, key in enumerate(keys) if key == keys[column]] for role, column in first.items()}
     return [
         {role: of_role[specimen if len(of_role) > 1 else 0] for role, of_role in places.items()}
@@ -135,6 +162,6 @@ def split_unit(text: str) -> tuple[str, str]:
     return text.strip(), ""
 
 
-def is_role(name: str) -> bool:
+def is_role(name: str, test: Test = "tensile") -> bool:
     """Return whether a name is a known name of a role."""
-    return any(name_key(name) in _rank(role) for role in ROLES)
+    return any(name_key(name) in _rank(test, role) for role in _ROLES[test])

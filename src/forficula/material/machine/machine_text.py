@@ -18,7 +18,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.material.machine.machine_names import columns_by_specimen, is_role, split_unit
+from forficula.material.machine.machine_names import Test, columns_by_specimen, is_role, split_unit
 from forficula.material.machine.machine_units import is_unit
 from forficula.material.machine.recording import Property, RecordedColumn, Recording, message_at_line, travel_among
 from forficula.quantities import as_written
@@ -37,7 +37,7 @@ _KNOWN = (
 )
 
 
-def parse_recordings(content: bytes, name: str) -> tuple[Recording, ...]:
+def parse_recordings(content: bytes, name: str, test: Test = "tensile") -> tuple[Recording, ...]:
     """Find the tables of tensile tests in an exported text: one for each specimen, all below the same names.
 
     Numbers are converted by Python's `float`, column by column: 100 000 rows in about a third of a second.
@@ -45,6 +45,7 @@ def parse_recordings(content: bytes, name: str) -> tuple[Recording, ...]:
     Args:
         content: content of the file.
         name: name of the specimen; a number is added if there are several.
+        test: kind of the test.
 
     Returns:
         The columns in the file's units, one entry for each specimen.
@@ -58,21 +59,22 @@ def parse_recordings(content: bytes, name: str) -> tuple[Recording, ...]:
     long = next((number for number, line in enumerate(text.splitlines(), 1) if len(line) > _LONGEST_LINE), None)
     if long is not None:
         raise InputError(message_at_line(long, f"need at most {_LONGEST_LINE} characters on a line, got more"))
-    return recordings_of(*_rows(text, _delimiter(text)), name)
+    return recordings_of(*_rows(text, _delimiter(text)), name, test)
 
 
-def recordings_of(rows: list[list[str]], lines: list[int], name: str) -> tuple[Recording, ...]:
+def recordings_of(rows: list[list[str]], lines: list[int], name: str, test: Test = "tensile") -> tuple[Recording, ...]:
     """Find the tables of tensile tests among rows of cells: below each other, or side by side.
 
     Args:
         rows: cells of every row that is not empty.
         lines: number of every row in the file.
         name: of the specimen; several get a number each.
+        test: kind of the test.
 
     Raises:
         InputError: as `parse_recordings` raises it.
     """
-    header = _names_row(rows)
+    header = _names_row(rows, test)
     starts = [number for number, row in enumerate(rows) if row == rows[header] and number >= header]
     tables: list[tuple[Recording, ...]] = []
     above = 0
@@ -81,7 +83,7 @@ def recordings_of(rows: list[list[str]], lines: list[int], name: str) -> tuple[R
         while end < len(rows) and end > start + 1 and not _is_numeric(rows[end - 1]):
             end -= 1  # rows above the next names
         shared = [] if start == header else tables[0][0].properties
-        tables.append(_recordings(name, rows[above:end], lines[above:end], start - above, shared))
+        tables.append(_recordings(name, rows[above:end], lines[above:end], start - above, shared, test))
         if number > 1 and tables[-1][0].time.values[0] >= tables[-2][0].time.values[-1]:
             raise InputError(
                 message_at_line(lines[start], "the names are repeated, but time continues: join the tables")
@@ -94,14 +96,14 @@ def recordings_of(rows: list[list[str]], lines: list[int], name: str) -> tuple[R
 
 
 def _recordings(
-    name: str, rows: list[list[str]], lines: list[int], header: int, shared: Sequence[Property]
+    name: str, rows: list[list[str]], lines: list[int], header: int, shared: Sequence[Property], test: Test
 ) -> tuple[Recording, ...]:
     """Parse one table, of one specimen or of several side by side.
 
     Properties are those above the table and those that it shares with the first table of the file.
     """
     names, units, first = _names_and_units(rows, lines, header)
-    blocks = _columns_of_roles(names, lines[header])
+    blocks = _columns_of_roles(names, lines[header], test)
     body, body_lines = rows[first:], lines[first:]
     if len(blocks) > 1:  # shorter specimens may leave out the cells at the end
         body = [[*row, *[""] * (len(names) - len(row))] for row in body]
@@ -135,6 +137,8 @@ def _recording(
         role: RecordedColumn(name=names[column], unit=units[column], values=_numbers(cells[role], decimal, body_lines))
         for role, column in columns.items()
     }
+    if "time" not in recorded:
+        recorded["time"] = RecordedColumn(name="", unit="", values=np.arange(count, dtype=np.float64))
     return Recording(
         name=name,
         time=recorded["time"],
@@ -198,10 +202,10 @@ def _rows(text: str, delimiter: str) -> tuple[list[list[str]], list[int]]:
     return rows, lines
 
 
-def _names_row(rows: Sequence[Sequence[str]]) -> int:
+def _names_row(rows: Sequence[Sequence[str]], test: Test) -> int:
     """Return the index of the first row with two known names, or else of the last row before the numbers."""
     for number, row in enumerate(rows[:_LONGEST_HEADER]):
-        if sum(is_role(split_unit(cell)[0]) for cell in row) > 1:
+        if sum(is_role(split_unit(cell)[0], test) for cell in row) > 1:
             return number
     numeric = (number for number, row in enumerate(rows) if _is_numeric(row))
     first = next(numeric, 0)
@@ -244,12 +248,12 @@ def _names_and_units(
     return names, units, below
 
 
-def _columns_of_roles(names: Sequence[str], line: int) -> list[dict[str, int]]:
+def _columns_of_roles(names: Sequence[str], line: int, test: Test) -> list[dict[str, int]]:
     """Return the columns that a test needs, by role, one entry for each specimen side by side."""
     try:
-        return columns_by_specimen(names)
+        return columns_by_specimen(names, test)
     except InputError as error:
-        known = "" if any(map(is_role, names)) else f"; {_KNOWN}"
+        known = "" if any(is_role(name, test) for name in names) else f"; {_KNOWN}"
         raise InputError(message_at_line(line, f"{error}{known}")) from None
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -50,8 +51,18 @@ STRESS = ColumnKind(
     }
 )
 STRAIN = ColumnKind(factors={"%": 1e-2, "mm/mm": 1.0, "m/m": 1.0, "in/in": 1.0, "1": 1.0, "-": 1.0, "‰": 1e-3})
+_DEGREE = math.pi / 180
+ANGLE = ColumnKind(factors={"deg": _DEGREE, "°": _DEGREE, "rad": 1.0, "mrad": 1e-3, "Grad": _DEGREE, "degree": _DEGREE})
+MOMENT = ColumnKind(
+    factors={
+        **{"N m": 1.0, "Nm": 1.0, "N mm": 1e-3, "Nmm": 1e-3, "N cm": 1e-2, "Ncm": 1e-2, "mN m": 1e-3, "mNm": 1e-3},
+        **{"µN m": 1e-6, "µNm": 1e-6, "mN mm": 1e-6, "mNmm": 1e-6, "lbf in": _POUND_FORCE * _INCH},
+    }
+)
+MOMENT_BY_WIDTH = ColumnKind(factors={"N m/m": 1.0, "Nm/m": 1.0, "N mm/mm": 1.0, "Nmm/mm": 1.0, "mN m/m": 1e-3})
 
 
 def is_unit(text: str) -> bool:
-    """Return whether a text is a unit of a quantity of tensile tests."""
-    return any(kind.factor(text) is not None for kind in (TIME, LENGTH, AREA, FORCE, STRESS, STRAIN))
+    """Return whether a text is a unit of a quantity of tensile or folding tests."""
+    kinds = (TIME, LENGTH, AREA, FORCE, STRESS, STRAIN, ANGLE, MOMENT, MOMENT_BY_WIDTH)
+    return any(kind.factor(text) is not None for kind in kinds)

@@ -26,6 +26,7 @@ _AREAS = (
 )
 _WIDTHS = ("b0", "Probenbreite", "Specimen width", "Width", "Breite")
 _THICKNESSES = ("a0", "Probendicke", "Specimen thickness", "Thickness", "Dicke")
+_LEVERS = ("Lever arm", "Lever", "Hebelarm", "Hebel", "Bras de levier")
 _DIAMETERS = ("d0", "Probendurchmesser", "Specimen diameter", "Diameter", "Durchmesser")
 _MOST_ROUNDING = 0.01  # largest relative difference that counts as rounding, for sizes with few digits such as "5"
 
@@ -73,6 +74,22 @@ def specimen_area(properties: Sequence[Property], size: float | None) -> float:
         elif diameter:
             area = _product(diameter, diameter, math.pi / 4)
     return _agreed("area", area, size)
+
+
+def strip_size(key: str, properties: Sequence[Property], size: float | None) -> float | None:
+    """Return the width, the thickness or the lever arm of a folded strip, m; None if neither file nor user gives it.
+
+    Args:
+        key: "width", "thickness" or "lever".
+        properties: properties in the file.
+        size: size from the user, m.
+
+    Raises:
+        InputError: file and user disagree beyond rounding, or the size is impossible.
+    """
+    labels = {"width": _WIDTHS, "thickness": _THICKNESSES, "lever": _LEVERS}[key]
+    from_file = _first(properties, labels, LENGTH, needed=size is None)
+    return None if size is None and from_file is None else _agreed(key, from_file, size)
 
 
 def _first(properties: Sequence[Property], labels: Sequence[str], kind: ColumnKind, *, needed: bool) -> _Size | None:

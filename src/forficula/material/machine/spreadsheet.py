@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from forficula.errors import InputError, error_prefix
-from forficula.material.machine.machine_names import is_role, split_unit
+from forficula.material.machine.machine_names import Test, is_role, split_unit
 from forficula.material.machine.machine_text import recordings_of
 from forficula.material.machine.recording import Recording
 from forficula.optional_module import optional_module
@@ -16,7 +16,7 @@ _MOST_CELLS = 20_000_000
 SPREADSHEETS = (".xlsx", ".xlsm", ".xls", ".ods")
 
 
-def parse_spreadsheet(content: bytes, name: str) -> tuple[Recording, ...]:
+def parse_spreadsheet(content: bytes, name: str, test: Test = "tensile") -> tuple[Recording, ...]:
     """Find the tables of tensile tests in the sheets of a workbook.
 
     Sheets without a row that names two measured quantities, such as sheets of results, are left out.
@@ -24,6 +24,7 @@ def parse_spreadsheet(content: bytes, name: str) -> tuple[Recording, ...]:
     Args:
         content: of the file.
         name: of the specimen; several get a number each.
+        test: kind of the test.
 
     Returns:
         The columns in the units of the file, one entry for each specimen.
@@ -37,9 +38,9 @@ def parse_spreadsheet(content: bytes, name: str) -> tuple[Recording, ...]:
         titles.append(title)
         lines = [number for number, row in enumerate(rows, start=1) if any(row)]
         cells = [row for row in rows if any(row)]
-        if any(sum(is_role(split_unit(cell)[0]) for cell in row) > 1 for row in cells):
+        if any(sum(is_role(split_unit(cell)[0], test) for cell in row) > 1 for row in cells):
             with error_prefix(f'sheet "{title}": '):
-                result += recordings_of(cells, lines, name)
+                result += recordings_of(cells, lines, name, test)
     if not result:
         raise InputError(f"need a sheet with columns of time, travel and force, got {', '.join(titles) or 'no sheet'}")
     if len(result) == 1:

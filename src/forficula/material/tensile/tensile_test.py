@@ -15,10 +15,20 @@ from forficula.serial import Metres, SquareMetres, Written
 # no rubber reaches this strain, but a length in a wrong unit does
 _MOST_STRAIN = 20
 # [chosen] m and m2: from a fibre with a diameter of 0.1 µm to a ship's rope; beyond, a unit or a power of ten is wrong
-SIZES = {"length": (1e-6, 100.0), "area": (1e-15, 1.0)}
+SIZES = {
+    "length": (1e-6, 100.0),
+    "area": (1e-15, 1.0),
+    # of folded strips: from a ribbon of a microscope to a tarpaulin
+    "width": (1e-6, 100.0),
+    "thickness": (1e-7, 1.0),
+    "lever": (1e-6, 100.0),
+}
 UNITS = {
     "length": Unit(display="mm", si="m", example="60 mm"),
     "area": Unit(display="mm^2", si="m^2", example="5 mm^2"),
+    "width": Unit(display="mm", si="m", example="20 mm"),
+    "thickness": Unit(display="mm", si="m", example="0.1 mm"),
+    "lever": Unit(display="mm", si="m", example="30 mm"),
 }
 
 
@@ -91,7 +101,7 @@ def size_rule(key: str, size: float) -> str:
     """Return the message for an impossible size of a specimen, with the allowed sizes; "" for a possible size.
 
     Args:
-        key: "length" or "area".
+        key: "length", "area", "width", "thickness" or "lever".
         size: m or m2.
     """
     (least, most), unit = SIZES[key], UNITS[key]

@@ -48,7 +48,7 @@ def draw_fit(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
     shown = _typical(fit)
     unit, factor = stress_unit(max(float(residual.stress.max()) for residual in fit.residuals))
     longest = max(float(residual.time[-1]) for residual in fit.residuals)
-    time_unit, time = _time_unit(longest)
+    time_name, time = time_unit(longest)
     with figure_style():
         figure = Figure(figsize=(width, 4.3), layout="constrained")
         panels = figure.subplots(2, 2, sharex="col", sharey="row", height_ratios=[2.2, 1])
@@ -68,7 +68,7 @@ def draw_fit(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
         panels[0, 0].set_ylabel(f"engineering stress ({unit})")
         panels[1, 0].set_ylabel(f"law − data\n({unit})")
         panels[1, 0].set_xlabel("engineering strain (%)")
-        panels[1, 1].set_xlabel(f"time ({time_unit})")
+        panels[1, 1].set_xlabel(f"time ({time_name})")
         letter_panels(panels.ravel().tolist())
         end = ":\n" if is_narrow(width) else ": "
         residual = f"residual {100 * fit.relative_misfit:.2g} % of the largest stress"
@@ -83,7 +83,8 @@ def _typical(fit: LawFit) -> Residual:
     return ranked[len(ranked) // 2]
 
 
-def _time_unit(longest: float) -> tuple[str, float]:
+def time_unit(longest: float) -> tuple[str, float]:
+    """Return a unit for times up to the longest one, s, and its size in s."""
     if longest >= 2 * _HOUR:
         return "h", _HOUR
     if longest >= 3 * _MINUTE:

@@ -127,6 +127,11 @@ def own_angles(structure: Structure, shape: NetShape) -> Array:
     return np.asarray(_senses(structure) * shape.angles)
 
 
+def own_sets(structure: Structure, shape: NetShape) -> Array | None:
+    """Return the permanent folds of the hinges in their own senses, rad, (hinge,); None if no hinge folds so."""
+    return None if shape.sets is None else np.asarray(_senses(structure) * shape.sets)
+
+
 def valley_angles(structure: Structure, angles: Array) -> Array:
     """Return angles of the hinges in their own senses as fold angles, valleys positive, rad, (hinge,)."""
     return np.asarray(_senses(structure) * angles)

@@ -118,7 +118,9 @@ def folded_energy(flaps: Flaps, angles: Array, further: Array) -> Array:
     return np.asarray(flaps.law.energy(crease_angles(flaps, angles), further).sum(axis=1))
 
 
-def crease_energy(flaps: Flaps, angles: Array, torques: Array | None = None, at: Pose | None = None) -> Expansion:
+def crease_energy(
+    flaps: Flaps, angles: Array, torques: Array | None = None, at: Pose | None = None, sets: Array | None = None
+) -> Expansion:
     """Compute the energy of the creases' springs, minus the work of torques on the creases.
 
     Args:
@@ -126,23 +128,27 @@ def crease_energy(flaps: Flaps, angles: Array, torques: Array | None = None, at:
         angles: of all joints, in their own senses, rad, (case, joint).
         torques: on the creases in their own senses, N m, (case, crease); None for none.
         at: pose of the tree at these angles; computed by default.
+        sets: permanent folds at the beginning of the motion, rad, (case, crease); None for none.
 
     Returns:
         Energy, J, (case,); gradient, N m, (case, joint), and Hessian, N m/rad, (case, joint, joint), by the angles.
     """
     acting = np.zeros((len(angles), len(flaps.senses))) if torques is None else torques
-    laws = [partial(_folded, flaps, group.pieces, acting) for group in flaps.laid.groups]
+    laws = [partial(_folded, flaps, group.pieces, acting, sets) for group in flaps.laid.groups]
     return stretched(flaps.laid, angles, laws, at)
 
 
-def _folded(flaps: Flaps, pieces: Span, torques: Array, sides: Array) -> Expansion:
+def _folded(flaps: Flaps, pieces: Span, torques: Array, sets: Array | None, sides: Array) -> Expansion:
     """Compute the energy of some creases from their directions, (case, crease, 6, 3)."""
     senses, law = flaps.senses[pieces], flaps.law.some(np.arange(len(flaps.senses))[pieces])
     angle, slope, curvature = _angle_expansion(sides.reshape(*sides.shape[:2], 18))
     folded = _unwrapped(senses * angle, flaps.middles[pieces])
-    moment, stiffness = law.moment_and_slope(folded)
+    if law.yields:
+        stored, moment, stiffness = law.expansion(folded, None if sets is None else sets[:, pieces])
+    else:
+        stored, (moment, stiffness) = law.energy(folded), law.moment_and_slope(folded)
     acting = torques[:, pieces]
-    energy = np.sum(law.energy(folded) - acting * folded, axis=1)
+    energy = np.sum(stored - acting * folded, axis=1)
     along = senses * (moment - acting)
     hessian = stiffness[..., None, None] * slope[..., :, None] * slope[..., None, :]
     hessian += along[..., None, None] * curvature

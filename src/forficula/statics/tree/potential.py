@@ -25,6 +25,7 @@ from forficula.statics.tree.flaps import Flaps, crease_angles, crease_energy, fl
 from forficula.statics.tree.forces import PointForces, force_energy, point_forces_of
 from forficula.statics.tree.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.tree.lines import Lines, largest_pull, line_energy, lines_of
+from forficula.statics.tree.permanent_folds import PermanentFolds, permanent_folds_of
 from forficula.statics.tree.pose import (
     Carried,
     Pose,
@@ -77,6 +78,7 @@ class Ensemble:
         lower: least angles, rad, (hinge,).
         upper: largest angles, rad, (hinge,).
         cases: number of cases.
+        folds: permanent folds at the beginning of a motion; None if no hinge folds permanently.
     """
 
     structure: Structure
@@ -103,6 +105,7 @@ class Ensemble:
     lower: Array
     upper: Array
     cases: int
+    folds: PermanentFolds | None = None
 
     @property
     def size(self) -> int:
@@ -116,14 +119,32 @@ class Ensemble:
 
     def only(self, cases: Indices) -> Ensemble:
         """Select cases by index; repeats are allowed."""
+        folds = None if self.folds is None else self.folds.only(cases)
         if len(np.asarray(self.tendons.proximal_arm)) == 1:
-            return replace(self, cases=len(cases))
+            return replace(self, cases=len(cases), folds=folds)
         lines = None if self.lines is None else self.lines.only(cases)
-        return replace(self, tendons=_rows(self.tendons, cases), lines=lines, cases=len(cases))
+        return replace(self, tendons=_rows(self.tendons, cases), lines=lines, cases=len(cases), folds=folds)
 
     def repeated(self, count: int) -> Ensemble:
         """Return copies of the first case."""
-        return replace(self.only(np.zeros(1, dtype=np.int64)), cases=count)
+        return replace(self.only(np.zeros(1 if self.folds is None else count, dtype=np.int64)), cases=count)
+
+    @property
+    def sets(self) -> Array | None:
+        """Return the permanent folds of all hinges of the structure, rad, (case, hinge); None if none folds so."""
+        return None if self.folds is None else self.folds.sets
+
+    def with_sets(self, sets: Array | None) -> Ensemble:
+        """Return the structures with permanent folds, rad, (case, hinge); None for those that they have."""
+        return self if sets is None or self.folds is None else replace(self, folds=replace(self.folds, sets=sets))
+
+    def turned(self, angles: Array) -> Ensemble:
+        """Return the structures after a motion in which each hinge turned in one sense: with new permanent folds.
+
+        Args:
+            angles: of the joints at the end, rad, (case, joint).
+        """
+        return self if self.folds is None else replace(self, folds=self.folds.turned(angles))
 
 
 def ensemble_of(designs: Sequence[Design]) -> Ensemble:
@@ -156,13 +177,13 @@ def ensemble(structures: Sequence[Structure]) -> Ensemble:
         if len(other.hinges) != len(first.hinges) or _crossed(other) != crossed:
             raise InputError(f"{other.name}: need structures that differ in their tendons' laws and places only")
     tree = tree_of(first)
-    drives = _drive_weights(first)
+    drives, flaps = _drive_weights(first), flaps_of(first, tree)
     return Ensemble(
         structure=first,
         sheet=sheet_of(first, tree),
         lines=lines_of(structures, tree),
         springs=springs_of(first, tree),
-        flaps=flaps_of(first, tree),
+        flaps=flaps,
         pins=pins_of(first, tree, _stiffest(first)),
         weight=weight_of(first, tree),
         forces=point_forces_of(first, tree),
@@ -182,6 +203,7 @@ def ensemble(structures: Sequence[Structure]) -> Ensemble:
         lower=np.array([hinge.lower for hinge in joints]),
         upper=np.array([hinge.upper for hinge in joints]),
         cases=len(structures),
+        folds=permanent_folds_of(first, size, flaps, len(structures)),
     )
 
 
@@ -273,12 +295,17 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
         stored -= torques[:, motor] * np.add.reduce(turned, axis=1)
     energy += stored
     slope += pressing
-    if structures.stiffness.any():
+    if structures.folds is not None:
+        folded, moment, stiffness = structures.folds.joint_expansion(angles)
+        energy += folded.sum(axis=1)
+        slope += moment
+        diagonal += stiffness
+    elif structures.stiffness.any():
         turned = structures.stiffness * (angles - structures.rest_angles)
         energy += np.sum(turned * (angles - structures.rest_angles), axis=1) / 2
         slope += turned
         diagonal += structures.stiffness
-    if structures.quadratic.any() or structures.cubic.any():
+    if structures.folds is None and (structures.quadratic.any() or structures.cubic.any()):
         x, quadratic, cubic = angles - structures.rest_angles, structures.quadratic, structures.cubic
         energy += np.sum(x**3 * (quadratic / 3 + x * cubic / 4), axis=1)
         slope += x**2 * (quadratic + x * cubic)
@@ -286,13 +313,16 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
     return energy, slope, curvature
 
 
-def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0) -> dict[str, Array]:
+def stored_energy(
+    structures: Ensemble, angles: Array, further: ArrayLike = 0.0, folds: PermanentFolds | None = None
+) -> dict[str, Array]:
     """Compute the energy by the part that stores it, without parts that a structure does not have.
 
     Args:
         structures: side by side.
         angles: of the joints, rad, (case, joint); angles of creases may follow and are ignored.
         further: changes of the rest angles of all hinges of the structure, rad, (case, hinge).
+        folds: permanent folds at these angles; None for none.
 
     Returns:
         Energies, J, (case,), of "tendons", "springs" of joints, "creases" between flaps, springs between points by the
@@ -302,19 +332,22 @@ def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0)
     parts: dict[str, Array] = {}
     angles = angles[:, : structures.size]
     changes = np.broadcast_to(further, (len(angles), len(structures.structure.hinges)))
+    size, (of_joints, of_creases) = structures.size, (0.0, 0.0) if folds is None else folds.energies()
+    if folds is not None:
+        changes = changes + folds.rest_shifts()
     if structures.structure.tendons:
         parts["tendons"] = structures.tendons.energy(angles[:, structures.crossed]).sum(axis=1)
         if structures.lines is not None:
             parts["tendons"] = parts["tendons"] + line_energy(structures.lines, angles)[0]
     if structures.stiffness.any():
         turned = angles - structures.rest_angles - changes[:, : structures.size]
-        parts["springs"] = np.sum(structures.stiffness * turned**2, axis=1) / 2
+        parts["springs"] = np.sum(structures.stiffness * turned**2, axis=1) / 2 + of_joints
         if structures.quadratic.any() or structures.cubic.any():
             x = angles - structures.rest_angles
             terms = x**3 * (structures.quadratic / 3 + x * structures.cubic / 4)
             parts["springs"] = parts["springs"] + np.sum(terms, axis=1)
     if structures.flaps is not None and structures.flaps.sprung:
-        parts["creases"] = folded_energy(structures.flaps, angles, changes[:, structures.size :])
+        parts["creases"] = folded_energy(structures.flaps, angles, changes[:, size:]) + of_creases
     if structures.springs is not None:
         parts[springs_name(structures.structure)] = spring_energy(structures.springs, angles)[0]
     if structures.twists is not None:
@@ -339,7 +372,8 @@ def _optional_parts(structures: Ensemble, angles: Array, torques: Array, at: Pos
         spring_energy(springs, angles, at) for springs in (structures.springs, structures.pins) if springs is not None
     ]
     if structures.flaps is not None:
-        parts.append(crease_energy(structures.flaps, angles, torques @ structures.crease_drives, at))
+        sets = None if structures.folds is None else structures.folds.of_creases
+        parts.append(crease_energy(structures.flaps, angles, torques @ structures.crease_drives, at, sets))
     if structures.twists is not None:
         parts.append(twist_energy(structures.twists, angles))
     if structures.forces is not None and torques.any():

@@ -66,11 +66,13 @@ class SlowTransition:
             torques does.
         position: angles under the least torque, or under the largest one tried, rad, (case, hinge).
         paths: path to the goal, by case; empty if paths were not recorded.
+        structures: with the permanent folds at these angles; None where the folds do not matter.
     """
 
     torque: Array
     position: Array
     paths: tuple[TorquePath, ...] = ()
+    structures: Ensemble | None = None
 
 
 def start_state(structures: Ensemble) -> Equilibria:
@@ -132,8 +134,8 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
     when released, are released from the stops instead, see `state_beyond`. With a slack tendon, hinges can rest
     anywhere in a range, and the next torque can lead along another path from either end of the range.
 
-    If springs between points, creases between flaps or closures couple the joints, or if the drive is a force,
-    structures are always released from where the drive brought them.
+    If springs between points, creases between flaps or closures couple the joints, if hinges fold permanently, or if
+    the drive is a force, structures are always released from where the drive brought them.
 
     Args:
         structures: side by side.
@@ -142,7 +144,7 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
         position: angles under this torque, rad, (case, hinge).
     """
     led = rest(structures, position)
-    if is_led(structures, drive_of(structures.structure, transition.drive)):
+    if structures.sets is not None or is_led(structures, drive_of(structures.structure, transition.drive)):
         return led
     stays = np.isfinite(torque) & at_goal(structures, led.position, goal_of(structures.structure, transition.released))
     if stays.all():
@@ -285,6 +287,7 @@ def least_slow_torque(
     step of 1 % of the torque as well, the equilibrium has become unstable and the structure snaps: it follows the
     steepest descent of the energy, like a motion with equal dampers and without inertia, to the next equilibrium, from
     which the torque grows further. The first step is 1e-4 of the largest torque, and no shorter steps are tried.
+    Permanent folds are those of hinges that turn in one sense during each step, and during each snap.
 
     Args:
         structures: side by side.
@@ -319,7 +322,8 @@ def least_slow_torque(
     while True:
         left = np.flatnonzero(np.isnan(least) & (torque < most))
         if not len(left) or stop():
-            return SlowTransition(torque=least, position=position, paths=() if record is None else record.paths())
+            paths = () if record is None else record.paths()
+            return SlowTransition(torque=least, position=position, paths=paths, structures=structures)
         tried = np.minimum(torque[left] + step[left], most[left])
         result = _pushed_rest(structures, left, position[left], drive, tried, within=_NEAR)
         turned = _turned(result, position[left])
@@ -339,6 +343,7 @@ def least_slow_torque(
         reached = arrives(result)
         kept = snaps | ~(leaves | reached & ~fine)
         torque[left[kept]], position[left[kept]] = tried[kept], result[kept]
+        structures = structures.turned(position)
         if record is not None:
             for row in np.flatnonzero(kept & ~snaps).tolist():
                 record.add(int(left[row]), tried[row], result[row])

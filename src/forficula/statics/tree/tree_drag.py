@@ -68,7 +68,9 @@ def tree_drag(
     if not any(tree.chain(body) for body in bodies if body != GROUND):
         raise InputError("places: need a point that can move, got one that no hinge moves")
     if near is None:
+        structures = structures.turned(start_angles(structures))
         near = _point(structures, drive, 0.0, rest(structures, start_angles(structures)).position[0], resting=True)
+    structures = _from(structures, near)
     pulled = _PulledTree(
         structures=structures,
         drive=drive,
@@ -84,7 +86,14 @@ def tree_drag(
 
 
 def _point(structures: Ensemble, drive: Drive, strength: float, angles: Array, *, resting: bool) -> QuasiStaticPoint:
-    return tree_points(structures, drive, np.array([strength]), angles[None], np.array([resting], dtype=np.bool_))[0]
+    folds = structures.turned(angles[None]).folds
+    rests = np.array([resting], dtype=np.bool_)
+    return tree_points(structures, drive, np.array([strength]), angles[None], rests, folds)[0]
+
+
+def _from(structures: Ensemble, near: QuasiStaticPoint) -> Ensemble:
+    """Return the tree with the permanent folds of a shape."""
+    return structures if near.sets is None else structures.with_sets(near.sets[None])
 
 
 def _torques(pulled: _PulledTree, near: QuasiStaticPoint) -> Array:
@@ -156,6 +165,7 @@ def _held(pulled: _PulledTree, angles: Array, aim: Array, torques: Array) -> Hel
 
 def _pulled(pulled: _PulledTree, near: QuasiStaticPoint, target: Array) -> DraggedShape:
     """Find the equilibrium near a shape while the point is pulled to a target."""
+    pulled = replace(pulled, structures=_from(pulled.structures, near))
     structure, torques = pulled.structures.structure, _torques(pulled, near)
     held, reached = approach(
         lambda angles, aim: _held(pulled, angles, aim, torques), near.coordinates, target, structure.span

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -20,8 +20,17 @@ from forficula.statics.growing_path import (
 )
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint, rest_changes
 from forficula.statics.tree.hinge_landscape import crossed_hinges
+from forficula.statics.tree.permanent_folds import PermanentFolds
 from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
-from forficula.statics.tree.potential import Ensemble, ensemble, hinge_angles, potential, rest, stored_energy
+from forficula.statics.tree.potential import (
+    Ensemble,
+    ensemble,
+    hinge_angles,
+    potential,
+    rest,
+    start_angles,
+    stored_energy,
+)
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
     TorquePath,
@@ -74,6 +83,8 @@ def tree_path(
 ) -> QuasiStaticPath:
     """Follow a tree under a slowly growing drive; see `forficula.statics.survey.quasi_static_path`."""
     driven, start = _start(structure, drive, transition)
+    if driven.structures.folds is not None:
+        near = None  # the path depends on what happened before this shape
     name = drive.name if transition is None else transition.name
     near_rest = None if near is None else _near_rest(driven, near)
     growing = GrowingPath(structure, name, drive, follow, continued=near_rest is not None)
@@ -106,13 +117,17 @@ def tree_path(
 def _start(structure: Structure, drive: Drive, transition: Transition | None) -> tuple[_DrivenTree, Array]:
     """Return a tree with its drive, and the angles at which it rests before the transition, rad, (hinge,)."""
     structures, sign = ensemble([structure]), -1.0 if drive.strength < 0 else 1.0
+    structures = structures.turned(start_angles(structures))
     before, hinges = start_state(structures), crossed_hinges(structure)
+    structures = structures.turned(before.position)
     for earlier in structure.transitions if transition is not None else ():
         most = largest_torque(structures, earlier, hinges)
         if earlier is transition:
             break
         slow = least_slow_torque(structures, before.position, earlier, most)
+        structures = slow.structures or structures
         before = state_after(structures, earlier, slow.torque, slow.position)
+        structures = structures.turned(before.position)
     else:
         most = abs(drive.strength)
     driven = _DrivenTree(structures=structures, drive=drive, transition=transition, sign=sign, most=most)
@@ -121,6 +136,14 @@ def _start(structure: Structure, drive: Drive, transition: Transition | None) ->
 
 def _followed(driven: _DrivenTree, start: Array, growing: GrowingPath, begin: float = 0.0) -> SlowTransition:
     """Follow the path from angles at rest, rad, (hinge,), onwards."""
+    at = driven.structures
+
+    def watch(torque: float, angles: Array, resting: bool) -> None:
+        nonlocal at
+        at = now = at.turned(angles[None])
+        strength, rests = np.array([driven.sign * torque]), np.array([resting], dtype=np.bool_)
+        growing.add(lambda: tree_points(now, driven.drive, strength, angles[None], rests, now.folds)[0])
+
     return least_slow_torque(
         driven.structures,
         start[None],
@@ -129,15 +152,7 @@ def _followed(driven: _DrivenTree, start: Array, growing: GrowingPath, begin: fl
         driven.drive,
         begin=begin,
         recorded=True,
-        watch=lambda torque, angles, resting: growing.add(
-            lambda: tree_points(
-                driven.structures,
-                driven.drive,
-                np.array([driven.sign * torque]),
-                angles[None],
-                np.array([resting], dtype=np.bool_),
-            )[0]
-        ),
+        watch=watch,
         stop=lambda: growing.stopped,
     )
 
@@ -178,7 +193,9 @@ def _refined(driven: _DrivenTree, path: TorquePath, bound: float) -> TorquePath:
             break
         torque = (path.torque[rows] + path.torque[rows + 1]) / 2
         middle = (path.position[rows] + path.position[rows + 1]) / 2
-        rested = rest(structures.repeated(len(rows)), middle, torque[:, None] * driven.torques)
+        sets = None if structures.folds is None else structures.folds.along(path.position)
+        between = structures.repeated(len(rows)).with_sets(None if sets is None else sets[rows])
+        rested = rest(between, middle, torque[:, None] * driven.torques)
         # a shape outside the interval belongs to another path
         low, high = (bounds(path.position[rows], path.position[rows + 1]) for bounds in (np.minimum, np.maximum))
         inside = np.all((rested.position >= low - _BESIDE) & (rested.position <= high + _BESIDE), axis=1)
@@ -214,13 +231,21 @@ def _points(
     ends = sorted({0, len(resting) - 1, *(end for snap in path.snaps for end in snap)})
     kept = kept_frames(time, positions, time[ends], most=_MOST_POINTS, tolerance=bound)
     numbers = {row: number for number, row in enumerate(kept.tolist())}
+    folds = driven.structures.folds
+    sets = None if folds is None else folds.along(path.position)
     points = tree_points(
-        driven.structures, driven.drive, driven.sign * path.torque[kept], path.position[kept], resting[kept]
+        driven.structures,
+        driven.drive,
+        driven.sign * path.torque[kept],
+        path.position[kept],
+        resting[kept],
+        None if folds is None or sets is None else replace(folds, sets=sets[kept]),
     )
     events = list[NumberedEvent]()
     for first, last in path.snaps:
         torque = float(path.torque[last])
-        energy = potential(driven.structures.repeated(2), path.position[[first, last]], torque * driven.torques)[0]
+        both = driven.structures.repeated(2).with_sets(None if sets is None else sets[[first, first]])
+        energy = potential(both, path.position[[first, last]], torque * driven.torques)[0]
         events.append(
             NumberedEvent(
                 kind="snap",
@@ -234,7 +259,12 @@ def _points(
 
 
 def tree_points(
-    structures: Ensemble, drive: Drive, strength: Array, angles: Array, resting: Flags
+    structures: Ensemble,
+    drive: Drive,
+    strength: Array,
+    angles: Array,
+    resting: Flags,
+    folds: PermanentFolds | None = None,
 ) -> list[QuasiStaticPoint]:
     """Return shapes of a tree as points of a quasi-static path.
 
@@ -244,9 +274,10 @@ def tree_points(
         strength: of the drive, in its SI unit, with its sign, (point,).
         angles: of all joints, rad, (point, joint).
         resting: whether the tree is at rest, (point,).
+        folds: permanent folds of all points; None if no hinge folds permanently.
     """
     further = strength[:, None] * rest_changes(structures.structure, drive)
-    energy = stored_energy(structures.repeated(len(strength)), angles, further)
+    energy = stored_energy(structures.repeated(len(strength)), angles, further, folds)
     positions, every = place_positions(structures.structure, angles), hinge_angles(structures, angles)
     return [
         QuasiStaticPoint(
@@ -256,6 +287,7 @@ def tree_points(
             positions=positions[number],
             coordinates=angles[number],
             energy={part: float(values[number]) for part, values in energy.items()},
+            sets=None if folds is None else folds.sets[number],
         )
         for number in range(len(strength))
     ]

@@ -36,11 +36,16 @@ _SOFT = 1e-12  # share of the largest stiffness below which a stiffness counts a
 def tree_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) -> RestPath:
     """Follow the equilibria of a tree under a growing load; see `forficula.statics.rest_path.rest_path`."""
     system = _LoadedTree(structure, load)
-    return rest_path(system, start.angles[: system.size], load)
+    sets = np.zeros(0) if start.sets is None else start.sets
+    return rest_path(system, np.concatenate([start.angles[: system.size], sets]), load)
 
 
 class _LoadedTree:
-    """A tree under a load; its states are the angles of the joints, rad, (joint,)."""
+    """A tree under a load.
+
+    Its states are the angles of the joints, rad, (joint,), and then, if a hinge folds permanently, the permanent folds
+    of all hinges, rad, (hinge,).
+    """
 
     def __init__(self, structure: Structure, load: GrowingLoad) -> None:
         self._structure, self._load = structure, load
@@ -62,22 +67,36 @@ class _LoadedTree:
     def prescribes(self) -> Flags:
         return np.zeros(len(self._structure.motors), dtype=np.bool_)
 
-    def rest(self, share: float, near: Array) -> Array | None:
-        torques = self._load.settings(share)
-        descended = rest(self._structures, near[None], torques, within=2 * _NEAR)
-        if not descended.rests[0] or np.abs(descended.position[0] - near).max(initial=0.0) > _NEAR:
-            return None
-        angles = self._corrected(descended.position[0], torques)
-        return None if angles is None or np.abs(angles - near).max(initial=0.0) > _NEAR else angles
+    def _at(self, state: Array) -> tuple[Ensemble, Array]:
+        """Return the tree with the permanent folds of a state, and the angles of the joints, rad, (joint,)."""
+        angles, sets = state[: self.size], state[self.size :]
+        structures = self._structures
+        return structures.with_sets(sets[None]), angles
 
-    def _corrected(self, angles: Array, torques: Array) -> Array | None:
+    @staticmethod
+    def _state(structures: Ensemble, angles: Array) -> Array:
+        """Return the state after a motion of the tree to some angles, rad, (joint,)."""
+        sets = structures.turned(angles[None]).sets
+        return angles if sets is None else np.concatenate([angles, sets[0]])
+
+    def rest(self, share: float, near: Array) -> Array | None:
+        torques, (structures, start) = self._load.settings(share), self._at(near)
+        descended = rest(structures, start[None], torques, within=2 * _NEAR)
+        if not descended.rests[0] or np.abs(descended.position[0] - start).max(initial=0.0) > _NEAR:
+            return None
+        angles = self._corrected(structures, descended.position[0], torques)
+        if angles is None or np.abs(angles - start).max(initial=0.0) > _NEAR:
+            return None
+        return self._state(structures, angles)
+
+    def _corrected(self, structures: Ensemble, angles: Array, torques: Array) -> Array | None:
         """Return the stable equilibrium near angles by Newton's method, to the last digits; None if there is none.
 
         Directions without stiffness, such as that of a hinge with a slack tendon, are at rest if no torque acts.
         """
         ties = self._structures.ties
         for _ in range(_CORRECTIONS):
-            _, slope, curvature = potential(self._structures, angles[None], torques)
+            _, slope, curvature = potential(structures, angles[None], torques)
             at = angles if ties is None else ties.start(angles[None])[0]
             push = slope[0] @ self._spread
             held = ((at <= self._lower[0] + _AT_BOUND) & (push > 0)) | ((at >= self._upper[0] - _AT_BOUND) & (push < 0))
@@ -106,8 +125,9 @@ class _LoadedTree:
         torques, first = self._load.settings(share), start
         shortest = step = _NEAR / self._load.rest_speed
         for _ in range(_MOST_CREEPS):
-            descended = rest(self._structures, start[None], torques, pull=_drag(self._damping / step, start))
-            turned = float(np.abs(descended.position[0] - start).max(initial=0.0))
+            structures, angles = self._at(start)
+            descended = rest(structures, angles[None], torques, pull=_drag(self._damping / step, angles))
+            turned = float(np.abs(descended.position[0] - angles).max(initial=0.0))
             if not descended.rests[0] or turned > _FURTHEST:
                 step /= 2
                 if step < shortest:
@@ -115,21 +135,32 @@ class _LoadedTree:
                 continue
             if turned > self._load.rest_speed * step:
                 return None
-            start, step = descended.position[0], 2 * step
+            start, step = self._state(structures, descended.position[0]), 2 * step
             end = self.rest(share, start) if turned <= _NEAR else None
             if end is not None:
-                energies = [float(potential(self._structures, at[None], torques)[0][0]) for at in (first, end)]
-                return Creep(end, energies[0] - energies[1])
+                # both energies with their own permanent folds, without what these dissipate
+                energies = [float(potential(*self._single(at), torques)[0][0]) for at in (first, end)]
+                return Creep(end, energies[0] - energies[1] - self.yield_loss(first, end))
         return None
 
+    def _single(self, state: Array) -> tuple[Ensemble, Array]:
+        structures, angles = self._at(state)
+        return structures, angles[None]
+
+    def yield_loss(self, before: Array, after: Array) -> float:
+        folds = self._at(before)[0].folds
+        return 0.0 if folds is None else folds.loss(after[self.size :])
+
     def middle(self, one: Array, other: Array) -> Array:
-        return np.asarray((one + other) / 2)
+        # the motion begins with the permanent folds of the first state
+        return np.concatenate([(one + other)[: self.size] / 2, one[self.size :]])
 
     def conjugates(self, _share: float, state: Array) -> Array:
         # the potential is linear in the torques and forces
         count = len(self._structure.motors)
         torques = np.concatenate([np.zeros((1, count)), np.eye(count)])
-        energy = potential(self._structures.repeated(count + 1), np.tile(state, (count + 1, 1)), torques)[0]
+        structures, angles = self._at(state)
+        energy = potential(structures.repeated(count + 1), np.tile(angles, (count + 1, 1)), torques)[0]
         return np.asarray(energy[0] - energy[1:])
 
     def short_of_goal(self, state: Array) -> float:
@@ -140,16 +171,18 @@ class _LoadedTree:
         return distance_to_goal(goal_coordinates(self._structure, self._hinge_angles(state), distances), goal)
 
     def _hinge_angles(self, state: Array) -> Array:
-        return np.asarray(hinge_angles(self._structures, state[None])[0])
+        return np.asarray(hinge_angles(self._structures, state[None, : self.size])[0])
 
     def shape(self, state: Array) -> RestShape:
-        structure, at = self._structure, pose(self._tree, state[None])
+        structure, angles = self._structure, state[None, : self.size]
+        at = pose(self._tree, angles)
         count = len(structure.bodies)
         return RestShape(
             angles=self._hinge_angles(state),
-            points=place_positions(structure, state[None])[0][: len(structure.points)],
+            points=place_positions(structure, angles)[0][: len(structure.points)],
             origins=at.origins[0, :count],
             frames=at.frames[0, :count],
+            sets=None if self._structures.sets is None else state[self.size :],
         )
 
 

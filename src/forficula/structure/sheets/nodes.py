@@ -15,6 +15,7 @@ from forficula.design import Imperfection, SheetDesign, tendon_law
 from forficula.design.sheets.crease_values import creases_by_edge
 from forficula.design.sheets.sheet_creases import crease_sense
 from forficula.design.sheets.sheet_places import GROUND_PLACE
+from forficula.design.sheets.sheet_sections import with_law
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 from forficula.pattern.geometry import triangle_areas, triangle_normals
@@ -187,7 +188,7 @@ def _hinges(design: SheetDesign, nodes: SheetNodes) -> tuple[Hinge, ...]:
                     flaps=points,
                     stiffness=(design.facet.bend_stiffness or 0.0) * length,
                     rest_angle=angle,
-                    damping=(design.crease.damping or 0.0) * length,
+                    damping=(with_law(design.crease).damping or 0.0) * length,
                     start=angle,
                     label=f"bend {edge}",
                 )

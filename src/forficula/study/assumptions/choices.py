@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from forficula.design import Design, LawSection, key_quantity, key_value, with_values
+from forficula.design import CreaseLawSection, Design, LawSection, key_quantity, key_value, with_values
 from forficula.errors import InputError
 from forficula.quantities import as_written, format_quantity
 from forficula.study.factors import Factor
@@ -55,7 +55,7 @@ def own_value(base: Design, factor: Factor) -> object:
     value, quantity = key_value(base, factor.key), key_quantity(factor.key, type(base))
     if value is None:
         return "none" if factor.unit is None else math.nan
-    if isinstance(value, LawSection):
+    if isinstance(value, LawSection | CreaseLawSection):
         return value.name
     if quantity is not None and isinstance(value, float):
         return format_quantity(value, quantity.unit)

@@ -145,16 +145,20 @@ def _factor(driven: DrivenNet, near: QuasiStaticPoint) -> float:
 def _shape(driven: DrivenNet, net: Net, near: QuasiStaticPoint) -> NetShape:
     """Return the shape of a net at a point of a path."""
     positions = net.nodes + near.coordinates.reshape(-1, 3)
-    return shape_at(net, positions, valley_angles(driven.structure, near.angles))
+    sets = None if near.sets is None else valley_angles(driven.structure, near.sets)
+    return shape_at(net, positions, valley_angles(driven.structure, near.angles), sets)
 
 
 def _held(pulled: _PulledNet, shape: NetShape, aim: Array, factor: float) -> Held[NetShape]:
-    """Find the equilibrium near a shape while the spring ends at an aim, m, (3,)."""
-    start = NetShape(positions=np.concatenate([shape.positions, aim[None]]), angles=shape.angles)
+    """Find the equilibrium near a shape while the spring ends at an aim, m, (3,).
+
+    The permanent folds of the returned shape are those at the beginning of the move.
+    """
+    start = NetShape(positions=np.concatenate([shape.positions, aim[None]]), angles=shape.angles, sets=shape.sets)
     rest = minimum(pulled.net, start, pulled.load, factor)
     position = pulled.weights @ rest.shape.positions[:-1]
     return Held(
-        shape=NetShape(positions=rest.shape.positions[:-1], angles=rest.shape.angles),
+        shape=NetShape(positions=rest.shape.positions[:-1], angles=rest.shape.angles, sets=shape.sets),
         position=position,
         force=pulled.spring * (aim - position),
         stable=rest.stable,

@@ -24,11 +24,19 @@ from forficula.statics.growing_path import (
 from forficula.statics.net.driven.driven_net import DrivenNet, driven_net, follow_drive, prescribes_displacement
 from forficula.statics.net.driven.net_course import drive_course, reaction, released
 from forficula.statics.net.driven.slow_path import SlowPath, Snap
-from forficula.statics.net.energy import shape_at
+from forficula.statics.net.energy import kept_folds, shape_at
 from forficula.statics.net.load_path import PathPoint, intermediate_point, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_of import net_of, own_angles, place_points, point_positions, start_shape, valley_angles
+from forficula.statics.net.net_of import (
+    net_of,
+    own_angles,
+    own_sets,
+    place_points,
+    point_positions,
+    start_shape,
+    valley_angles,
+)
 from forficula.statics.net.net_state import stored_parts
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint, rest_changes
 from forficula.structure import Drive, Structure, Transition, drive_of
@@ -372,6 +380,7 @@ def net_point(driven: DrivenNet, shape: NetShape, factor: float, *, resting: boo
         coordinates=(shape.positions - driven.net.nodes).ravel(),
         energy=stored_parts(structure, driven.net, shape, further),
         force=reaction(structure, driven.net, drive, shape) if displaced else 0.0,
+        sets=own_sets(structure, kept_folds(driven.net, shape)),
     )
 
 

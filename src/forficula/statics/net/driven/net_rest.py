@@ -16,7 +16,7 @@ from forficula.statics.net.energy import expand, moved_shape, shape_at
 from forficula.statics.net.load import Load
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_of import motor_load, net_of, own_angles, point_positions, valley_angles
+from forficula.statics.net.net_of import motor_load, net_of, own_angles, own_sets, point_positions, valley_angles
 from forficula.statics.net.plate_nodes import plate_nodes
 from forficula.statics.rest_path import rest_path
 from forficula.structure import (
@@ -81,7 +81,8 @@ class _LoadedNet:
                 turn = start.frames[body] @ frames[body].T
                 arms = self._net.nodes[first : first + 4] - origins[body]
                 positions[first : first + 4] = start.origins[body] + arms @ turn.T
-        return shape_at(self._net, positions, valley_angles(self._structure, start.angles))
+        sets = None if start.sets is None else valley_angles(self._structure, start.sets)
+        return shape_at(self._net, positions, valley_angles(self._structure, start.angles), sets)
 
     def rest(self, share: float, near: NetShape) -> NetShape | None:
         load = self._motor_load(self._load.settings(share))
@@ -103,6 +104,13 @@ class _LoadedNet:
     def creep(self, _share: float, _start: NetShape) -> None:
         """Return no creep: dampers between nodes are not a part of the net."""
         return
+
+    def yield_loss(self, before: NetShape, after: NetShape) -> float:
+        law = self._net.creases.law
+        if not law.yields:
+            return 0.0
+        sets = [np.zeros_like(shape.angles) if shape.sets is None else shape.sets for shape in (before, after)]
+        return float(law.yield_loss(sets[1] - sets[0]).sum())
 
     def middle(self, one: NetShape, other: NetShape) -> NetShape:
         return moved_shape(self._net, one, (one.positions + other.positions) / 2)
@@ -148,6 +156,7 @@ class _LoadedNet:
             points=points,
             origins=origins,
             frames=frames,
+            sets=own_sets(structure, state),
         )
 
 
