@@ -178,6 +178,23 @@ def test_the_intervals_of_a_fitted_law_are_tolerances(tmp_path):
         read_deviations({"tendon.law": {"intervals_of": "tpu-95a"}}, JOINT)
 
 
+def test_the_intervals_of_a_law_of_creases_are_tolerances(tmp_path):
+    law = tmp_path / "fold.toml"
+    law.write_text(
+        'name = "fold"\nsource = "a test"\nthickness = "0.1 mm"\nwidth = "30 mm"\n[crease]\n'
+        'stiffness = "4.8 N m/rad/m"\n[interval]\nstiffness = ["4.6 N m/rad/m", "5.0 N m/rad/m"]\n'
+    )
+    design = load_design("letter-fold", {"crease.law": str(law)})
+    (deviation,) = read_deviations({"crease.law": {"intervals_of": str(law)}}, design)
+    assert (deviation.key, deviation.distribution) == ("crease.law.stiffness", "normal")
+    assert 2 * 1.959964 * deviation.size == pytest.approx(0.4, rel=1e-6)
+    everything = {deviation.key for deviation in read_deviations({"all": "10 %"}, design)}
+    assert "crease.law.stiffness" in everything
+    assert not {"crease.law.thickness", "crease.law.width"} & everything
+    with pytest.raises(InputError, match="no intervals"):
+        read_deviations({"crease.law": {"intervals_of": "paper"}}, design)
+
+
 @pytest.mark.parametrize(
     ("given_as", "says"),
     [

@@ -15,7 +15,9 @@ from forficula.design import Design, check_keys_once, key_quantity, key_value, n
 from forficula.design.file_fields import entry
 from forficula.design.files.rejection import read_section
 from forficula.design.section import Quantity, Section, field_quantity
+from forficula.design.sheets.sheet_sections import CreaseLawSection
 from forficula.errors import InputError, error_prefix
+from forficula.material.law.crease_law_file import CreaseLawFile, load_crease_law
 from forficula.material.law.law_file import load_law
 from forficula.names import near_name
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity, show_quantity
@@ -26,6 +28,8 @@ SIZE = 'percentage such as "10 %", or as in a design'
 _NOT_BUILT = ("protocol", "drive", "measure", "support", "table", "make", "stops")
 # range of validity of a law, which changes no run
 _KNOWLEDGE = ("largest_strain", "lowest_strain_rate", "highest_strain_rate")
+# size of the specimen of a law of creases, which changes no run
+_SPECIMEN = ("thickness", "width")
 # normal distributions are cut at 4.8 standard deviations
 _TAIL = 1e-6
 _SHARE = Unit(display="%", si="", example="10 %")
@@ -38,7 +42,7 @@ class ToleranceEntry(Section):
     distribution: Literal["uniform", "normal"] = entry("distribution of the built values", "uniform")
     size: Annotated[Any, SIZE] = entry("largest deviation (uniform), or standard deviation (normal)")
     intervals_of: Annotated[str | None, "path"] = entry(
-        "for a tendon's law: file of a fitted law whose 95 % intervals are used"
+        "for the law of a tendon or of creases: file of a fitted law whose 95 % intervals are used"
     )
 
 
@@ -98,9 +102,10 @@ def _numbers(value: object, key: str) -> Iterator[tuple[str, float]]:
         inside = [name for name in positive_keys(value) if not name.startswith("medium.")]
         yield from ((f"{key}.{name}", key_value(value, name)) for name in inside)
     elif isinstance(value, Section):
+        without_effect = _SPECIMEN if isinstance(value, CreaseLawSection) else _KNOWLEDGE
         for name, field in type(value).model_fields.items():
             part = getattr(value, name)
-            if field_quantity(field) is not None and isinstance(part, float) and name not in _KNOWLEDGE:
+            if field_quantity(field) is not None and isinstance(part, float) and name not in without_effect:
                 yield f"{key}.{name}", part
             else:
                 yield from _numbers(part, f"{key}.{name}")
@@ -114,10 +119,10 @@ def read_deviations(tolerances: Mapping[str, object], design: Design) -> tuple[D
 
     Args:
         tolerances: tolerances by key of the design: a text such as "10 %" or "0.1 mm", uniform in both directions; a
-            table with `distribution` and `size`; for `tendon.law` a table with `intervals_of`, a law file whose 95 %
-            intervals are used as independent normal distributions, because the file has no correlations. `all` means
-            every positive number with a unit that is not in the protocol; other keys take precedence, and "none"
-            removes one.
+            table with `distribution` and `size`; for `tendon.law` and `crease.law` a table with `intervals_of`, a law
+            file whose 95 % intervals are used as independent normal distributions, because the file has no
+            correlations. `all` means every positive number with a unit that is not in the protocol; other keys take
+            precedence, and "none" removes one.
         design: the nominal design.
 
     Raises:
@@ -190,16 +195,30 @@ def _fitted(key: str, table: ToleranceEntry, design: Design) -> Iterator[Deviati
         entries = as_written(table.model_dump(exclude_unset=True))
         raise InputError(f'{key}: need {{ intervals_of = "my-law.toml" }} without other keys, got {entries}')
     with error_prefix(f"{key}.intervals_of: "):
-        law = load_law(table.intervals_of)
-    if not law.intervals:
-        raise InputError(f"{key}.intervals_of: {law.name} has no intervals; need a law that was fitted")
-    for bounds in law.intervals:
-        section, _, term = bounds.key.partition(".")
-        inside = f"{term}_{section}" if section in ("modulus", "viscosity") else bounds.key
-        key_of_value = f"{key}.{inside}"
+        widths = _interval_widths(key, table.intervals_of, design)
+    for key_of_value, width in widths.items():
         key_value(design, key_of_value)
-        width = (bounds.high - bounds.low) / (2 * _NINETY_FIVE)
-        yield Deviation(key=key_of_value, distribution="normal", size=width, relative=False)
+        yield Deviation(key=key_of_value, distribution="normal", size=width / (2 * _NINETY_FIVE), relative=False)
+
+
+def _interval_widths(key: str, path: str, design: Design) -> dict[str, float]:
+    """Return the widths of the 95 % intervals of a law file, SI, by the keys of the values in the design."""
+    widths = {}
+    law = load_crease_law(path) if "crease" in key.split(".") else load_law(path)
+    if isinstance(law, CreaseLawFile):
+        for term, pair in law.intervals.items():
+            quantity = key_quantity(f"{key}.{term}", type(design), pair[0])
+            assert quantity is not None
+            low, high = (parse_quantity(end, quantity.unit) for end in pair)
+            widths[f"{key}.{term}"] = high - low
+    else:
+        for bounds in law.intervals:
+            section, _, term = bounds.key.partition(".")
+            inside = f"{term}_{section}" if section in ("modulus", "viscosity") else bounds.key
+            widths[f"{key}.{inside}"] = bounds.high - bounds.low
+    if not widths:
+        raise InputError(f"{law.name} has no intervals; need a law that was fitted")
+    return widths
 
 
 def deviation_widths(design: Design, deviations: Sequence[Deviation]) -> Array:
