@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -14,18 +13,19 @@ from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.tendon_law import stacked_laws
+from forficula.statics.net.contact.contact_of import with_contact
 from forficula.statics.net.energy import kept_folds, shape_at
 from forficula.statics.net.load import Load, no_load, point_forces
 from forficula.statics.net.net import Net, NetCreases, NetShape, Springs, Tendons, Triangles
 from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, stiffness_of
-from forficula.structure import GROUND, Structure, built_points, crease_flaps, crease_law, facet_triangles
+from forficula.structure import GROUND, Structure, built_points, crease_flaps, crease_law
 from forficula.structure.sheets.facets import BEND
 
 Flags = NDArray[np.bool_]
 
 
 def is_net(structure: Structure) -> bool:
-    """Return whether all moving parts are sliding points, or plates that are in loops or free.
+    """Return whether all moving parts are sliding points, or plates that are in loops, free or touch each other.
 
     Springs along creases that open close loops, too.
     """
@@ -35,6 +35,8 @@ def is_net(structure: Structure) -> bool:
     if structure.plates:
         joints = [hinge.body for hinge in structure.hinges if hinge.flaps is None]
         loose = bool(structure.closures or structure.springs) or any(body.turns for body in structure.bodies)
+        # the solver for trees has no contact
+        loose = loose or structure.contact is not None
         return loose and len(joints) == len(set(joints)) and not structure.membranes
     return any(body.slides for body in structure.bodies) and not jointed
 
@@ -52,7 +54,7 @@ def net_of(structure: Structure) -> Net:
         raise InputError(f"{structure.name}: need points that slide and springs between them, got joints")
     laid = _plates(structure) if structure.plates else _nodes(structure)
     stiffness, rest = laid.stiff
-    return Net(
+    net = Net(
         nodes=laid.nodes,
         free=laid.free,
         points=laid.points,
@@ -70,6 +72,7 @@ def net_of(structure: Structure) -> Net:
         membranes=_membranes(structure),
         gravity=structure.gravity,
     )
+    return with_contact(structure, net)
 
 
 def point_positions(net: Net, shape: NetShape) -> Array:
@@ -82,12 +85,6 @@ def place_points(structure: Structure) -> list[int]:
     at = {point.body: number for number, point in enumerate(structure.points)}
     nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
     return [*range(len(structure.points)), *nodes]
-
-
-def panels(structure: Structure) -> Indices:
-    """Return the triangles of facets and of plates, as points at their corners, (triangle, 3)."""
-    fans = [(plate.points[0], one, other) for plate in structure.plates for one, other in pairwise(plate.points[1:])]
-    return np.concatenate((facet_triangles(structure)[0], np.array(fans, dtype=np.int64).reshape(-1, 3)))
 
 
 def start_shape(structure: Structure, net: Net) -> NetShape:
