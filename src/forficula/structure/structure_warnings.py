@@ -46,20 +46,12 @@ def structure_warnings(design: Design, structure: Structure) -> list[str]:
     return [
         *faults,
         *_overlapping_bars(structure),
-        *_plates_without_contact(structure),
         *_heavy_medium(structure),
         *design.idle,
         *_sentences(structure, groups, [_unmeasured_strain(built, tendons[0], strain) for tendons, strain in groups]),
         *_sentences(structure, groups, [_relaxing_branches(structure, tendons[0], folded) for tendons, _ in groups]),
         *_sentences(structure, groups, [_softening(built, tendons[0], strain) for tendons, strain in groups]),
     ]
-
-
-def _plates_without_contact(structure: Structure) -> list[str]:
-    """Return a sentence on plates that pass through other bodies although there is contact."""
-    if structure.contact is None or not structure.plates:
-        return []
-    return ["contact is modelled for bars and their panels only: plates pass through other bodies"]
 
 
 def _identical_tendons(structure: Structure) -> list[_Group]:

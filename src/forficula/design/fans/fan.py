@@ -13,9 +13,9 @@ import numpy as np
 import scipy
 from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
+from forficula.design.contact import WITHOUT_CONTACT, ContactSection
 from forficula.design.design import Design, check_duration
 from forficula.design.fans.fan_sections import (
-    ContactSection,
     CouplingSection,
     FanPatternSection,
     GuardSection,
@@ -302,9 +302,7 @@ class FanDesign(Design):
     @property
     def idle(self) -> tuple[str, ...]:
         """Sentences about given values that have no effect."""
-        if self.contact is None or self.protocol.contact:
-            return ()
-        return ("contact.thickness and contact.friction have no effect without contact: need protocol.contact = true",)
+        return () if self.contact is None or self.protocol.contact else (WITHOUT_CONTACT,)
 
     @property
     def driven_veins(self) -> tuple[int, ...]:

@@ -223,37 +223,6 @@ class CouplingSection(Section):
     )
 
 
-class ContactSection(Section):
-    """Contact of panels and bars, if protocol.contact is true."""
-
-    about: ClassVar[str] = "Contact of panels and bars, if protocol.contact is true"
-
-    heading: ClassVar[str] = "Contact"
-
-    thickness: float | None = quantity(
-        SMALL_LENGTH,
-        "distance between the mid-planes of touching panels; if not given, membrane.thickness",
-        default=None,
-        above=0,
-    )
-    friction: Annotated[
-        float,
-        Field(
-            strict=True, ge=0, le=10, description="Coulomb's friction coefficient of panels and bars; 0: no friction"
-        ),
-    ] = 0.0
-    time_constant: float = quantity(
-        SHORT_TIME,
-        "time constant T of a contact, a spring and a damper: panels that meet at a speed v overlap by up to 0.37 v T",
-        default=4e-4,
-        above=0,
-        examples=["0.4 ms"],
-    )
-    damping_ratio: Annotated[
-        float, Field(strict=True, gt=0, le=1, description="share of critical damping of a contact")
-    ] = 1.0
-
-
 class GuardSection(Section):
     """Unstressed length limits between neighbouring tips."""
 

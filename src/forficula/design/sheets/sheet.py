@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import Field, model_validator
 
 from forficula.design.chosen import Choice, choices, with_choices
+from forficula.design.contact import WITHOUT_CONTACT, ContactSection
 from forficula.design.design import Design
 from forficula.design.named_protocol import NamedProtocol
 from forficula.design.sheet_protocol import sheet_protocol
@@ -53,6 +54,9 @@ class SheetDesign(Design):
     measure: Annotated[
         tuple[SheetMeasure, ...], Field(description="angles and distances that are recorded, for goals and tables")
     ] = ()
+    contact: Annotated[
+        ContactSection | None, Field(description="contact of facets and bars, if protocol.contact is true")
+    ] = None
     protocol: SheetProtocol
 
     @property
@@ -101,8 +105,16 @@ class SheetDesign(Design):
         return measured_units(self)
 
     def settled(self) -> Self:
-        """Return the design with the values that a rule chooses filled in."""
-        return with_choices(self, self.chosen)
+        """Return the design with the values that a rule chooses, and the section of contact where it acts, filled in."""
+        chosen = with_choices(self, self.chosen)
+        if self.contact is None and self.protocol.contact:
+            return chosen.model_copy(update={"contact": ContactSection()})
+        return chosen
+
+    @property
+    def idle(self) -> tuple[str, ...]:
+        """Sentences about given values that have no effect."""
+        return () if self.contact is None or self.protocol.contact else (WITHOUT_CONTACT,)
 
     def hash_values(self) -> dict[str, Any]:
         """Return the values that affect a run, including those that a rule chooses."""

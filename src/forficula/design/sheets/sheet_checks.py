@@ -90,8 +90,6 @@ def check_sheet(design: SheetDesign) -> None:
             _keyed(f"measure.{number}.of", creases_of, sheet, measure.of, groups)
             continue
         _check_apart(sheet, f"measure.{number}", measure, _ends(design, sheet, f"measure.{number}", measure))
-    if design.protocol.contact:
-        raise InputError("protocol.contact: need false, because contact of facets is not modelled, got true")
     if design.medium is not None:
         lightest = design.settled().facet.density or 0.0
         check_medium(design.medium, design.protocol.gravity, lightest, "facet.density")

@@ -264,9 +264,6 @@ class SheetProtocol(CommonProtocol):
 
     about: ClassVar[str] = "The stages in which the sheet is driven, and the criteria by which a run is judged"
 
-    contact: Annotated[
-        bool, Field(strict=True, description="must be false: contact between facets is not modelled")
-    ] = False
     arrival: float = quantity(
         ANGLE,
         'the goal "target" is reached when every crease is at most this far from its target angle',

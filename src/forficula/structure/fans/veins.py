@@ -22,12 +22,13 @@ from forficula.pattern import (
 )
 from forficula.quantities import show_value
 from forficula.structure.appearance import Appearance
+from forficula.structure.contact.contact_section import contact_of
 from forficula.structure.fans.fan_masses import fan_masses, fan_panels
 from forficula.structure.fans.vein import Vein, panel_lines
 from forficula.structure.fans.vein_parts import bare_veins
 from forficula.structure.medium import immersed
 from forficula.structure.motors_and_measures import RigidFold
-from forficula.structure.parts import Contact, Hinge, LengthLimit, Membrane, MembraneLaw, Stops, Surface
+from forficula.structure.parts import Contact, Hinge, LengthLimit, Membrane, MembraneLaw, Surface
 from forficula.structure.protocol import with_protocol
 from forficula.structure.sheets.couplings import vein_couplings
 from forficula.structure.structure import Structure
@@ -303,14 +304,7 @@ def _remarks(design: FanDesign, camber: float | None) -> tuple[str, ...]:
 
 def fan_contact(design: FanDesign) -> Contact | None:
     """Return the contact of the panels and bars of a fan; None without contact."""
-    section = design.settled().contact
-    if not design.protocol.contact or section is None:
-        return None
-    return Contact(
-        thickness=design.membrane.thickness if section.thickness is None else section.thickness,
-        friction=section.friction,
-        stops=Stops(time_constant=section.time_constant, damping_ratio=section.damping_ratio),
-    )
+    return contact_of(design, design.membrane.thickness)
 
 
 def overlapping_length(design: FanDesign) -> float:

@@ -20,6 +20,7 @@ from forficula.pattern import CreasePattern
 from forficula.pattern.geometry import triangle_areas, triangle_normals
 from forficula.pattern.shared_edges import shared_edges
 from forficula.structure.appearance import Appearance
+from forficula.structure.contact.contact_section import contact_of
 from forficula.structure.medium import facet_panels, immersed
 from forficula.structure.parts import (
     GROUND,
@@ -89,6 +90,7 @@ def node_structure(design: SheetDesign) -> Structure:
         strength=facet.strength,
         imperfection=design.imperfection if design.imperfection.size else None,
         mass=max(body.mass for body in bodies),
+        contact=contact_of(design, thickness),
         gravity=design.protocol.gravity,
         appearance=Appearance(whole="sheet", bodies="one for every vertex", pattern=sheet),
     )

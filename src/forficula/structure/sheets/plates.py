@@ -18,6 +18,7 @@ from forficula.pattern.crease_pattern import is_unfolded
 from forficula.pattern.fold_angles import built_fold_angles
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
 from forficula.structure.appearance import Appearance
+from forficula.structure.contact.contact_section import contact_of
 from forficula.structure.fans.crossing import tendon_crossing
 from forficula.structure.medium import facet_panels, immersed
 from forficula.structure.parts import GROUND, Body, Closure, Hinge, Panel, Point, Spring, Stops
@@ -76,6 +77,7 @@ def plate_structure(design: SheetDesign) -> Structure:
         measures=measures,
         span=float(np.ptp(pattern.vertices_coords, axis=0).max()),
         mass=1.0,
+        contact=contact_of(design, design.facet.thickness or 0.0),
         gravity=design.protocol.gravity,
         appearance=Appearance(pattern=pattern),
     )

@@ -1,0 +1,123 @@
+"""Distances of nodes from triangles and of sides from each other, with their gradients."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from forficula.arrays import Array
+
+_TINY = np.finfo(float).tiny
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Nearest:
+    """Nearest points of pairs of shapes, each with four corners.
+
+    The distance is the length of the sum of the corners times their weights, and the vector `weights * normals` is its
+    gradient by the positions of the corners.
+
+    Attributes:
+        distances: m, (...).
+        weights: of the four corners, positive on the first shape and negative on the second, (..., 4).
+        normals: unit vectors from the second shape to the first, (..., 3); zeros where the distance is 0.
+    """
+
+    distances: Array
+    weights: Array
+    normals: Array
+
+
+def node_from_triangle(corners: Array) -> Nearest:
+    """Compute the distances of nodes from triangles.
+
+    Args:
+        corners: node, then the corners of the triangle, m, (..., 4, 3).
+    """
+    node, triangle = corners[..., 0, :], corners[..., 1:, :]
+    first, second = triangle[..., 1, :] - triangle[..., 0, :], triangle[..., 2, :] - triangle[..., 0, :]
+    away = node - triangle[..., 0, :]
+    one_one, one_two, two_two = _dot(first, first), _dot(first, second), _dot(second, second)
+    on_one, on_two = _dot(away, first), _dot(away, second)
+    area = np.maximum(one_one * two_two - one_two**2, _TINY)
+    inner = np.stack([two_two * on_one - one_two * on_two, one_one * on_two - one_two * on_one], axis=-1)
+    inner = inner / area[..., None]
+    shares = np.concatenate([1 - inner.sum(axis=-1, keepdims=True), inner], axis=-1)
+    inside = (shares >= 0).all(axis=-1)
+    # outside the triangle, the nearest point is on the nearest of its sides
+    best, square = shares, np.where(inside, -1.0, np.inf)
+    for tail in range(3):
+        head = (tail + 1) % 3
+        along, start = triangle[..., head, :] - triangle[..., tail, :], node - triangle[..., tail, :]
+        share = np.clip(_dot(start, along) / np.maximum(_dot(along, along), _TINY), 0, 1)
+        gap = start - share[..., None] * along
+        distance = _dot(gap, gap)
+        on_side = np.zeros_like(shares)
+        on_side[..., tail], on_side[..., head] = 1 - share, share
+        nearer = distance < square
+        best, square = np.where(nearer[..., None], on_side, best), np.where(nearer, distance, square)
+    return _nearest(corners, np.concatenate([np.ones_like(best[..., :1]), -best], axis=-1))
+
+
+def side_from_side(corners: Array) -> Nearest:
+    """Compute the distances of sides from each other (Ericson 2005, Real-Time Collision Detection, section 5.1.9).
+
+    Args:
+        corners: both ends of the first side, then of the second, m, (..., 4, 3).
+    """
+    one, other = corners[..., 1, :] - corners[..., 0, :], corners[..., 3, :] - corners[..., 2, :]
+    away = corners[..., 0, :] - corners[..., 2, :]
+    one_one, mixed, two_two = _dot(one, one), _dot(one, other), _dot(other, other)
+    on_one, on_two = _dot(one, away), _dot(other, away)
+    area = one_one * two_two - mixed**2
+    skew = area > 1e-14 * one_one * two_two
+    first = np.clip(np.where(skew, (mixed * on_two - on_one * two_two) / np.where(skew, area, 1.0), 0.0), 0, 1)
+    second = np.clip((mixed * first + on_two) / np.maximum(two_two, _TINY), 0, 1)
+    first = np.clip((mixed * second - on_one) / np.maximum(one_one, _TINY), 0, 1)
+    return _nearest(corners, np.stack([1 - first, first, second - 1, -second], axis=-1))
+
+
+def crossing_share(corners: Array) -> tuple[Array, Array]:
+    """Compute by how much sides are not parallel: the squared sine of their angle, with its gradient.
+
+    Args:
+        corners: both ends of the first side, then of the second, m, (..., 4, 3).
+
+    Returns:
+        The squared sine, (...), and its gradient by the corners for sides of constant lengths, 1/m, (..., 4, 3).
+    """
+    one, other = corners[..., 1, :] - corners[..., 0, :], corners[..., 3, :] - corners[..., 2, :]
+    normal = np.cross(one, other)
+    scale = np.maximum(_dot(one, one) * _dot(other, other), _TINY)[..., None]
+    of_one, of_other = 2 * np.cross(other, normal) / scale, 2 * np.cross(normal, one) / scale
+    return _dot(normal, normal) / scale[..., 0], np.stack([-of_one, of_one, -of_other, of_other], axis=-2)
+
+
+def side_through_triangle(corners: Array) -> Array:
+    """Return whether sides pass through triangles, (...).
+
+    Args:
+        corners: both ends of the side, then the corners of the triangle, m, (..., 5, 3).
+    """
+    tail, head, triangle = corners[..., 0, :], corners[..., 1, :], corners[..., 2:, :]
+    normal = np.cross(triangle[..., 1, :] - triangle[..., 0, :], triangle[..., 2, :] - triangle[..., 0, :])
+    before, after = _dot(tail - triangle[..., 0, :], normal), _dot(head - triangle[..., 0, :], normal)
+    spans = before * after < 0
+    share = before / np.where(spans, before - after, 1.0)
+    place = tail + share[..., None] * (head - tail)
+    inside = spans
+    for corner in range(3):
+        along = triangle[..., (corner + 1) % 3, :] - triangle[..., corner, :]
+        inside = inside & (_dot(np.cross(along, place - triangle[..., corner, :]), normal) > 0)
+    return np.asarray(inside)
+
+
+def _nearest(corners: Array, weights: Array) -> Nearest:
+    gaps = np.einsum("...c,...cx->...x", weights, corners)
+    distances = np.sqrt(_dot(gaps, gaps))
+    return Nearest(distances=distances, weights=weights, normals=gaps / np.maximum(distances, _TINY)[..., None])
+
+
+def _dot(one: Array, other: Array) -> Array:
+    return np.asarray(np.einsum("...x,...x->...", one, other))
