@@ -146,7 +146,7 @@ def _expanded(
     blocks = layout.gather @ np.concatenate([piece[2] for piece in pieces], axis=1).T
     free, pressed = layout.free_part(blocks), None
     if net.contact is not None:
-        terms = contact_terms(net, net.contact, shape.positions, shape.pressing)
+        terms = contact_terms(net.contact, shape.positions, shape.pressing)
         energy, forces, pressed = energy + terms.energy, forces + terms.slope, terms.curvature
         further = pressed[layout.free][:, layout.free]
         free = free + (further.toarray() if isinstance(free, np.ndarray) else csc_array(further))

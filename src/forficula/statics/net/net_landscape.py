@@ -12,12 +12,11 @@ from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.statics.landscape import EnergyLandscape, NetSurvey, Pass, Rest
-from forficula.statics.net.contact.contact_of import panels
 from forficula.statics.net.driven.driven_net import short_of
 from forficula.statics.net.driven.net_course import Course, drive_course, released
 from forficula.statics.net.minimum import NetRest as NetRest
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_of import net_of, own_angles, start_shape
+from forficula.statics.net.net_of import net_of, own_angles, panels, start_shape
 from forficula.statics.net.net_state import NetState, mobility, net_state, rounded_energy, stored_parts
 from forficula.statics.net.panel_crossing import panels_cross
 from forficula.statics.net.saddle import Saddle, find_saddle

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -18,7 +19,7 @@ from forficula.statics.net.energy import kept_folds, shape_at
 from forficula.statics.net.load import Load, no_load, point_forces
 from forficula.statics.net.net import Net, NetCreases, NetShape, Springs, Tendons, Triangles
 from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, stiffness_of
-from forficula.structure import GROUND, Structure, built_points, crease_flaps, crease_law
+from forficula.structure import GROUND, Structure, built_points, crease_flaps, crease_law, facet_triangles
 from forficula.structure.sheets.facets import BEND
 
 Flags = NDArray[np.bool_]
@@ -85,6 +86,12 @@ def place_points(structure: Structure) -> list[int]:
     at = {point.body: number for number, point in enumerate(structure.points)}
     nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
     return [*range(len(structure.points)), *nodes]
+
+
+def panels(structure: Structure) -> Indices:
+    """Return the triangles of facets and of plates, as points at their corners, (triangle, 3)."""
+    fans = [(plate.points[0], one, other) for plate in structure.plates for one, other in pairwise(plate.points[1:])]
+    return np.concatenate((facet_triangles(structure)[0], np.array(fans, dtype=np.int64).reshape(-1, 3)))
 
 
 def start_shape(structure: Structure, net: Net) -> NetShape:

@@ -11,7 +11,6 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.quantities import show_value
-from forficula.statics.net.contact.contact_of import panels
 from forficula.statics.net.collapse import Collapse, collapse
 from forficula.statics.net.energy import membrane_stresses, sides_of, stored_by_part
 from forficula.statics.net.load import Load, acceleration, pressure, same_load
@@ -19,7 +18,7 @@ from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.minimum import NetRest
 from forficula.statics.net.modes import natural_modes
 from forficula.statics.net.net import Net, NetShape, Springs
-from forficula.statics.net.net_of import bends, motor_load, own_angles, point_positions
+from forficula.statics.net.net_of import bends, motor_load, own_angles, panels, point_positions
 from forficula.statics.net.panel_crossing import panels_cross
 from forficula.statics.net.rigidity import rigidity
 from forficula.structure import Measure, Motor, Structure, read_angles, springs_name

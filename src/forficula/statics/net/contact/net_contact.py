@@ -1,204 +1,180 @@
-"""Contact of the triangles of a net: pairs of corners and triangles and of edges, and the forces between them."""
+"""Contact of a net: pairs of elements that are near, the forces between those that touch, and motions that cross."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
+from scipy.sparse import csr_array, eye_array, kron
 
 from forficula.arrays import Array, Indices
 from forficula.statics.net.contact.closest import Closest, corner_to_triangle, edge_to_edge
+from forficula.structure.contact.pairs import Pairs, near_pairs
+from forficula.structure.contact.touching_parts import TouchingParts
 
-_NONE = np.zeros(0)
-_CORNERS = (0, 1, 2)
 _HALVINGS = 40  # of a motion, to locate the time at which four points are in one plane
-_CROSSED = 1e-6  # of the largest coordinate: distance of elements that cross
+_TIMES = np.linspace(0.0, 1.0, 4)  # at which a cubic function is known
+_INTERPOLATION = np.linalg.inv(np.vander(_TIMES, increasing=True))
+_CROSSED = 1e-6  # of the size of two elements: their distance when they cross
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Pressing:
-    """Forces between the elements of pairs that touch.
+    """Pairs of elements that press on each other.
 
     Attributes:
-        codes: numbers of the pairs, rising, (pair,).
+        pairs: a corner and a triangle, or two sides.
         forces: pushing the elements apart, > 0, N, (pair,).
     """
 
-    codes: Indices = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
-    forces: Array = field(default_factory=lambda: _NONE)
-
-    def of(self, codes: Indices) -> Array:
-        """Return the forces of pairs, N, (pair,); 0 for those that do not touch."""
-        if not len(self.codes):
-            return np.zeros(len(codes))
-        places = np.minimum(np.searchsorted(self.codes, codes), len(self.codes) - 1)
-        return np.where(self.codes[places] == codes, self.forces[places], 0.0)
-
-
-class Pairs(NamedTuple):
-    """Pairs of a corner and a triangle, then pairs of edges.
-
-    Attributes:
-        codes: numbers of the pairs, rising, (pair,).
-        points: of the corner and the triangle, or of both edges, (pair, 4).
-        corners: number of pairs of a corner and a triangle; the others are pairs of edges.
-        facets: facets of both elements, (pair, 2).
-    """
-
-    codes: Indices
-    points: Indices
-    corners: int
-    facets: Indices
-
-    def closest(self, places: Array) -> Closest:
-        """Return the closest points of all pairs for points at given places, m, (point, 3)."""
-        at = places[self.points]
-        parts = [corner_to_triangle(at[: self.corners]), edge_to_edge(at[self.corners :])]
-        return Closest(*(np.concatenate(values) for values in zip(*parts, strict=True)))
+    pairs: Pairs
+    forces: Array
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class NetContact:
-    """Triangles that keep a distance from one another.
-
-    Elements that share a corner are not compared, because their distance is 0 in every shape. Triangles of one facet
-    and triangles that are fixed to one another are not compared either.
+    """Parts of a net that keep a distance from one another.
 
     Attributes:
-        thickness: least distance, m.
+        parts: of the structure.
+        points: weights of the nodes of the net at the corners of the parts, (corner, node).
         stiffness: of the augmented Lagrangian, N/m; it affects the convergence and not the result.
-        triangles: points at the corners, (triangle, 3).
-        corners: numbers of the corners, equal for corners of several triangles that are joined, (triangle, 3).
-        facets: number of the facet of each triangle, (triangle,).
-        rigid: number of the rigid body that carries each triangle; negative, and different for all triangles, if none
-            does, (triangle,).
-        names: of the facets.
     """
 
-    thickness: float
+    parts: TouchingParts
+    points: csr_array
     stiffness: float
-    triangles: Indices
-    corners: Indices
-    facets: Indices
-    rigid: Indices
-    names: tuple[str, ...]
 
-    def within(self, places: Array, reach: float, pressing: Pressing | None = None) -> Pairs:
-        """Return the pairs whose triangles have bounding boxes within a distance, and those that press on each other.
+    @cached_property
+    def spread(self) -> csr_array:
+        """Return the derivatives of the coordinates of the corners by those of the nodes."""
+        return csr_array(kron(self.points, eye_array(3)))
+
+    def near(self, places: Array, pressing: Pressing | None = None, reach: float = 0.0) -> tuple[Pairs, Array]:
+        """Return pairs of elements that may be within reach, and their forces at the last equilibrium, N, (pair,).
 
         Args:
-            places: of the points, m, (point, 3); or before and after a motion, (2, point, 3).
-            reach: m.
-            pressing: forces of pairs that are included in any case.
+            places: of the corners, m, (corner, 3).
+            pressing: pairs that are included in any case; None for none.
+            reach: distance of the surfaces, m.
         """
-        at = places[..., self.triangles, :]
-        low, high = at.min(axis=-2), at.max(axis=-2)
-        if places.ndim == 3:
-            low, high = low.min(axis=0), high.max(axis=0)
-        first, second = self._compared
-        near = np.all((low[first] <= high[second] + reach) & (low[second] <= high[first] + reach), axis=1)
-        pairs = self._pairs_of(first[near], second[near])
-        if pressing is None or np.isin(pressing.codes, pairs.codes, assume_unique=True).all():
-            return pairs
-        codes = np.union1d(pairs.codes, pressing.codes)
-        everything = self._pairs_of(first, second)
-        rows = np.searchsorted(everything.codes, codes)
-        corners = int(np.count_nonzero(codes < self._first_edges))
-        return Pairs(codes, everything.points[rows], corners, everything.facets[rows])
-
-    def least_distance(self, places: Array) -> tuple[float, tuple[int, int]]:
-        """Return the least distance of all pairs, m, and the facets of that pair; inf and (-1, -1) without pairs."""
-        pairs = self._pairs_of(*self._compared)
-        if not len(pairs.codes):
-            return np.inf, (-1, -1)
-        distance = pairs.closest(places).distance
-        row = int(np.argmin(distance))
-        one, other = sorted(pairs.facets[row].tolist())
-        return float(distance[row]), (one, other)
+        pairs = near_pairs(self.parts, places, reach)
+        if pressing is None or not len(pressing.forces):
+            return pairs, np.zeros(len(pairs.nodes))
+        size = len(places)
+        known, all_known = self._codes(pairs, size), self._codes(pressing.pairs, size)
+        pairs = _together(pairs.some(~np.isin(known, all_known)), pressing.pairs)
+        order = np.argsort(all_known)
+        codes = self._codes(pairs, size)
+        places_of = np.minimum(np.searchsorted(all_known[order], codes), len(order) - 1)
+        found = all_known[order][places_of] == codes
+        return pairs, np.where(found, pressing.forces[order][places_of], 0.0)
 
     def crossed(self, before: Array, after: Array) -> bool:
-        """Return whether elements pass through each other while all points move along straight lines.
+        """Return whether elements pass through each other while all corners move along straight lines.
 
         Args:
-            before: places of the points before the motion, m, (point, 3).
-            after: places after the motion, m, (point, 3).
+            before: places before the motion, m, (corner, 3).
+            after: places after the motion, m, (corner, 3).
         """
-        pairs = self.within(np.stack([before, after]), 0.0)
-        start, end = before[pairs.points], after[pairs.points]
-        volumes = _volumes(start)
-        rows = np.flatnonzero(volumes * _volumes(end) < 0)
+        moved = float(np.linalg.norm(after - before, axis=1).max(initial=0.0))
+        pairs = near_pairs(self.parts, before, 2 * moved)
+        start, end = before[pairs.nodes], after[pairs.nodes]
+        # the volume of a moving tetrahedron is a cubic function of time
+        volumes = np.array([_volumes(start + time * (end - start)) for time in _TIMES])
+        rows = np.flatnonzero(volumes[0] * volumes[-1] < 0)
         if not len(rows):
             return False
-        start, end, signs = start[rows], end[rows], np.sign(volumes[rows])
+        cubic = _INTERPOLATION @ volumes[:, rows]
         low, high = np.zeros(len(rows)), np.ones(len(rows))
         for _ in range(_HALVINGS):
             middle = (low + high) / 2
-            same = np.sign(_volumes(start + middle[:, None, None] * (end - start))) == signs
+            value = ((cubic[3] * middle + cubic[2]) * middle + cubic[1]) * middle + cubic[0]
+            same = value * cubic[0] > 0
             low, high = np.where(same, middle, low), np.where(same, high, middle)
-        at = start + low[:, None, None] * (end - start)
-        corners = rows < pairs.corners
-        apart = np.empty(len(rows))
-        apart[corners] = corner_to_triangle(at[corners]).distance
-        apart[~corners] = edge_to_edge(at[~corners]).distance
-        return bool(np.any(apart <= _CROSSED * np.abs(at - at.mean(axis=1, keepdims=True)).max()))
+        at = start[rows] + low[:, None, None] * (end - start)[rows]
+        apart = closest(at, int(np.count_nonzero(rows < pairs.of_triangles))).distance
+        size = np.abs(at - at.mean(axis=1, keepdims=True)).max(axis=(1, 2), initial=0.0)
+        return bool(np.any(apart <= _CROSSED * size))
+
+    def parts_of(self, pairs: Pairs) -> list[tuple[int, int]]:
+        """Return the numbers of the two parts of every pair, the smaller first.
+
+        An element on a crease belongs to several parts. Of these, the two with the fewest common corners count.
+        """
+        of_triangle = self._parts_of_triangles
+        result = []
+        for row, nodes in enumerate(pairs.nodes.tolist()):
+            if row < pairs.of_triangles:
+                choices = [self._at(nodes[:1]), of_triangle[tuple(nodes[1:])]]
+            else:
+                choices = [self._at(nodes[:2]), self._at(nodes[2:])]
+            one, other = min(
+                ((one, other) for one in choices[0] for other in choices[1] if one != other),
+                key=lambda parts: (len(self._vertices[parts[0]] & self._vertices[parts[1]]), parts),
+            )
+            result.append((min(one, other), max(one, other)))
+        return result
+
+    def _at(self, nodes: Sequence[int]) -> list[int]:
+        """Return the parts that have all of some corners."""
+        held = [{int(self.parts.vertices[node])} for node in nodes]
+        return [part for part, vertices in enumerate(self._vertices) if all(one <= vertices for one in held)]
 
     @cached_property
-    def _compared(self) -> tuple[Indices, Indices]:
-        """Return the pairs of triangles that are compared, (pair,) each."""
-        first, second = np.triu_indices(len(self.triangles), 1)
-        used = (self.facets[first] != self.facets[second]) & (self.rigid[first] != self.rigid[second])
-        return first[used], second[used]
+    def _vertices(self) -> tuple[set[int], ...]:
+        """Return the vertices of every part."""
+        vertices, result = self.parts.vertices, [set[int]() for _ in self.parts.names]
+        for nodes, part in zip(self.parts.triangles, self.parts.triangle_parts, strict=True):
+            result[part] |= set(vertices[nodes].tolist())
+        for nodes, owners in zip(self.parts.sides, self.parts.side_parts, strict=True):
+            for part in set(owners.tolist()):
+                result[part] |= set(vertices[nodes].tolist())
+        return tuple(result)
 
     @cached_property
-    def _edges(self) -> tuple[Indices, Indices, Indices]:
-        """Return the edges as pairs of points, (edge, 2), as pairs of corners, and those of all triangles, (., 3)."""
-        sides = np.stack([self.triangles[:, [side, (side + 1) % 3]] for side in _CORNERS], axis=1).reshape(-1, 2)
-        ids = np.stack([self.corners[:, [side, (side + 1) % 3]] for side in _CORNERS], axis=1).reshape(-1, 2)
-        _, rows, numbers = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_inverse=True)
-        return sides[rows], ids[rows], numbers.reshape(-1, 3)
+    def _parts_of_triangles(self) -> dict[tuple[int, ...], list[int]]:
+        """Return the part of each triangle, by its corners."""
+        triangles = zip(self.parts.triangles.tolist(), self.parts.triangle_parts.tolist(), strict=True)
+        return {tuple(nodes): [part] for nodes, part in triangles}
 
-    @cached_property
-    def _common(self) -> Indices:
-        """Return the number of corners that two facets share, (facet, facet)."""
-        at = np.zeros((len(self.names), int(self.corners.max(initial=-1)) + 1), dtype=np.int64)
-        at[np.repeat(self.facets, 3), self.corners.ravel()] = 1
-        return np.asarray(at @ at.T)
+    @staticmethod
+    def _codes(pairs: Pairs, size: int) -> Indices:
+        """Return different numbers for different pairs, (pair,)."""
+        codes = (np.arange(len(pairs.nodes)) >= pairs.of_triangles).astype(np.int64)
+        for corner in range(4):
+            codes = codes * size + pairs.nodes[:, corner]
+        return codes
 
-    @property
-    def _first_edges(self) -> int:
-        """Return the first number of a pair of edges."""
-        return (int(self.triangles.max(initial=0)) + 1) * len(self.triangles)
 
-    def _pairs_of(self, first: Indices, second: Indices) -> Pairs:
-        """Return the pairs of elements of pairs of triangles, each pair once."""
-        # of several pairs of facets to which a pair of elements belongs, the one with the fewest common corners counts
-        order = np.argsort(self._common[self.facets[first], self.facets[second]], kind="stable")
-        first, second = first[order], second[order]
-        codes, points, shared, facets = list[Indices](), list[Indices](), list[Indices](), list[Indices]()
-        count = len(self.triangles)
-        for one, other in ((first, second), (second, first)):
-            for corner in _CORNERS:
-                point = self.triangles[one, corner]
-                codes.append(point * count + other)
-                points.append(np.column_stack([point, self.triangles[other]]))
-                shared.append((self.corners[one, corner][:, None] == self.corners[other]).any(axis=1))
-                facets.append(np.column_stack([self.facets[one], self.facets[other]]))
-        ends, ids, sides = self._edges
-        for one_side in _CORNERS:
-            for other_side in _CORNERS:
-                edges = np.sort(np.column_stack([sides[first, one_side], sides[second, other_side]]), axis=1)
-                codes.append(self._first_edges + edges[:, 0] * len(ends) + edges[:, 1])
-                points.append(ends[edges].reshape(-1, 4))
-                shared.append((ids[edges[:, 0]][:, :, None] == ids[edges[:, 1]][:, None]).any(axis=(1, 2)))
-                facets.append(np.column_stack([self.facets[first], self.facets[second]]))
-        every, known = np.concatenate(codes), np.concatenate(shared)
-        rows = np.flatnonzero(~known)
-        unique, at = np.unique(every[rows], return_index=True)
-        rows = rows[at]
-        corners = int(np.count_nonzero(unique < self._first_edges))
-        return Pairs(unique, np.concatenate(points)[rows], corners, np.concatenate(facets)[rows])
+def closest(at: Array, of_triangles: int) -> Closest:
+    """Return the closest points of pairs: first those of a corner and a triangle, then those of two sides.
+
+    Args:
+        at: places of the four corners of each pair, m, (pair, 4, 3).
+        of_triangles: number of pairs of a corner and a triangle.
+    """
+    parts = [corner_to_triangle(at[:of_triangles]), edge_to_edge(at[of_triangles:])]
+    return Closest(*(np.concatenate(values) for values in zip(*parts, strict=True)))
+
+
+def _together(one: Pairs, other: Pairs) -> Pairs:
+    """Return all pairs of two sets without common ones."""
+    first = np.concatenate(
+        [
+            np.arange(len(one.nodes)) >= one.of_triangles,
+            np.arange(len(other.nodes)) >= other.of_triangles,
+        ]
+    )
+    order = np.argsort(first, kind="stable")
+    return Pairs(
+        nodes=np.concatenate([one.nodes, other.nodes])[order],
+        of_triangles=one.of_triangles + other.of_triangles,
+        thickness=np.concatenate([one.thickness, other.thickness])[order],
+        parts=np.concatenate([one.parts, other.parts])[order],
+    )
 
 
 def _volumes(places: Array) -> Array:

@@ -46,8 +46,8 @@ class Course:
         load: of the drive.
         start: equilibrium at the start.
         slow: path of the net, up to the goal or as far as it was followed.
-        through: the equilibria on and beyond the first path, stable or not; None if the net does not snap, or if they
-            were not requested.
+        through: the equilibria on and beyond the first path, stable or not; None if the net does not snap, if they
+            were not requested, or with contact.
         least: size of the drive at which the goal is first reached, in its SI unit; None if it is never reached, or
             without a goal.
         largest_force: largest total force along a displacement up to the goal, N; None for other drives.
@@ -114,7 +114,7 @@ def drive_course(
     shape = slow.snaps[-1].after.shape if last is None else last.shape
     factor = slow.snaps[-1].factor if last is None else last.factor
     through = None
-    if slow.snaps and through_snaps:
+    if slow.snaps and through_snaps and net.contact is None:
         through = load_path(
             net,
             start.shape,

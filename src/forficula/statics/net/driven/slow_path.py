@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Literal
 
 import numpy as np
 
+from forficula.statics.net.contact.stable_path import stable_path
 from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathEvent, PathPoint, load_path
@@ -104,7 +106,8 @@ def slow_path(
     paths, snaps, factor = list[LoadPath](), list[Snap](), begin
     ended: Literal["target", "stop", "lost"] = "lost"
     while len(snaps) <= _MOST_SNAPS:
-        path = load_path(
+        follow = partial(load_path, events=1) if net.contact is None else stable_path
+        path = follow(
             net,
             start,
             load,
@@ -113,7 +116,6 @@ def slow_path(
             factor=factor,
             target=end,
             stop=None if stop is None else (lambda point: stops(point.shape)),
-            events=1,
             rising=end > begin,
             watch=lambda point: watch(point.shape, point.factor, True),
         )
