@@ -159,8 +159,10 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
         return "a tendon yields, and statics ignores permanent extensions"
     if reason := path_dependence(structure):
         return reason
-    if structure.contact is not None:
-        return "statics ignores contact"
+    if structure.contact is not None and not is_net(structure):
+        return "statics ignores contact of its bars and panels"
+    if structure.contact is not None and structure.contact.friction:
+        return "statics ignores the friction of contact (contact.friction)"
     if any(hinge.friction for hinge in structure.hinges):
         return "hinges have dry friction, with which they rest anywhere in a range"
     if is_net(structure):

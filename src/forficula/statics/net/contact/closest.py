@@ -30,12 +30,19 @@ class Closest(NamedTuple):
     changes: Array
 
 
-def corner_to_triangle(places: Array) -> Closest:
+def corner_to_triangle(places: Array, larger: float = 0.0) -> Closest:
     """Find the point of a triangle closest to a corner of another one.
 
     Args:
         places: of the corner, then of the corners of the triangle, m, (pair, 4, 3).
+        larger: share by which the triangle counts as larger.
     """
+    scale = _scaled((0,), (1, 2, 3), larger)
+    return _closest(places, *_on_triangle(scale @ places), scale)
+
+
+def _on_triangle(places: Array) -> tuple[Array, Array]:
+    """Return weights and their changes for a corner and the point of a triangle closest to it."""
     count = len(places)
     corner, first, second, third = (places[:, number] for number in range(4))
     along, beside, away = second - first, third - first, corner - first
@@ -51,15 +58,22 @@ def corner_to_triangle(places: Array) -> Closest:
     if len(outside):
         candidates = [_on_segment(places[outside], 0, side, 1.0) for side in _SIDES]
         weights[outside], changes[outside] = _nearest(places[outside], candidates)
-    return _closest(places, weights, changes)
+    return weights, changes
 
 
-def edge_to_edge(places: Array) -> Closest:
+def edge_to_edge(places: Array, larger: float = 0.0) -> Closest:
     """Find the closest points of two edges.
 
     Args:
         places: of the ends of the first and of the second edge, m, (pair, 4, 3).
+        larger: share by which the edges count as longer.
     """
+    scale = _scaled((0, 1), (2, 3), larger)
+    return _closest(places, *_on_edges(scale @ places), scale)
+
+
+def _on_edges(places: Array) -> tuple[Array, Array]:
+    """Return weights and their changes for the closest points of two edges."""
     count = len(places)
     first, second, away = places[:, 1] - places[:, 0], places[:, 3] - places[:, 2], places[:, 0] - places[:, 2]
     one, mixed, other = _dot(first, first), _dot(first, second), _dot(second, second)
@@ -76,7 +90,7 @@ def edge_to_edge(places: Array) -> Closest:
         candidates = [_on_segment(places[outside], end, (2, 3), 1.0) for end in (0, 1)]
         candidates += [_on_segment(places[outside], end, (0, 1), -1.0) for end in (2, 3)]
         weights[outside], changes[outside] = _nearest(places[outside], candidates)
-    return _closest(places, weights, changes)
+    return weights, changes
 
 
 def squared_sines(places: Array) -> tuple[Array, Array]:
@@ -147,7 +161,17 @@ def _nearest(places: Array, candidates: list[tuple[Array, Array]]) -> tuple[Arra
     return weights, changes
 
 
-def _closest(places: Array, weights: Array, changes: Array) -> Closest:
+def _scaled(first: tuple[int, ...], second: tuple[int, ...], larger: float) -> Array:
+    """Return the matrix that moves the four points of a pair away from the middles of both elements, (4, 4)."""
+    scale = np.eye(4)
+    for corners in (first, second):
+        rows = np.ix_(corners, corners)
+        scale[rows] += larger * (np.eye(len(corners)) - 1 / len(corners))
+    return scale
+
+
+def _closest(places: Array, weights: Array, changes: Array, scale: Array) -> Closest:
+    weights, changes = weights @ scale, np.einsum("pim,ij->pjm", changes, scale)
     between = np.einsum("pi,pix->px", weights, places)
     distance = np.linalg.norm(between, axis=1)
     normal = between / np.maximum(distance, _LEAST)[:, None]

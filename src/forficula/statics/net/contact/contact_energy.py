@@ -10,7 +10,7 @@ from scipy.sparse import coo_array, csc_array
 
 from forficula.arrays import Array
 from forficula.statics.net.contact.closest import Closest, distance_hessians, gradients, squared_sines
-from forficula.statics.net.contact.net_contact import NetContact, Pressing, closest
+from forficula.statics.net.contact.net_contact import NetContact, Pressing
 from forficula.structure.contact.pairs import Pairs
 
 if TYPE_CHECKING:
@@ -124,7 +124,7 @@ def passes_through(net: Net, before: Array, after: Array) -> bool:
 def _forces(contact: NetContact, places: Array, pressing: Pressing | None) -> tuple[Pairs, Closest, Array, Array]:
     """Return pairs that may touch, their closest points, their forces f + k (t - d), N, and their multipliers f, N."""
     pairs, known = contact.near(places, pressing)
-    found = closest(places[pairs.nodes], pairs.of_triangles)
+    found = contact.closest(places[pairs.nodes], pairs.of_triangles)
     return pairs, found, np.asarray(known + contact.stiffness * (pairs.thickness - found.distance)), known
 
 

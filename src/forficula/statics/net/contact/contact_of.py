@@ -9,7 +9,7 @@ from scipy.sparse import csr_array
 
 from forficula.errors import InputError
 from forficula.quantities import show_value
-from forficula.statics.net.contact.net_contact import NetContact, closest
+from forficula.statics.net.contact.net_contact import NetContact
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.net import Net
 from forficula.structure import Structure
@@ -18,7 +18,9 @@ from forficula.structure.contact.touching_parts import touching_parts
 
 # stiffness of the augmented Lagrangian, of the largest one as built: with less, forces that several pairs share converge
 # slowly; with more, rounding grows [chosen]
-_STIFFER = 10.0
+_STIFFER = 0.1
+# of the thickness: distance by which a part of the size of the net counts as larger on each side [chosen]
+_LARGER = 1e-3
 _WITHIN = 1e-6  # of the thickness, by which parts may be too close as built
 
 
@@ -32,16 +34,34 @@ def with_contact(structure: Structure, net: Net) -> Net:
     if parts is None:
         return net
     stiffest = float(expand(net, shape_at(net, net.nodes)).free.diagonal().max(initial=0.0)) or 1.0
-    contact = NetContact(parts=parts, points=csr_array(csr_array(net.points)[parts.points]), stiffness=_STIFFER * stiffest)
+    contact = NetContact(
+        parts=parts,
+        points=csr_array(csr_array(net.points)[parts.points]),
+        stiffness=_STIFFER * stiffest,
+        larger=_LARGER * 2 * float(parts.half.max()) / net.size,
+    )
     _check_apart(structure, net, contact)
     return replace(net, contact=contact)
+
+
+def contact_remarks(structure: Structure) -> tuple[str, ...]:
+    """Return remarks on the contact of a landscape; none without contact."""
+    if structure.contact is None:
+        return ()
+    return (
+        f"statics keeps the parts of the {structure.appearance.whole} at the thickness of contact from one another, without"
+        " friction",
+        "barriers and unstable equilibria are not computed with contact, because parts that touch part again there;"
+        " without contact (protocol.contact = false) they are",
+        "frequencies are those of small vibrations in which touching parts stay in contact",
+    )
 
 
 def _check_apart(structure: Structure, net: Net, contact: NetContact) -> None:
     """Refuse parts that are too close as built."""
     places = contact.points @ net.nodes
     pairs = near_pairs(contact.parts, places, 0.0)
-    surfaces = closest(places[pairs.nodes], pairs.of_triangles).distance / pairs.thickness
+    surfaces = contact.closest(places[pairs.nodes], pairs.of_triangles).distance / pairs.thickness
     if surfaces.min(initial=np.inf) >= 1 - _WITHIN:
         return
     row = int(np.argmin(surfaces))

@@ -41,11 +41,14 @@ class NetContact:
         parts: of the structure.
         points: weights of the nodes of the net at the corners of the parts, (corner, node).
         stiffness: of the augmented Lagrangian, N/m; it affects the convergence and not the result.
+        larger: share by which triangles and sides count as larger. Without it, corners of equal layers on one another
+            are at the ends of the ranges of many closest points, and their forces converge slowly.
     """
 
     parts: TouchingParts
     points: csr_array
     stiffness: float
+    larger: float
 
     @cached_property
     def spread(self) -> csr_array:
@@ -72,6 +75,16 @@ class NetContact:
         found = all_known[order][places_of] == codes
         return pairs, np.where(found, pressing.forces[order][places_of], 0.0)
 
+    def closest(self, at: Array, of_triangles: int) -> Closest:
+        """Return the closest points of pairs: first those of a corner and a triangle, then those of two sides.
+
+        Args:
+            at: places of the four corners of each pair, m, (pair, 4, 3).
+            of_triangles: number of pairs of a corner and a triangle.
+        """
+        parts = corner_to_triangle(at[:of_triangles], self.larger), edge_to_edge(at[of_triangles:], self.larger)
+        return Closest(*(np.concatenate(values) for values in zip(*parts, strict=True)))
+
     def crossed(self, before: Array, after: Array) -> bool:
         """Return whether elements pass through each other while all corners move along straight lines.
 
@@ -95,7 +108,7 @@ class NetContact:
             same = value * cubic[0] > 0
             low, high = np.where(same, middle, low), np.where(same, high, middle)
         at = start[rows] + low[:, None, None] * (end - start)[rows]
-        apart = closest(at, int(np.count_nonzero(rows < pairs.of_triangles))).distance
+        apart = self.closest(at, int(np.count_nonzero(rows < pairs.of_triangles))).distance
         size = np.abs(at - at.mean(axis=1, keepdims=True)).max(axis=(1, 2), initial=0.0)
         return bool(np.any(apart <= _CROSSED * size))
 
@@ -147,17 +160,6 @@ class NetContact:
         for corner in range(4):
             codes = codes * size + pairs.nodes[:, corner]
         return codes
-
-
-def closest(at: Array, of_triangles: int) -> Closest:
-    """Return the closest points of pairs: first those of a corner and a triangle, then those of two sides.
-
-    Args:
-        at: places of the four corners of each pair, m, (pair, 4, 3).
-        of_triangles: number of pairs of a corner and a triangle.
-    """
-    parts = [corner_to_triangle(at[:of_triangles]), edge_to_edge(at[of_triangles:])]
-    return Closest(*(np.concatenate(values) for values in zip(*parts, strict=True)))
 
 
 def _together(one: Pairs, other: Pairs) -> Pairs:

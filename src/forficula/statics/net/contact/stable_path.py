@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -120,6 +120,29 @@ def stable_point_between(
     if not rest.stable or np.abs(rest.shape.positions - before.shape.positions).max() > _FAR * far:
         return None
     return _point(rest, factor, before.rising)
+
+
+class Touch(NamedTuple):
+    """Equilibrium of a path at which parts touch for the first time.
+
+    Attributes:
+        parts: pairs of parts, each by the names of both.
+        point: the equilibrium.
+    """
+
+    parts: tuple[str, ...]
+    point: PathPoint
+
+
+def first_touches(net: Net, points: Sequence[PathPoint]) -> tuple[Touch, ...]:
+    """Return the points of a path at which parts touch for the first time."""
+    known, result = set[str](), list[Touch]()
+    for point in points:
+        parts = tuple(name for name in contact_forces(net, point.shape) if name not in known)
+        if parts:
+            known.update(parts)
+            result.append(Touch(parts, point))
+    return tuple(result)
 
 
 def with_contact_begins(net: Net, load: Load, points: Sequence[PathPoint]) -> list[PathPoint]:

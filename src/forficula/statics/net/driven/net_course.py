@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from forficula.statics.net.contact.stable_path import Touch, first_touches
 from forficula.statics.net.driven.driven_net import (
     FINE,
     INCREMENTS,
@@ -52,6 +53,7 @@ class Course:
             without a goal.
         largest_force: largest total force along a displacement up to the goal, N; None for other drives.
         rest: where the net comes to rest when released at the end.
+        touches: points of the slow path at which parts touch for the first time.
     """
 
     name: str
@@ -63,6 +65,7 @@ class Course:
     least: float | None
     largest_force: float | None
     rest: NetRest
+    touches: tuple[Touch, ...] = ()
 
 
 def released(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
@@ -137,6 +140,7 @@ def drive_course(
         least=None if reached is None else reached * abs(drive.strength),
         largest_force=_largest_force(structure, net, drive, slow.points),
         rest=minimum(free, shape),
+        touches=first_touches(net, slow.points),
     )
 
 

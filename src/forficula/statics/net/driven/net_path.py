@@ -23,7 +23,7 @@ from forficula.statics.growing_path import (
     path_of,
 )
 from forficula.statics.net.contact.contact_energy import contact_forces
-from forficula.statics.net.contact.stable_path import stable_point_between, with_contact_begins
+from forficula.statics.net.contact.stable_path import stable_point_between
 from forficula.statics.net.driven.driven_net import DrivenNet, driven_net, follow_drive, prescribes_displacement
 from forficula.statics.net.driven.net_course import drive_course, reaction, released
 from forficula.statics.net.driven.slow_path import SlowPath, Snap
@@ -233,8 +233,6 @@ class _Stretches:
         self._stretches = [list(path.points) for path in slow.paths]
         self._known = dict[int, tuple[NetShape, QuasiStaticPoint]]()
         self._skipped = set[tuple[int, int]]()
-        if driven.net.contact is not None:
-            self._stretches = [with_contact_begins(driven.net, driven.load, points) for points in self._stretches]
         if slow.ended == "stop" and driven.goal is not None and len(slow.snaps) < len(slow.paths):
             self._stretches[-1] = self._up_to_goal(self._stretches[-1])
 

@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from forficula.statics.net.contact.stable_path import stable_path
+from forficula.statics.net.contact.stable_path import stable_path, with_contact_begins
 from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathEvent, PathPoint, load_path
@@ -121,6 +121,8 @@ def slow_path(
         )
         stopped = stops(path.points[-1].shape)
         path = path if stopped or not path.events else _up_to_event(path)
+        if net.contact is not None:
+            path = replace(path, points=tuple(with_contact_begins(net, load, path.points)))
         paths.append(path)
         if stopped or not path.events:
             ended = "stop" if stopped else "target" if path.ended == "target" else "lost"
