@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.sparse import csc_array
@@ -152,8 +152,8 @@ def _with_contact_forces(net: Net, current: Expansion, load: Load | None, factor
     """Return an expansion with updated contact forces, and whether they had already converged."""
     if net.contact is None:
         return current, True
-    shape, converged = with_contact_forces(net, current.shape)
-    return (current, True) if converged else (expand(net, shape, load, factor), False)
+    shape, converged = with_contact_forces(net, current.shape, factored(current.free))
+    return (replace(current, shape=shape), True) if converged else (expand(net, shape, load, factor), False)
 
 
 def _rest(net: Net, current: Expansion, pins: tuple[tuple[int, int], ...], steps: int, settled: bool) -> NetRest:

@@ -6,11 +6,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from scipy.sparse import coo_array, csc_array
+from scipy.sparse import coo_array, csc_array, csr_array
 
-from forficula.arrays import Array
+from forficula.arrays import Array, Flags
 from forficula.statics.net.contact.closest import Closest, distance_hessians, gradients, squared_sines
 from forficula.statics.net.contact.net_contact import NetContact, Pressing
+from forficula.statics.net.factor import Factorisation
 from forficula.structure.contact.pairs import Pairs
 
 if TYPE_CHECKING:
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
 _PARALLEL = (1e-4, 1e-3)
 _TOLERANCE = 1e-6  # of the thickness: largest error of a distance with contact, and of a gap with a force
 _CHANGE = 1e-5  # of the largest force on a corner: largest change of such a force in the last iteration
+_NEAR = 1e-3  # of the thickness: error from which on multipliers follow from Newton's method
+_INDEPENDENT = 1e-9  # of the largest yield of a distance to a force: a smaller one counts as rounding
 _ROUNDING = 1e-12  # of the thickness: an error of a distance that counts as rounding
 
 
@@ -55,7 +58,7 @@ def contact_terms(contact: NetContact, positions: Array, pressing: Pressing | No
     if not rows.any():
         return ContactTerms(0.0, np.zeros_like(positions), csc_array((positions.size, positions.size)))
     stiffness, force, known, pairs = contact.stiffness, np.maximum(force[rows], 0.0), known[rows], pairs.some(rows)
-    at, found = places[pairs.nodes], Closest(*(values[rows] for values in found))
+    at, found = places[pairs.nodes], _some(found, rows)
     share, changes = _shares(pairs, at)
     value = (force**2 - known**2) / (2 * stiffness)
     slopes = gradients(found).reshape(-1, 12)
@@ -77,28 +80,53 @@ def contact_terms(contact: NetContact, positions: Array, pressing: Pressing | No
     )
 
 
-def with_contact_forces(net: Net, shape: NetShape) -> tuple[NetShape, bool]:
+def with_contact_forces(net: Net, shape: NetShape, parts: Factorisation) -> tuple[NetShape, bool]:
     """Return a shape with its multipliers updated, and whether they had already converged.
 
     They have converged if no distance is smaller than the thickness and no pair with a force is further apart by more
-    than 1e-6 of the thickness, and if the sum of the forces on no corner changes by more than 1e-6 of the largest sum.
+    than 1e-6 of the thickness, and if the sum of the forces on no corner changes by more than 1e-5 of the largest sum.
     Forces of single pairs need not converge, because several pairs may have the same distance, such as those of a
     corner on a side.
+
+    The multipliers follow from Newton's method on the distances of the pairs with a force, as functions of the
+    multipliers (Bertsekas 1982, Constrained Optimization and Lagrange Multiplier Methods, section 2.3.2). Where they
+    do not depend on a combination of multipliers, its multipliers become the forces f + k (t - d).
+
+    Args:
+        net: with contact.
+        shape: equilibrium for its multipliers.
+        parts: of the Hessian by the free coordinates.
     """
     contact = net.contact
     if contact is None:
         return shape, True
     places = contact.points @ shape.positions
     pairs, found, force, known = _forces(contact, places, shape.pressing)
-    force = np.where(_shares(pairs, places[pairs.nodes])[0] > 0, np.maximum(force, 0.0), 0.0)
-    error = float((np.abs(force - known) / (contact.stiffness * pairs.thickness)).max(initial=0.0))
+    used = (_shares(pairs, places[pairs.nodes])[0] > 0) & ((force > 0) | (known > 0))
+    pairs, found, force, known = pairs.some(used), _some(found, used), force[used], known[used]
+    error = float((np.abs(np.maximum(force, 0.0) - known) / (contact.stiffness * pairs.thickness)).max(initial=0.0))
     slopes, sums = gradients(found), np.zeros((2, *places.shape))
-    for total, forces in zip(sums, (force, force - known), strict=True):
+    for total, forces in zip(sums, (np.maximum(force, 0.0), np.maximum(force, 0.0) - known), strict=True):
         np.add.at(total, pairs.nodes, forces[:, None, None] * slopes)
     largest, change = np.abs(sums).max(axis=(1, 2))
-    pressing = Pressing(pairs=pairs.some(force > 0), forces=force[force > 0])
-    converged = error <= _TOLERANCE and (change <= _CHANGE * largest or error <= _ROUNDING)
-    return replace(shape, pressing=pressing), bool(converged)
+    if error <= _TOLERANCE and (change <= _CHANGE * largest or error <= _ROUNDING):
+        pressed = force > 0
+        return replace(shape, pressing=Pressing(pairs=pairs.some(pressed), forces=force[pressed])), True
+    active = force > 0
+    numbers = (3 * pairs.nodes[:, :, None] + np.arange(3)).reshape(-1, 12)
+    rows = np.repeat(np.arange(len(numbers)), 12)
+    by_place = csr_array((slopes.ravel(), (rows, numbers.ravel())), shape=(len(numbers), places.size))
+    by_free = (by_place @ contact.spread)[:, np.flatnonzero(net.free.ravel())].toarray()[active]
+    yields = by_free @ parts.solve(np.ascontiguousarray(by_free.T))
+    sizes, modes = np.linalg.eigh((yields + yields.T) / 2)
+    gains = np.full(len(sizes), contact.stiffness)
+    movable = (sizes > _INDEPENDENT * sizes.max(initial=0.0)) & (error <= _NEAR)
+    gains[movable] = 1 / sizes[movable]
+    overlap = pairs.thickness[active] - found.distance[active]
+    force = force.copy()
+    force[active] = known[active] + modes @ (gains * (modes.T @ overlap))
+    pressed = force > 0
+    return replace(shape, pressing=Pressing(pairs=pairs.some(pressed), forces=force[pressed])), False
 
 
 def contact_forces(net: Net, shape: NetShape) -> dict[str, float]:
@@ -126,6 +154,11 @@ def _forces(contact: NetContact, places: Array, pressing: Pressing | None) -> tu
     pairs, known = contact.near(places, pressing)
     found = contact.closest(places[pairs.nodes], pairs.of_triangles)
     return pairs, found, np.asarray(known + contact.stiffness * (pairs.thickness - found.distance)), known
+
+
+def _some(found: Closest, which: Flags) -> Closest:
+    """Select closest points of pairs."""
+    return Closest(*(values[which] for values in found))
 
 
 def _shares(pairs: Pairs, at: Array) -> tuple[Array, Array]:

@@ -13,12 +13,12 @@ from forficula.statics.net.contact.net_contact import NetContact
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.net import Net
 from forficula.structure import Structure
-from forficula.structure.contact.pairs import near_pairs
 from forficula.structure.contact.touching_parts import touching_parts
 
-# stiffness of the augmented Lagrangian, of the largest one as built: with less, forces that several pairs share converge
-# slowly; with more, rounding grows [chosen]
-_STIFFER = 0.1
+# stiffness of the augmented Lagrangian, of the largest one as built, of facets and of plates, whose pins and bars are far
+# stiffer than they need to be: with less, descents end in wrong contact forces first; with more, they take many steps
+# [chosen: between the bounds of the values with which test structures converge]
+_STIFFER, _RIGID = 0.3, 0.01
 # of the thickness: distance by which a part of the size of the net counts as larger on each side [chosen]
 _LARGER = 1e-3
 _WITHIN = 1e-6  # of the thickness, by which parts may be too close as built
@@ -37,8 +37,9 @@ def with_contact(structure: Structure, net: Net) -> Net:
     contact = NetContact(
         parts=parts,
         points=csr_array(csr_array(net.points)[parts.points]),
-        stiffness=_STIFFER * stiffest,
+        stiffness=(_RIGID if structure.plates else _STIFFER) * stiffest,
         larger=_LARGER * 2 * float(parts.half.max()) / net.size,
+        size=net.size,
     )
     _check_apart(structure, net, contact)
     return replace(net, contact=contact)
@@ -60,7 +61,7 @@ def contact_remarks(structure: Structure) -> tuple[str, ...]:
 def _check_apart(structure: Structure, net: Net, contact: NetContact) -> None:
     """Refuse parts that are too close as built."""
     places = contact.points @ net.nodes
-    pairs = near_pairs(contact.parts, places, 0.0)
+    pairs, _ = contact.near(places)
     surfaces = contact.closest(places[pairs.nodes], pairs.of_triangles).distance / pairs.thickness
     if surfaces.min(initial=np.inf) >= 1 - _WITHIN:
         return

@@ -43,27 +43,28 @@ class NetContact:
         stiffness: of the augmented Lagrangian, N/m; it affects the convergence and not the result.
         larger: share by which triangles and sides count as larger. Without it, corners of equal layers on one another
             are at the ends of the ranges of many closest points, and their forces converge slowly.
+        size: of the largest element, m.
     """
 
     parts: TouchingParts
     points: csr_array
     stiffness: float
     larger: float
+    size: float
 
     @cached_property
     def spread(self) -> csr_array:
         """Return the derivatives of the coordinates of the corners by those of the nodes."""
         return csr_array(kron(self.points, eye_array(3)))
 
-    def near(self, places: Array, pressing: Pressing | None = None, reach: float = 0.0) -> tuple[Pairs, Array]:
-        """Return pairs of elements that may be within reach, and their forces at the last equilibrium, N, (pair,).
+    def near(self, places: Array, pressing: Pressing | None = None) -> tuple[Pairs, Array]:
+        """Return pairs of elements that may touch, and their forces at the last equilibrium, N, (pair,).
 
         Args:
             places: of the corners, m, (corner, 3).
             pressing: pairs that are included in any case; None for none.
-            reach: distance of the surfaces, m.
         """
-        pairs = near_pairs(self.parts, places, reach)
+        pairs = near_pairs(self.parts, places, 2 * self.larger * self.size)
         if pressing is None or not len(pressing.forces):
             return pairs, np.zeros(len(pairs.nodes))
         size = len(places)
