@@ -22,6 +22,7 @@ _SMALLEST_SHIFT, _LARGEST_SHIFT = 1e-9, 1e3  # of the largest stiffness
 _DRAG = 1e-4  # dampers on all coordinates of a large net, relative to those between nodes
 _SHARE = 0.8  # of the longest step that a large net shall take
 _HOME = 1e-9  # step that ends the search, of the net's size
+_EXACT = 1e-12  # the same with contact
 _PUSH = 1e-3
 _ROUNDING = 1e-13
 # stiffness below this share of the largest one counts as zero
@@ -94,7 +95,7 @@ def minimum(
     longest = longest_step if longest_step is not None else net.size / 10
     current, shift, steps, settled = expand(net, start, load, factor), 0.0, 0, False
     dampers = current.layout.dampers if between_nodes and not isinstance(current.free, np.ndarray) else None
-    parts, most = definite(current.free), 0.0
+    parts, most, before = definite(current.free), 0.0, np.inf
     while steps < _MOST_STEPS and not settled and not (stop is not None and stop(current.shape)):
         steps += 1
         stiffest = float(current.free.diagonal().max(initial=0.0)) or 1.0
@@ -112,7 +113,11 @@ def minimum(
             shift = _raised(shift, stiffest)
         else:
             moved = float(np.abs(taken.shape.positions - current.shape.positions).max())
-            near, current = moved <= _HOME * net.size, taken
+            near = moved <= _HOME * net.size
+            if net.contact is not None:
+                # contact forces are as exact as the shape; rounding may keep steps from getting shorter
+                near = near and (moved <= _EXACT * net.size or 2 * moved > before)
+            before, current = moved, taken
             # while a shift remains, the shape is a minimum only if no force is left
             pushed = np.abs(current.slope[net.free]).max(initial=0.0) > _PUSH * _HOME * net.size * stiffest
             settled = near and (shift <= _SMALLEST_SHIFT * stiffest or not pushed)

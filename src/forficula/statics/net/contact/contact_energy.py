@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from scipy.optimize import nnls
 from scipy.sparse import coo_array, csc_array, csr_array
 
 from forficula.arrays import Array, Flags
@@ -23,7 +24,7 @@ _PARALLEL = (1e-4, 1e-3)
 _TOLERANCE = 1e-6  # of the thickness: largest error of a distance with contact, and of a gap with a force
 _CHANGE = 1e-5  # of the largest force on a corner: largest change of such a force in the last iteration
 _NEAR = 1e-3  # of the thickness: error from which on multipliers follow from Newton's method
-_INDEPENDENT = 1e-9  # of the largest yield of a distance to a force: a smaller one counts as rounding
+_INDEPENDENT = 1e-6  # of the largest yield of a distance to its force, added to all of them
 _ROUNDING = 1e-12  # of the thickness: an error of a distance that counts as rounding
 
 
@@ -88,9 +89,9 @@ def with_contact_forces(net: Net, shape: NetShape, parts: Factorisation) -> tupl
     Forces of single pairs need not converge, because several pairs may have the same distance, such as those of a
     corner on a side.
 
-    The multipliers follow from Newton's method on the distances of the pairs with a force, as functions of the
-    multipliers (Bertsekas 1982, Constrained Optimization and Lagrange Multiplier Methods, section 2.3.2). Where they
-    do not depend on a combination of multipliers, its multipliers become the forces f + k (t - d).
+    Far from the solution, the multipliers become the forces f + k (t - d). Near it they follow from Newton's method on
+    the distances of the pairs with a force as functions of the multipliers (Bertsekas 1982, Constrained Optimization
+    and Lagrange Multiplier Methods, section 2.3.2), among forces >= 0 (Lawson and Hanson 1974).
 
     Args:
         net: with contact.
@@ -118,13 +119,11 @@ def with_contact_forces(net: Net, shape: NetShape, parts: Factorisation) -> tupl
     by_place = csr_array((slopes.ravel(), (rows, numbers.ravel())), shape=(len(numbers), places.size))
     by_free = (by_place @ contact.spread)[:, np.flatnonzero(net.free.ravel())].toarray()[active]
     yields = by_free @ parts.solve(np.ascontiguousarray(by_free.T))
-    sizes, modes = np.linalg.eigh((yields + yields.T) / 2)
-    gains = np.full(len(sizes), contact.stiffness)
-    movable = (sizes > _INDEPENDENT * sizes.max(initial=0.0)) & (error <= _NEAR)
-    gains[movable] = 1 / sizes[movable]
     overlap = pairs.thickness[active] - found.distance[active]
     force = force.copy()
-    force[active] = known[active] + modes @ (gains * (modes.T @ overlap))
+    if active.any() and error <= _NEAR:
+        root = np.linalg.cholesky((yields + yields.T) / 2 + _INDEPENDENT * yields.diagonal().max() * np.eye(len(yields)))
+        force[active] = nnls(root.T, root.T @ known[active] + np.linalg.solve(root, overlap))[0]
     pressed = force > 0
     return replace(shape, pressing=Pressing(pairs=pairs.some(pressed), forces=force[pressed])), False
 
