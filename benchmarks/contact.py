@@ -1,6 +1,6 @@
-"""What does contact cost, and how coarse may the surfaces be that touch? Wings of 1, 2, 3 and 5 units side by side.
+"""What does contact cost, and does it keep parts apart? Wings of 1, 2, 3 and 5 units, and sheets that close.
 
-python benchmarks/contact.py [--units N ...] [--strips N ...] [--json FILE]
+python benchmarks/contact.py [--units N ...] [--strips N ...] [--sheets NAME ...] [--json FILE]
 """
 
 from __future__ import annotations
@@ -11,10 +11,13 @@ import time
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from forficula.analysis import measure
+from forficula.analysis.contact_overlap import contact_overlap
 from forficula.analysis.crossing_panels import panel_crossing
 from forficula.analysis.package import packages
-from forficula.design import Design, load_design
+from forficula.design import Design, design_from_text, load_design
 from forficula.dynamics import Record, compile_model, simulate
 from forficula.structure.fans import veins
 
@@ -72,24 +75,117 @@ def row(units: int, strips: int, **values: object) -> dict[str, Any]:
     }
 
 
+# Sheets that a torque on every crease closes: pattern, kind of facet, and values that differ from those in `_CLOSING`.
+_SHEETS: dict[str, tuple[str, str, dict[str, str]]] = {
+    "two panels": ('kind = "pleats"\npanels = 2\npanel_lengths = ["5 cm"]\nwidth = "4 cm"\nassignment = "V"', "rigid", {"torque": "0.2 N cm"}),
+    "zigzag of 4 panels": (
+        'kind = "pleats"\npanels = 4\npanel_lengths = ["5 cm"]\nwidth = "4 cm"\nassignment = "VM"',
+        "rigid",
+        {"torque": "0.1 N cm"},
+    ),
+    "zigzag of 3 membranes": (
+        'kind = "pleats"\npanels = 3\npanel_lengths = ["5 cm"]\nwidth = "4 cm"\nassignment = "VM"',
+        "membrane",
+        {"torque": "0.1 N cm", "timestep": "0.02 ms"},
+    ),
+    "vertex of 4 rigid facets": (
+        'kind = "vertex"\nsectors = ["60 deg", "90 deg", "120 deg", "90 deg"]\nlengths = ["5 cm"]\nassignment = "MVVV"\nfold = "30 deg"',
+        "rigid",
+        {},
+    ),
+    "Miura sheet of 9 rigid facets": (
+        'kind = "miura-ori"\ncolumns = 3\nrows = 3\nlong_side = "2 cm"\nshort_side = "2 cm"\nacute_angle = "60 deg"\nfold = "60 deg"',
+        "rigid",
+        {"torque": "0.02 N cm"},
+    ),
+}
+_CLOSING = """
+name = "closing"
+source = "a benchmark"
+[pattern]
+{pattern}
+[facet]
+kind = "{kind}"
+thickness = "0.5 mm"
+density = "1.27 g/cm^3"
+{bending}
+[crease]
+stiffness = "1e-3 N m/rad/m"
+damping = "2e-3 N m s/rad/m"
+[[support]]
+of = "facet 0"
+[contact]
+time_constant = "{time_constant}"
+[[drive]]
+name = "close"
+kind = "torque"
+of = "creases"
+value = "{torque}"
+rise = "0.1 s"
+[protocol]
+timestep = "{timestep}"
+sample_interval = "0.5 ms"
+contact = {contact}
+[[protocol.stages]]
+name = "close"
+drive = "close"
+until = "time"
+time_limit = "{duration}"
+"""
+
+
+def closing(name: str, *, contact: bool) -> Design:
+    """A sheet that a torque on every crease closes."""
+    pattern, kind, different = _SHEETS[name]
+    bending = "" if kind == "rigid" else 'youngs_modulus = "20 MPa"'
+    values = {"torque": "0.05 N cm", "timestep": "0.025 ms", "time_constant": "0.2 ms", "duration": "0.4 s", **different}
+    return design_from_text(
+        _CLOSING.format(pattern=pattern, kind=kind, bending=bending, contact=str(contact).lower(), **values)
+    )
+
+
+def sheet_row(name: str) -> dict[str, Any]:
+    """One sheet with and without contact: cost, overlap and balance."""
+    (free, without), (record, with_contact) = (timed(closing(name, contact=contact)) for contact in (False, True))
+    overlap = contact_overlap(record)
+    folds = record.series["hinge_angle"]
+    return {
+        "sheet": name,
+        "without_us": without,
+        "with_us": with_contact,
+        "ratio": with_contact / without,
+        "fold_without_deg": float(np.degrees(np.abs(free.series["hinge_angle"]).max())),
+        "fold_with_deg": float(np.degrees(np.abs(folds[-1]).max())),
+        "overlap_of_rows": None if overlap is None else overlap.depth / 0.5e-3,
+        "overlap_of_steps": None if overlap is None else overlap.in_steps / 0.5e-3,
+        "residual": measure(record).energy_balance.residual,
+        "doubt": record.doubt,
+    }
+
+
+def shown(values: dict[str, Any]) -> str:
+    """A row as text."""
+    return " ".join(
+        f"{name} {value:.3g}," if isinstance(value, float) else f"{name} {value}," for name, value in values.items()
+    )
+
+
 def main() -> None:
     """Print a table, and write it where that is wanted."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("--units", type=int, nargs="+", default=[1, 2, 3, 5], choices=sorted(_SECTORS))
+    parser.add_argument("--units", type=int, nargs="*", default=[1, 2, 3, 5], choices=sorted(_SECTORS))
     parser.add_argument("--strips", type=int, nargs="+", default=[3])
+    parser.add_argument("--sheets", nargs="*", default=list(_SHEETS), choices=list(_SHEETS))
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
     rows = []
     for units in arguments.units:
         for strips in arguments.strips:
             rows.append(row(units, strips))
-            print(
-                " ".join(
-                    f"{name} {value:.3g}," if isinstance(value, float) else f"{name} {value},"
-                    for name, value in rows[-1].items()
-                ),
-                flush=True,
-            )
+            print(shown(rows[-1]), flush=True)
+    for name in arguments.sheets:
+        rows.append(sheet_row(name))
+        print(shown(rows[-1]), flush=True)
     if arguments.json:
         arguments.json.write_text(json.dumps(rows, indent=1) + "\n", "utf-8")
 

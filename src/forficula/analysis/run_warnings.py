@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from forficula.analysis.contact_overlap import SLIGHT, contact_overlap
 from forficula.analysis.crossing_facets import facets_that_cross
 from forficula.analysis.crossing_panels import panel_crossing
 from forficula.analysis.precision import precision_text
@@ -35,6 +36,7 @@ def run_warnings(record: Record) -> list[str]:
         *_overstressed_parts(record),
         *_stretched_membranes(record),
         *_crossing_facets(record),
+        *_overlapping_parts(record),
         *_crossing_panels(record),
         *_energy_adding_contacts(record),
         *_fast_tendons(record),
@@ -86,9 +88,23 @@ def _crossing_facets(record: Record) -> list[str]:
         return []
     names, more = " and ".join(result[0].names), len(result) - 1
     others = f", and {more} more pair{'s' * (more > 1)} later" if more else ""
-    kind = "plates" if record.structure.plates else "facets"
+    crossing = f"{names} pass through each other from {result[0].time:.3g} s{others}"
+    if record.structure.contact is None:
+        return [f"{crossing}: contact is switched off; protocol.contact = true keeps them apart"]
+    return [f"{crossing}, which contact should prevent: a shorter contact.time_constant keeps them apart"]
+
+
+def _overlapping_parts(record: Record) -> list[str]:
+    """Warn of parts that touch and overlap by more than a tenth of their thickness."""
+    overlap, contact = contact_overlap(record), record.structure.contact
+    if overlap is None or contact is None or overlap.share <= SLIGHT:
+        return []
+    names = f" ({' and '.join(overlap.parts)} at {overlap.time:.3g} s)" if overlap.parts else ""
+    # the overlap at an impact is proportional to the time constant
+    need = contact.stops.time_constant * SLIGHT / overlap.share
     return [
-        f"{names} pass through each other from {result[0].time:.3g} s{others}: contact between {kind} is not modelled"
+        f"parts that touch overlap by up to {100 * overlap.share:.2g} % of their thickness{names}: a"
+        f" contact.time_constant of {show_value(need, 's')} or shorter reduces this to about {100 * SLIGHT:.0f} %"
     ]
 
 

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from forficula.analysis.branch import Branch, branch_taken
 from forficula.analysis.confirmation import Confirmation, StateValues
+from forficula.analysis.contact_overlap import ContactOverlap, contact_overlap
 from forficula.analysis.crossing_panels import PanelCrossing, panel_crossing
 from forficula.analysis.groups import Groups, groups_of
 from forficula.analysis.outcome import Outcome, StageOutcome
@@ -134,6 +135,7 @@ class Summary:
         package: packaged sizes of the states.
         storage: effect of waiting times on the tendons.
         crossing: how far panels pass through each other.
+        contact_overlap: how far facets, plates and bars that touch overlap.
         energy_balance: over the whole run.
         closure_gap: gap of the loops of bodies at the end, m.
         groups: dimensionless groups; null without an elastic part that folds.
@@ -162,6 +164,7 @@ class Summary:
     package: Annotated[PackageSummary | None, Written.IF_KNOWN]
     storage: Annotated[StorageSummary | None, Written.IF_KNOWN]
     crossing: Annotated[PanelCrossing | None, Written.IF_KNOWN]
+    contact_overlap: Annotated[ContactOverlap | None, Written.IF_KNOWN]
     energy_balance: EnergyBalance
     closure_gap: Annotated[Metres | None, Written.IF_KNOWN]
     groups: Groups | None
@@ -209,6 +212,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str], key: str
         package=smallest and PackageSummary(state=smallest[0], smallest=smallest[2], states=rooms),
         storage=StorageSummary(waits=waits, in_words=storage_texts(record, outcome)) if waits else None,
         crossing=panel_crossing(record),
+        contact_overlap=contact_overlap(record),
         energy_balance=outcome.energy_balance,
         closure_gap=None if gaps is None else float(gaps[-1]),
         groups=groups_of(structure, record.design.protocol.timestep),

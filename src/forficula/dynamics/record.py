@@ -19,6 +19,7 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.design import Design, StageSection, design_from_text, design_text
 from forficula.displayed import Displayed
+from forficula.dynamics.engine.contact_forces import overlap_doubt
 from forficula.dynamics.engine.membrane import joined_mesh
 from forficula.errors import InputError
 from forficula.files import as_path, read_bytes, shown_path, write_bytes
@@ -66,6 +67,7 @@ OPTIONAL_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "yield_work": ((), "J", "work of the tendons' yielding since the start"),
     "closure_work": ((), "J", "work of closures of loops of bodies since the start, ideally 0"),
     "closure_gap": ((), "m", "widest gap of the creases that close loops since the start"),
+    "contact_overlap": ((), "m", "largest overlap of facets, plates and bars that touch since the start"),
     "drag_work": ((), "J", "work of the drag of air or water since the start"),
     "letting_go_work": (
         (),
@@ -179,6 +181,12 @@ class Record(Displayed):
         """Return the design, the duration and the stages."""
         names = ", ".join(end.stage.name for end in self.stages)
         return f"<Record of {self.design.name}: {len(self.time)} rows over {show_duration(self.time[-1])}: {names}>"
+
+    @property
+    def overlaps(self) -> bool:
+        """Whether parts that touch overlap so deeply that they may have passed through each other."""
+        contact, overlaps = self.structure.contact, self.series.get("contact_overlap")
+        return overlaps is not None and contact is not None and bool(overlap_doubt(contact, float(overlaps[-1])))
 
     def angles(self, role: str) -> Array:
         """Return the angles of the hinges of a role, in their own senses, rad, (time, hinge)."""

@@ -16,6 +16,7 @@ from forficula.dynamics.energies.work_balance import (
     motor_work_name,
 )
 from forficula.dynamics.engine.closures import APART_TEXT, LARGEST_GAP
+from forficula.dynamics.engine.contact_forces import overlap_doubt
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.record import Record, StageEnd
 from forficula.dynamics.stepping.stage_plan import NEVER
@@ -194,7 +195,7 @@ class Recorder:
             series=series,
             stages=stages,
             diverged_at=diverged_at,
-            doubt=self._closure_doubt(account),
+            doubt=self._closure_doubt(account) or self._contact_doubt(account),
             kinetic_peak=self._kinetic_peak(),
             strain_rates=self._strain_rates(),
         )
@@ -219,6 +220,11 @@ class Recorder:
         if gap <= LARGEST_GAP * span:
             return ""
         return APART_TEXT.format(share=f"{gap / span:.2g}")
+
+    def _contact_doubt(self, account: Mapping[str, float]) -> str:
+        """Return why the run is unreliable if parts that touch overlap by more than half their thickness."""
+        contact = self.model.structure.contact
+        return "" if contact is None else overlap_doubt(contact, account.get("contact_overlap", 0.0))
 
     def _works(self, account: Mapping[str, Array]) -> dict[str, Array]:
         """Return works and powers, those of all motors as one array each, (row, motor)."""

@@ -10,6 +10,8 @@ from forficula.arrays import Array, Indices
 from forficula.dynamics.energies.crease_work import crease_works, displacement_force, engine_work, motor_travel
 from forficula.dynamics.energies.energy import CLAMPING_FIELDS, branch_losses, clamping_work, energy_of
 from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
+from forficula.dynamics.engine.contact import has_engine_contact
+from forficula.dynamics.engine.contact_forces import touching_of
 from forficula.dynamics.engine.model import Model, joint_ranges
 from forficula.dynamics.stepping.steps import EngineState, Steps
 from forficula.structure import RestPath
@@ -61,6 +63,9 @@ class WorkBalance:
         self._jumped = np.zeros(len(models))
         # the widest gap so far, m
         self._widest = np.zeros(len(models))
+        # the largest overlap of parts so far, m, if facets or plates touch
+        self._touches = touching_of(models[0]) is not None
+        self._deepest = np.zeros(len(models))
 
     def add(self, rows: Indices, steps: Steps, torques: Array, taken: Indices) -> dict[str, Array]:
         """Add the work of some steps of some structures, J.
@@ -92,14 +97,19 @@ class WorkBalance:
             before_step = np.concatenate([self._set[rows, None], torques[:, :-1]], axis=1)
             work, of_creases = self._driven(rows, steps, travel, torques, before_step)
             if "qfrc_applied" in steps.derived:
-                work["drag_work"] = np.sum(steps.derived["qfrc_applied"] * travel, axis=2)
+                drag = steps.derived["qfrc_applied"] - (0.0 if steps.contact is None else steps.contact.forces)
+                work["drag_work"] = np.sum(drag * travel, axis=2)
+            touched = None if steps.contact is None else np.sum(steps.contact.forces * travel, axis=2)
             if self._explicit:
                 work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
                 outside = [motor_work_name(number) for number in range(len(self._motors))]
                 done = sum((work[name] for name in (*outside, "drag_work") if name in work), np.zeros(travel.shape[:2]))
+                done = done if touched is None else done + touched
                 self._add_stops(work, done, rows, steps, taken)
             else:
                 self._add_losses(work, rows, steps, travel, of_creases)
+            if touched is not None:
+                work["contact_work"] = work.get("contact_work", 0.0) + touched
             if (self._models[0].hinge_creep >= 0).any():
                 self._add_yielding(work, rows, steps)
             for place, row in enumerate(rows.tolist()):
@@ -119,6 +129,8 @@ class WorkBalance:
                     before[motor_force_name(motor)] = self._motor_force(rows, motor, steps, taken)
             if len(self._gaps):
                 before["closure_gap"] = self._widened(rows, steps, taken)
+            if steps.contact is not None:
+                before["contact_overlap"] = self._deepened(rows, steps.contact.overlaps, taken)
             if self._waits:
                 before["waited"] = np.repeat(self._waited[rows, None], travel.shape[1], axis=1)
             if self._rests:
@@ -159,6 +171,8 @@ class WorkBalance:
                 self._forces[row, motor] = shown[-1]
         if len(self._gaps):
             values["closure_gap"] = np.full(len(places), self._widest[row])
+        if self._touches:
+            values["contact_overlap"] = np.full(len(places), self._deepest[row])
         if self._waits:
             values["waited"] = np.full(len(places), self._waited[row])
         values["settling_work"] = np.full(len(places), self._jumped[row])
@@ -175,6 +189,7 @@ class WorkBalance:
     def total(self, row: int) -> dict[str, float]:
         """Return the work on a structure since its start, J, and the time it waited, s."""
         others = {"closure_gap": float(self._widest[row])} if len(self._gaps) else {}
+        others |= {"contact_overlap": float(self._deepest[row])} if self._touches else {}
         others |= {"waited": float(self._waited[row])} if self._waits else {}
         others |= {"settling_work": float(self._jumped[row])} if self._rests else {}
         return {name: float(done[row]) for name, done in self._done.items()} | others
@@ -273,7 +288,7 @@ class WorkBalance:
             work["friction_work"] = np.sum(friction * travel, axis=2)
             constraints = constraints - friction
         work["stop_work"] = np.sum(constraints * travel, axis=2)
-        if self._models[0].structure.contact is not None:
+        if has_engine_contact(self._models[0].structure):
             self._add_contacts(work, rows, steps, travel)
 
     def _motor_travel(self, rows: Indices, position: Array, travel: Array, number: int) -> Array:
@@ -375,6 +390,14 @@ class WorkBalance:
         widest = np.maximum.accumulate(np.maximum(gaps, self._widest[rows, None]), axis=1)
         self._widest[rows] = widest[np.arange(len(rows)), taken]
         return np.asarray(widest[:, :-1])
+
+    def _deepened(self, rows: Indices, overlaps: Array, taken: Indices) -> Array:
+        """Return the largest overlap of parts before each step, m, (row, step)."""
+        unit = np.array([self._models[row].units.length for row in rows.tolist()])
+        overlaps = np.concatenate([self._deepest[rows, None], unit[:, None] * overlaps], axis=1)
+        deepest = np.maximum.accumulate(overlaps, axis=1)
+        self._deepest[rows] = deepest[np.arange(len(rows)), taken]
+        return np.asarray(deepest[:, :-1])
 
     def _added_up(self, name: str, rows: Indices, works: Array, taken: Indices) -> Array:
         """Add the work of steps to a sum, and return the sum before each step, (row, step)."""

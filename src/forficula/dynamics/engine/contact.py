@@ -1,4 +1,4 @@
-"""Contact in the engine: compliance of bars and panels, and the surface of panels."""
+"""Contact in the engine: compliance of bars and panels of fans, and the surface of panels."""
 
 from __future__ import annotations
 
@@ -20,6 +20,12 @@ BARS, PANELS = 1, 2
 _SOFT_SHARE = 0.02
 # tolerance of a thickness, because numbers are shown with four digits
 _ROUNDING = 1e-3
+
+
+def has_engine_contact(structure: Structure) -> bool:
+    """Return whether the engine computes contacts: those of bars and membranes, but not those of facets and plates."""
+    surfaces = any(membrane.surface is not None for membrane in structure.membranes)
+    return structure.contact is not None and (surfaces or bool(structure.bars))
 
 
 def set_contact(shape: mujoco.MjsGeom | mujoco.MjsFlex, thickness: float, contact: Contact) -> None:
@@ -96,7 +102,7 @@ def check_apart(engine: mujoco.MjModel, structure: Structure, unit: float) -> No
 
 def add_stop_sensors(spec: mujoco.MjSpec, structure: Structure) -> None:
     """Add sensors that separate the forces of stops and length limits from those of contacts, if there are contacts."""
-    if structure.contact is None:
+    if not has_engine_contact(structure):
         return
     limits = mujoco.mjtSensor
     joints = [hinge for hinge in structure.hinges if hinge.flaps is None]

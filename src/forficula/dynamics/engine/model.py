@@ -22,7 +22,8 @@ from forficula.dynamics.engine.bodies import (
     servo_names,
 )
 from forficula.dynamics.engine.closures import add_closures, gap_name
-from forficula.dynamics.engine.contact import add_panels, add_stop_sensors, check_apart
+from forficula.dynamics.engine.contact import add_panels, add_stop_sensors, check_apart, has_engine_contact
+from forficula.dynamics.engine.contact_forces import check_start
 from forficula.dynamics.engine.couplings import add_couplings
 from forficula.dynamics.engine.drag import CONSTANT_STEPS, Drag, add_medium, drag_of
 from forficula.dynamics.engine.membrane import MembraneMesh, add_membranes, first_node, joined_mesh
@@ -37,6 +38,8 @@ from forficula.structure import Measure, Structure, structure_of
 
 # a step of more bodies takes tens of milliseconds and gigabytes
 _MOST_BODIES = 2002
+# number of steps at a time without contact
+_BETWEEN_CONTACTS = 100
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -169,6 +172,7 @@ def compile_model(design: Design) -> Model:
     units = model_units(structure)
     model = compile_structure(design, structure, structure_of(design_in_model_units(design, units)), units)
     check_apart(model.engine, model.in_units, units.length)
+    check_start(model)
     return model
 
 
@@ -327,12 +331,12 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     # It is used for sliding nodes, which have no constraints and are many, and for closed loops: with 16 x 16 plates it
     # is 4 times as fast, and its accelerations equal the dense ones.
     sparse = bool(structure.closures) or any(body.slides for body in structure.bodies)
-    sparse = sparse and not structure.limits and structure.contact is None
+    sparse = sparse and not structure.limits and not has_engine_contact(structure)
     option.jacobian = mujoco.mjtJacobian.mjJAC_SPARSE if sparse else mujoco.mjtJacobian.mjJAC_DENSE
     option.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
     # a diverged simulation must not be reset
     option.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET
-    if structure.contact is None:
+    if not has_engine_contact(structure):
         option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
         return spec
     # the default would locate contacts of panels to 1e-6 of the length unit, which depends on the structure
@@ -372,6 +376,8 @@ def _followed_steps(structure: Structure) -> int:
     most = [] if structure.medium is None else [CONSTANT_STEPS]
     if any(hinge.flaps for hinge in structure.hinges):
         most.append(followed_steps(structure))
+    if structure.contact is not None and (structure.plates or structure.facets):
+        most.append(_BETWEEN_CONTACTS)
     return min(most, default=1)
 
 

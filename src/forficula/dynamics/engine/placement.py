@@ -121,6 +121,28 @@ class Placement:
             turns[..., level, :] += turns[..., parents, :]
         return moves, turns
 
+    def loads(self, pose: Pose, forces: Array, torques: Array) -> Array:
+        """Compute generalised forces of forces at the origins of bodies, the transpose of `rates`, (..., velocity).
+
+        Args:
+            pose: from `poses`.
+            forces: in the axes of the ground, (..., body, 3).
+            torques: about the origins of the bodies, (..., body, 3).
+        """
+        origins, frames, axes = pose
+        forces, torques = forces.copy(), torques.copy()
+        for level in reversed(self.levels[1:]):
+            arms = origins[..., level, :] - origins[..., self.parents[level], :]
+            np.add.at(forces, (..., self.parents[level], slice(None)), forces[..., level, :])
+            carried = torques[..., level, :] + np.cross(arms, forces[..., level, :])
+            np.add.at(torques, (..., self.parents[level], slice(None)), carried)
+        loads = np.zeros((*forces.shape[:-2], self.velocity_count + 1))
+        loads[..., np.append(self.velocities, -1)[self.slides]] = forces
+        about = self.velocities[self.quaternions][:, None] + np.arange(3)
+        loads[..., about] = (np.swapaxes(frames, -1, -2)[..., self.free, :, :] @ torques[..., self.free, :, None])[..., 0]
+        loads[..., self.velocities[self.hinges]] = np.einsum("...jx,...jx->...j", axes, torques[..., self.hinged, :])
+        return loads[..., :-1]
+
 
 def stacked(placements: Sequence[Placement]) -> Placement:
     """Combine placements of structures of one topology; constants get a leading dimension, (structure, ...)."""

@@ -82,7 +82,7 @@ def simulate_each(
     if not models:
         return
     try:
-        slow = models[0].creases is not None or models[0].drag is not None
+        slow = models[0].followed > 1 or models[0].creases is not None
         short = slow or sparse or models[0].explicit or len(models) > _MANY
         chunk = max(1, _CHUNK // 4) if short else _CHUNK
         stepper = Stepper(models, threads, sparse, chunk)

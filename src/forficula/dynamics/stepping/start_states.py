@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import mujoco
 import numpy as np
 from mujoco.batch import Batch
 
 from forficula.arrays import Array
-from forficula.dynamics.engine.model import Model
+
+if TYPE_CHECKING:
+    from forficula.dynamics.engine.model import Model
 
 
 def start_states(models: Sequence[Model]) -> Array:

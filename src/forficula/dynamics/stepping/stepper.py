@@ -19,6 +19,8 @@ from forficula.arrays import Array, Indices
 from forficula.cores import usable_cores
 from forficula.dynamics.energies.creases import engine_rows
 from forficula.dynamics.energies.energy import state_series
+from forficula.dynamics.engine.contact import has_engine_contact
+from forficula.dynamics.engine.contact_forces import ContactForces, touching_of
 from forficula.dynamics.engine.crease_rows import CreaseRows, crease_rows, without_jump
 from forficula.dynamics.engine.drag import KINEMATICS, stacked_drag
 from forficula.dynamics.engine.model import Model
@@ -26,7 +28,7 @@ from forficula.dynamics.engine.plate_creases import PlateRows, plate_rows
 from forficula.dynamics.engine.warnings import quiet
 from forficula.dynamics.stepping.folds import joint_address, slide_name
 from forficula.dynamics.stepping.start_states import start_creases, start_folds, start_position, start_states
-from forficula.dynamics.stepping.steps import MOVING, SETS, STATE, EngineState, Steps
+from forficula.dynamics.stepping.steps import MOVING, SETS, STATE, EngineState, StepContacts, Steps
 from forficula.structure import RestShape
 
 if TYPE_CHECKING:
@@ -83,7 +85,7 @@ class Stepper:
         self._activation = self._moving[self._branch_slices.get("act", slice(0, 0))]
         self._kept = _OF_SPARSE if sparse else _OF_STATES
         self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if models[0].lets_go.any() else ()))
-        if models[0].structure.contact is not None:
+        if has_engine_contact(models[0].structure):
             self._names = tuple(dict.fromkeys((*self._names, *_OF_CONTACT)))
         if any(hinge.friction for model in models for hinge in model.structure.hinges):
             self._names = (*self._names, "qacc")
@@ -112,9 +114,14 @@ class Stepper:
         self._blocks = deque(
             [np.empty((2, len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
         )
+        self._contact = ContactForces(models) if touching_of(models[0]) is not None else None
+        memory = (len(models), chunk if self._contact else 0)
+        self._contacts = deque(
+            [StepContacts(np.zeros((*memory, models[0].engine.nv)), np.zeros(memory)) for _ in range(2)]
+        )
         self.threads = int(Batch(model, len(models), threads or usable_cores()).nthread)
         # least number of structures per worker, if there are enough
-        self.together = 1 if self._creases is None and self._drag is None else _TOGETHER
+        self.together = 1 if not self._in_python else _TOGETHER
         self._engines: SimpleQueue[Batch] = SimpleQueue()
         # largest number of structures per worker; it can exceed that at the start when some structures are done
         most = max(min(len(models), self.together), -(-len(models) // self.threads))
@@ -139,6 +146,8 @@ class Stepper:
             return Pending(parts=(), steps=self._device.start(rows, before, controls, self._about()))
         self._memory.rotate()
         self._blocks.rotate()
+        self._contacts.rotate()
+        contacts = None if self._contact is None else _some(self._contacts[0], slice(len(rows)))
         fields = {name: field[: len(rows)] for name, field in self._memory[0].items()}
         followed = None if self._structures[0].creases is None else self._blocks[0][:, : len(rows)]
         bounds = np.linspace(0, len(rows), self._parts(len(rows)) + 1).astype(int).tolist()
@@ -154,6 +163,7 @@ class Stepper:
             sets=None if followed is None else followed[1],
             sets_before=self._sets[rows],
             followed=self._structures[0].followed,
+            contact=contacts,
         )
         return Pending(
             parts=[
@@ -165,6 +175,7 @@ class Stepper:
                     {name: field[part] for name, field in fields.items()},
                     {name: field[part] for name, field in (late or {}).items()},
                     None if followed is None else followed[:, part],
+                    None if contacts is None else _some(contacts, part),
                 )
                 for part in parts
             ],
@@ -324,6 +335,7 @@ class Stepper:
         memory: Mapping[str | int, Array],
         late: Mapping[str, Array],
         followed: Array | None,
+        contacts: StepContacts | None,
     ) -> None:
         """Take a chunk of steps of some structures and write the results to memory.
 
@@ -331,7 +343,7 @@ class Stepper:
         """
         engine, state = self._engines.get(), self._state[rows]
         try:
-            if followed is None and self._drag is None:
+            if not self._in_python:
                 self._roll_out(engine, rows, state, controls, memory, late)
                 return
             length = self._structures[0].followed
@@ -348,6 +360,9 @@ class Stepper:
                         followed[:, :, block] = self._set_creases(rows, creases, state, before, means[:, block])
                     if self._drag is not None:
                         self._set_drag(engine, rows, state)
+                if contacts is not None:
+                    self._touch(engine, rows, state, controls, memory, late, contacts, steps)
+                    continue
                 self._roll_out(engine, rows, state, np.ascontiguousarray(controls[:, steps]), in_block, of_late)
                 for name, values in memory.items():
                     values[:, steps] = in_block[name]
@@ -357,6 +372,52 @@ class Stepper:
             self._state[rows] = state
         finally:
             self._engines.put(engine)
+
+    def _touch(
+        self,
+        engine: Batch,
+        rows: Indices,
+        state: Array,
+        controls: Array,
+        memory: Mapping[str | int, Array],
+        late: Mapping[str, Array],
+        contacts: StepContacts,
+        block: slice,
+    ) -> None:
+        """Take a block of steps of structures whose parts may touch, step by step where they do."""
+        assert self._contact is not None
+        drag, begun = state[:, self._applied], block.start
+        while begun < block.stop:
+            position, velocity = self._motion(state)
+            forces, overlaps, count = self._contact.forces(rows, position, velocity)
+            state[:, self._applied] = drag + forces
+            count = min(count, block.stop - begun)
+            while True:
+                steps = slice(begun, begun + count)
+                out, of_late = (
+                    {name: np.empty((len(rows), count, *values.shape[2:])) for name, values in fields.items()}
+                    for fields in (memory, late)
+                )
+                self._roll_out(engine, rows, state, np.ascontiguousarray(controls[:, steps]), out, of_late)
+                ended = out[MOVING][:, -1]
+                positions = ended[:, 1 : 1 + self._structures[0].engine.nq]
+                if count == 1 or self._contact.apart(rows, positions):
+                    break
+                # parts are faster than estimated
+                count = max(1, count // 4)
+            for name, values in memory.items():
+                values[:, steps] = out[name]
+            for field, values in late.items():
+                values[:, steps] = of_late[field]
+            contacts.forces[:, steps], contacts.overlaps[:, steps] = forces[:, None], overlaps[:, None]
+            state[:, self._moving] = ended
+            begun += count
+        state[:, self._applied] = drag
+
+    @property
+    def _in_python(self) -> bool:
+        """Whether Python computes forces between steps."""
+        return self._creases is not None or self._drag is not None or self._contact is not None
 
     def _set_drag(self, engine: Batch, rows: Indices, state: Array) -> None:
         """Set the drag of structures for their positions and velocities in some states, (row, number)."""
@@ -411,6 +472,11 @@ def _memory(models: Sequence[Model], names: Sequence[str], chunk: int, moving: i
     data = mujoco.MjData(models[0].engine)
     shapes = {MOVING: (moving,), **{name: getattr(data, name).shape for name in names}}
     return {name: np.empty((len(models), chunk, *shape)) for name, shape in shapes.items()}
+
+
+def _some(contacts: StepContacts, rows: slice) -> StepContacts:
+    """Select structures."""
+    return StepContacts(contacts.forces[rows], contacts.overlaps[rows])
 
 
 def _block(memory: Array, steps: int) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import mujoco
 import numpy as np
@@ -18,6 +19,18 @@ STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
 MOVING = STATE & ~mujoco.mjtState.mjSTATE_USER.value
 # name of the sets of creases among the fields of a state
 SETS = "crease_set"
+
+
+class StepContacts(NamedTuple):
+    """Contacts of facets and plates in steps of structures, in their models' units.
+
+    Attributes:
+        forces: generalised forces in each step, (structure, step, dof).
+        overlaps: largest overlap in each step, (structure, step).
+    """
+
+    forces: Array
+    overlaps: Array
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,6 +53,7 @@ class Steps:
         sets: permanent folds of the creases in every block, rad, (structure, block, crease); None without creases.
         sets_before: those before the first block, (structure, crease).
         followed: number of steps of a block.
+        contact: contacts of facets and plates; None without such contacts.
     """
 
     positions: int
@@ -54,6 +68,7 @@ class Steps:
     sets: Array | None = None
     sets_before: Array | None = None
     followed: int = 1
+    contact: StepContacts | None = None
 
     @property
     def count(self) -> int:

@@ -31,6 +31,8 @@ class Pairs:
     def nearest(self, places: Array) -> Nearest:
         """Compute the distances of all pairs for positions of the nodes, m, (node, 3)."""
         corners = places[self.nodes]
+        if self.of_triangles == len(corners):
+            return node_from_triangle(corners)
         one = node_from_triangle(corners[: self.of_triangles])
         other = side_from_side(corners[self.of_triangles :])
         return Nearest(

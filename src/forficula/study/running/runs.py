@@ -205,13 +205,14 @@ def run_each(
                 yield attempt.number, result
                 continue
             outcome = measure(result)
-            following = _following(attempt, outcome)
+            # a shorter timestep does not keep parts apart whose contact is too soft
+            following = None if result.overlaps else _following(attempt, outcome)
             if following is not None:
                 steps = float(attempt.design.protocol.timestep) / float(following.design.protocol.timestep)
                 expected = steps * (time.perf_counter() - start)
                 left[attempt.number] = replace(following, expected=expected)
                 continue
-            doubt = _doubt(attempt, outcome)
+            doubt = result.doubt or _doubt(attempt, outcome)
             yield attempt.number, replace(result, doubt=doubt, checks=_coarser(attempt, outcome))
             if until_last and not doubt:
                 for number in needless.after(attempt.number, result):
