@@ -77,7 +77,11 @@ def row(units: int, strips: int, **values: object) -> dict[str, Any]:
 
 # Sheets that a torque on every crease closes: pattern, kind of facet, and values that differ from those in `_CLOSING`.
 _SHEETS: dict[str, tuple[str, str, dict[str, str]]] = {
-    "two panels": ('kind = "pleats"\npanels = 2\npanel_lengths = ["5 cm"]\nwidth = "4 cm"\nassignment = "V"', "rigid", {"torque": "0.2 N cm"}),
+    "two panels": (
+        'kind = "pleats"\npanels = 2\npanel_lengths = ["5 cm"]\nwidth = "4 cm"\nassignment = "V"',
+        "rigid",
+        {"torque": "0.2 N cm"},
+    ),
     "zigzag of 4 panels": (
         'kind = "pleats"\npanels = 4\npanel_lengths = ["5 cm"]\nwidth = "4 cm"\nassignment = "VM"',
         "rigid",
@@ -89,12 +93,14 @@ _SHEETS: dict[str, tuple[str, str, dict[str, str]]] = {
         {"torque": "0.1 N cm", "timestep": "0.02 ms"},
     ),
     "vertex of 4 rigid facets": (
-        'kind = "vertex"\nsectors = ["60 deg", "90 deg", "120 deg", "90 deg"]\nlengths = ["5 cm"]\nassignment = "MVVV"\nfold = "30 deg"',
+        'kind = "vertex"\nsectors = ["60 deg", "90 deg", "120 deg", "90 deg"]\nlengths = ["5 cm"]\n'
+        'assignment = "MVVV"\nfold = "30 deg"',
         "rigid",
         {},
     ),
     "Miura sheet of 9 rigid facets": (
-        'kind = "miura-ori"\ncolumns = 3\nrows = 3\nlong_side = "2 cm"\nshort_side = "2 cm"\nacute_angle = "60 deg"\nfold = "60 deg"',
+        'kind = "miura-ori"\ncolumns = 3\nrows = 3\nlong_side = "2 cm"\nshort_side = "2 cm"\n'
+        'acute_angle = "60 deg"\nfold = "60 deg"',
         "rigid",
         {"torque": "0.02 N cm"},
     ),
@@ -138,7 +144,13 @@ def closing(name: str, *, contact: bool) -> Design:
     """A sheet that a torque on every crease closes."""
     pattern, kind, different = _SHEETS[name]
     bending = "" if kind == "rigid" else 'youngs_modulus = "20 MPa"'
-    values = {"torque": "0.05 N cm", "timestep": "0.025 ms", "time_constant": "0.2 ms", "duration": "0.4 s", **different}
+    values = {
+        "torque": "0.05 N cm",
+        "timestep": "0.025 ms",
+        "time_constant": "0.2 ms",
+        "duration": "0.4 s",
+        **different,
+    }
     return design_from_text(
         _CLOSING.format(pattern=pattern, kind=kind, bending=bending, contact=str(contact).lower(), **values)
     )

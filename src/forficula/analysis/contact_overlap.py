@@ -69,7 +69,7 @@ def _deepest(record: Record) -> ContactOverlap | None:
     parts = touching_parts(record.structure, contact)
     if parts is None:
         return None
-    result = (0.0, (), 0)
+    result: tuple[float, tuple[int, ...], int] = (0.0, (), 0)
     for row in np.unique(np.linspace(0, len(places) - 1, _ROWS).astype(np.int64)).tolist():
         depth, owners = overlap_of(parts, places[row][parts.points])
         if depth > result[0]:
@@ -98,9 +98,9 @@ def overlap_of(parts: TouchingParts, places: Array) -> tuple[float, tuple[int, .
     owners = np.column_stack([parts.side_parts[side, 0], parts.triangle_parts[triangle]])
     ends, corners = places[parts.sides[side]], places[parts.triangles[triangle]]
     # parts that meet at a vertex touch only away from this vertex
-    shared = (
-        parts.vertices[parts.sides[side]][:, :, None] == parts.vertices[parts.triangles[triangle]][:, None]
-    ).any(axis=2)
+    shared = (parts.vertices[parts.sides[side]][:, :, None] == parts.vertices[parts.triangles[triangle]][:, None]).any(
+        axis=2
+    )
     for_nodes = [
         (parts.sides[side][:, end], parts.node_apart[parts.sides[side][:, end], owners[:, 1]]) for end in (0, 1)
     ]

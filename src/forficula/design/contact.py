@@ -9,9 +9,7 @@ from pydantic import Field
 from forficula.design.section import SHORT_TIME, SMALL_LENGTH, Section, quantity
 
 # sentence about the section in a design without contact
-WITHOUT_CONTACT = (
-    "contact.thickness and contact.friction have no effect without contact: need protocol.contact = true"
-)
+WITHOUT_CONTACT = "contact.thickness and contact.friction have no effect without contact: need protocol.contact = true"
 
 
 class ContactSection(Section):

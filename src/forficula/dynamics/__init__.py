@@ -21,6 +21,7 @@ from forficula.dynamics.stepping.stepped_protocol import SteppedProtocol, steppe
 from forficula.dynamics.stepping.timestep import (
     STEPS_TO_CONTACT,
     STEPS_TO_TIME_CONSTANT,
+    contact_timestep,
     stable_timestep,
     timestep_warnings,
     with_timestep,
@@ -43,6 +44,7 @@ __all__ = [
     "check_device",
     "compile_model",
     "compile_structure",
+    "contact_timestep",
     "design_in_model_units",
     "design_trial",
     "energy_balance",

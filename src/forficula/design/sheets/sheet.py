@@ -105,7 +105,7 @@ class SheetDesign(Design):
         return measured_units(self)
 
     def settled(self) -> Self:
-        """Return the design with the values that a rule chooses, and the section of contact where it acts, filled in."""
+        """Return the design with values that a rule chooses, and the section of contact where it acts, filled in."""
         chosen = with_choices(self, self.chosen)
         if self.contact is None and self.protocol.contact:
             return chosen.model_copy(update={"contact": ContactSection()})

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import mujoco
 import numpy as np
@@ -175,13 +175,11 @@ def check_start(model: Model) -> None:
         return
     worst = int(np.argmax(overlaps))
     names = [parts.names[part] for part in pairs.parts[worst]]
-    # bars keep their diameters
-    given = touching.contact.thickness
-    most = given - float(overlaps[worst]) * given / float(parts.half[pairs.parts[worst]].sum())
-    if not np.isin(parts.half[pairs.parts[worst]], given / 2).all():
-        most = given - 2 * float(overlaps[worst])
-    sizes = (show_quantity(model.units.length * size, SMALL_LENGTH) for size in (most, given))
-    need, got = sizes
+    # a bar keeps its diameter
+    thickness = touching.contact.thickness
+    with_bar = not np.isin(parts.half[pairs.parts[worst]], thickness / 2).all()
+    most = thickness - float(overlaps[worst]) * (2 if with_bar else 1)
+    need, got = (show_quantity(model.units.length * size, SMALL_LENGTH) for size in (most, thickness))
     room = f"need <= {need}" if most > 0 else "need parts that are further apart"
     raise InputError(f"contact.thickness: {' and '.join(names)} are nearer than that at the start: {room}, got {got}")
 
@@ -191,8 +189,8 @@ def overlap_doubt(contact: Contact, overlap: float) -> str:
     if overlap <= _LARGEST_OVERLAP * contact.thickness:
         return ""
     return (
-        f"parts that touch overlap by {100 * overlap / contact.thickness:.0f} % of their thickness, so that they may have"
-        " passed through each other: need a contact.time_constant shorter than"
+        f"parts that touch overlap by {100 * overlap / contact.thickness:.0f} % of their thickness, so that they may"
+        " have passed through each other: need a contact.time_constant shorter than"
         f" {show_value(contact.stops.time_constant, 's')} and a timestep that resolves it"
     )
 
@@ -263,8 +261,8 @@ class ContactForces:
             velocity: of the engine, (structure, dof).
 
         Returns:
-            Forces, (structure, dof), largest overlaps, (structure,), and the number: 1 where something touches, else an estimate of the number of steps
-            until something touches, which `apart` checks.
+            Forces, (structure, dof), largest overlaps, (structure,), and the number of steps: 1 where something
+            touches, else an estimate of the number of steps until something touches, which `apart` checks.
         """
         forces, overlaps, steps = np.zeros_like(velocity), np.zeros(len(rows)), _MANY
         for place, row in enumerate(rows.tolist()):
@@ -394,14 +392,15 @@ def _fading(pairs: Pairs, places: Array) -> tuple[Array, Array]:
     return share, gradient
 
 
-def _crowd(touching: Touching, nodes: Indices, weights: Array) -> Array:
+def _crowd(touching: Touching, nodes: Indices, weights: Array) -> Indices:
     """Return for each pair the largest number of pairs that push one of its bodies, (pair,)."""
     bodies = touching.carriers[nodes]
     pushed = np.zeros((len(nodes), len(touching.placement.parents) + 1), dtype=bool)
     np.logical_or.at(pushed, (np.arange(len(nodes))[:, None], bodies), weights != 0)
     pushed[:, -1] = False
     counts = pushed.sum(axis=0)
-    return np.maximum(np.where(weights != 0, counts[bodies], 1).max(axis=1), 1)
+    crowd: Indices = np.maximum(np.where(weights != 0, counts[bodies], 1).max(axis=1), 1)
+    return crowd
 
 
 def _largest(vectors: Array) -> float:

@@ -341,7 +341,7 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
         return spec
     # the default would locate contacts of panels to 1e-6 of the length unit, which depends on the structure
     option.ccd_tolerance = 1e-10
-    if structure.contact.friction:
+    if structure.contact is not None and structure.contact.friction:
         # friction in a pyramidal cone would depend on the direction
         option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     return spec

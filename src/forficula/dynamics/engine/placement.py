@@ -122,26 +122,25 @@ class Placement:
         return moves, turns
 
     def loads(self, pose: Pose, forces: Array, torques: Array) -> Array:
-        """Compute generalised forces of forces at the origins of bodies, the transpose of `rates`, (..., velocity).
+        """Compute generalised forces of forces at the origins of bodies, the transpose of `rates`, (velocity,).
 
         Args:
-            pose: from `poses`.
-            forces: in the axes of the ground, (..., body, 3).
-            torques: about the origins of the bodies, (..., body, 3).
+            pose: one pose from `poses`.
+            forces: in the axes of the ground, (body, 3).
+            torques: about the origins of the bodies, (body, 3).
         """
-        origins, frames, axes = pose
         forces, torques = forces.copy(), torques.copy()
         for level in reversed(self.levels[1:]):
-            arms = origins[..., level, :] - origins[..., self.parents[level], :]
-            np.add.at(forces, (..., self.parents[level], slice(None)), forces[..., level, :])
-            carried = torques[..., level, :] + np.cross(arms, forces[..., level, :])
-            np.add.at(torques, (..., self.parents[level], slice(None)), carried)
-        loads = np.zeros((*forces.shape[:-2], self.velocity_count + 1))
-        loads[..., np.append(self.velocities, -1)[self.slides]] = forces
-        about = self.velocities[self.quaternions][:, None] + np.arange(3)
-        loads[..., about] = (np.swapaxes(frames, -1, -2)[..., self.free, :, :] @ torques[..., self.free, :, None])[..., 0]
-        loads[..., self.velocities[self.hinges]] = np.einsum("...jx,...jx->...j", axes, torques[..., self.hinged, :])
-        return loads[..., :-1]
+            parents = self.parents[level]
+            carried = torques[level] + np.cross(pose.origins[level] - pose.origins[parents], forces[level])
+            np.add.at(forces, parents, forces[level])
+            np.add.at(torques, parents, carried)
+        loads = np.zeros(self.velocity_count + 1)
+        loads[np.append(self.velocities, -1)[self.slides]] = forces
+        turns = (np.swapaxes(pose.frames[self.free], -1, -2) @ torques[self.free, :, None])[..., 0]
+        loads[self.velocities[self.quaternions][:, None] + np.arange(3)] = turns
+        loads[self.velocities[self.hinges]] = np.sum(pose.axes * torques[self.hinged], axis=1)
+        return loads[:-1]
 
 
 def stacked(placements: Sequence[Placement]) -> Placement:

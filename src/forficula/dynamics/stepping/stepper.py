@@ -394,10 +394,8 @@ class Stepper:
             count = min(count, block.stop - begun)
             while True:
                 steps = slice(begun, begun + count)
-                out, of_late = (
-                    {name: np.empty((len(rows), count, *values.shape[2:])) for name, values in fields.items()}
-                    for fields in (memory, late)
-                )
+                out = {name: _block(values, count) for name, values in memory.items()}
+                of_late = {name: _block(values, count) for name, values in late.items()}
                 self._roll_out(engine, rows, state, np.ascontiguousarray(controls[:, steps]), out, of_late)
                 ended = out[MOVING][:, -1]
                 positions = ended[:, 1 : 1 + self._structures[0].engine.nq]

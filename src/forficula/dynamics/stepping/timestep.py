@@ -77,9 +77,20 @@ def resolving_timestep(structure: Structure) -> float:
     """
     stopped = any(np.isfinite([hinge.lower, hinge.upper]).any() for hinge in structure.hinges if not hinge.flaps)
     longest = [structure.stops.time_constant / STEPS_TO_TIME_CONSTANT] * bool(stopped or structure.limits)
-    if structure.contact is not None:
-        longest.append(structure.contact.stops.time_constant / STEPS_TO_CONTACT)
-    return min(longest, default=np.inf)
+    return min([*longest, contact_timestep(structure)])
+
+
+def contact_timestep(structure: Structure) -> float:
+    """Return the longest timestep, s, that resolves the contacts of a structure; infinite without contact.
+
+    The contacts of facets and plates are explicit: several pairs on a body with the angular frequency 1 / (T zeta) each
+    would be unstable with a damping ratio zeta much below 1 (0.05: unstable with T / 25, stable with T / 50, measured).
+    """
+    if structure.contact is None:
+        return np.inf
+    stops = structure.contact.stops
+    explicit = bool(structure.facets or structure.plates)
+    return stops.time_constant * (min(1.0, 2 * stops.damping_ratio) if explicit else 1.0) / STEPS_TO_CONTACT
 
 
 @lru_cache(maxsize=64)  # checks, warnings and pages of a run call this three times or more

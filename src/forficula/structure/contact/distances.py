@@ -50,14 +50,15 @@ def node_from_triangle(corners: Array) -> Nearest:
     inner = np.stack([two_two * on_one - one_two * on_two, one_one * on_two - one_two * on_one], axis=-1)
     inner = inner / area[..., None]
     shares = np.concatenate([1 - inner.sum(axis=-1, keepdims=True), inner], axis=-1)
-    inside = (shares >= 0).all(axis=-1)
+    inside = np.min(shares, axis=-1) >= 0
     # outside the triangle, the nearest point is on the nearest of its sides
     along, start = triangle[..., _NEXT, :] - triangle, node[..., None, :] - triangle
     share = _clipped(_dot(start, along) / np.maximum(_dot(along, along), _TINY))
     gaps = start - share[..., None] * along
     side = _dot(gaps, gaps).argmin(axis=-1)[..., None]
     share = np.take_along_axis(share, side, axis=-1)
-    at_sides = (1 - share) * (side == _CORNERS) + share * (side == _BEFORE)
+    on_tail, on_head = np.equal(side, _CORNERS), np.equal(side, _BEFORE)
+    at_sides = (1 - share) * on_tail + share * on_head
     best = np.where(inside[..., None], shares, at_sides)
     return _nearest(corners, np.concatenate([np.ones_like(best[..., :1]), -best], axis=-1))
 
@@ -122,7 +123,7 @@ def _nearest(corners: Array, weights: Array) -> Nearest:
 
 
 def row_cross(one: Array, other: Array) -> Array:
-    """Compute cross products with the coordinates on the last axis, (..., 3); for few vectors faster than `np.cross`."""
+    """Compute cross products of vectors, (..., 3), for few vectors faster than `np.cross`."""
     return np.asarray(one[..., _NEXT] * other[..., _BEFORE] - one[..., _BEFORE] * other[..., _NEXT])
 
 

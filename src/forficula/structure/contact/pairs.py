@@ -133,9 +133,7 @@ def _close(one: Array, other: Array, reach: float) -> tuple[Indices, Indices]:
         float(np.sqrt(((shapes - middle[:, None]) ** 2).sum(axis=2)).max())
         for shapes, middle in zip((one, other), middles, strict=True)
     ]
-    near = cKDTree(middles[0]).sparse_distance_matrix(
-        cKDTree(middles[1]), sum(sizes) + reach, output_type="ndarray"
-    )
+    near = cKDTree(middles[0]).sparse_distance_matrix(cKDTree(middles[1]), sum(sizes) + reach, output_type="ndarray")
     first, second = np.asarray(near["i"], dtype=np.int64), np.asarray(near["j"], dtype=np.int64)
     gap = np.maximum(
         one.min(axis=1)[first] - other.max(axis=1)[second], other.min(axis=1)[second] - one.max(axis=1)[first]
