@@ -309,7 +309,9 @@ def _remarks(
     if not count:
         remarks.append("a part can move without any force: a crease has no spring, or a support is missing")
     unconnected = _unconnected_states(len(states), passes) if structure.contact is None else []
-    remarks += [f'no saddles were found that connect "{states[number].name}" to the first state' for number in unconnected]
+    remarks += [
+        f'no saddles were found that connect "{states[number].name}" to the first state' for number in unconnected
+    ]
     for course in courses:
         if any(snap.kind != "limit" for snap in course.slow.snaps):
             remarks.append(

@@ -121,7 +121,9 @@ def distance_hessians(places: Array, closest: Closest) -> Array:
     squared = np.einsum("pi,pj,xy->pixjy", weights, weights, np.eye(3)).reshape(count, 12, 12)
     squared -= mixed @ np.linalg.solve(inner, np.swapaxes(mixed, 1, 2))
     slopes = gradients(closest).reshape(count, 12)
-    return np.asarray((squared - slopes[:, :, None] * slopes[:, None]) / np.maximum(closest.distance, _LEAST)[:, None, None])
+    return np.asarray(
+        (squared - slopes[:, :, None] * slopes[:, None]) / np.maximum(closest.distance, _LEAST)[:, None, None]
+    )
 
 
 def gradients(closest: Closest) -> Array:

@@ -122,7 +122,9 @@ def with_contact_forces(net: Net, shape: NetShape, parts: Factorisation) -> tupl
     overlap = pairs.thickness[active] - found.distance[active]
     force = force.copy()
     if active.any() and error <= _NEAR:
-        root = np.linalg.cholesky((yields + yields.T) / 2 + _INDEPENDENT * yields.diagonal().max() * np.eye(len(yields)))
+        root = np.linalg.cholesky(
+            (yields + yields.T) / 2 + _INDEPENDENT * yields.diagonal().max() * np.eye(len(yields))
+        )
         force[active] = nnls(root.T, root.T @ known[active] + np.linalg.solve(root, overlap))[0]
     pressed = force > 0
     return replace(shape, pressing=Pressing(pairs=pairs.some(pressed), forces=force[pressed])), False

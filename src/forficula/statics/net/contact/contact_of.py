@@ -66,7 +66,9 @@ def _check_apart(structure: Structure, net: Net, contact: NetContact) -> None:
     if surfaces.min(initial=np.inf) >= 1 - _WITHIN:
         return
     row = int(np.argmin(surfaces))
-    one, other = (contact.parts.names[part] for part in contact.parts_of(pairs.some(np.arange(len(surfaces)) == row))[0])
+    one, other = (
+        contact.parts.names[part] for part in contact.parts_of(pairs.some(np.arange(len(surfaces)) == row))[0]
+    )
     thickness = float(pairs.thickness[row])
     most, got = show_value(float(surfaces[row]) * thickness, "m"), show_value(thickness, "m")
     need = "parts that are apart as built" if surfaces[row] <= _WITHIN else f"at most {most}"
