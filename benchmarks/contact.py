@@ -96,13 +96,13 @@ _SHEETS: dict[str, tuple[str, str, dict[str, str]]] = {
         'kind = "vertex"\nsectors = ["60 deg", "90 deg", "120 deg", "90 deg"]\nlengths = ["5 cm"]\n'
         'assignment = "MVVV"\nfold = "30 deg"',
         "rigid",
-        {},
+        {"torque": "0.3 N cm"},
     ),
     "Miura sheet of 9 rigid facets": (
         'kind = "miura-ori"\ncolumns = 3\nrows = 3\nlong_side = "2 cm"\nshort_side = "2 cm"\n'
         'acute_angle = "60 deg"\nfold = "60 deg"',
         "rigid",
-        {"torque": "0.02 N cm"},
+        {"torque": "0.2 N cm"},
     ),
 }
 _CLOSING = """
@@ -168,8 +168,8 @@ def sheet_row(name: str) -> dict[str, Any]:
         "ratio": with_contact / without,
         "fold_without_deg": float(np.degrees(np.abs(free.series["hinge_angle"]).max())),
         "fold_with_deg": float(np.degrees(np.abs(folds[-1]).max())),
-        "overlap_of_rows": None if overlap is None else overlap.depth / 0.5e-3,
-        "overlap_of_steps": None if overlap is None else overlap.in_steps / 0.5e-3,
+        "overlap_of_rows": None if overlap is None else overlap.share,
+        "overlap_of_steps": None if overlap is None else overlap.share_in_steps,
         "residual": measure(record).energy_balance.residual,
         "doubt": record.doubt,
     }

@@ -37,17 +37,23 @@ class ContactOverlap:
 
     Attributes:
         depth: overlap in the examined rows of the record, from positions, m; 0 if no parts overlap.
-        in_steps: largest overlap in any step of the run, as the contact forces compute it, m.
-        share: the larger of both, divided by the thickness of contact.
+        share: the same as a share of the thickness.
+        share_in_steps: largest overlap in any step of the run, as the contact forces compute it, as a share of the
+            thickness.
         parts: names of the two parts; empty if no parts overlap.
         time: time of the row, s.
     """
 
     depth: Metres
-    in_steps: Metres
     share: float
+    share_in_steps: float
     parts: Annotated[tuple[str, ...], Key("parts")] = ()
     time: Seconds
+
+    @property
+    def largest(self) -> float:
+        """Return the larger of both shares."""
+        return max(self.share, self.share_in_steps)
 
 
 def contact_overlap(record: Record) -> ContactOverlap | None:
@@ -75,11 +81,10 @@ def _deepest(record: Record) -> ContactOverlap | None:
         if depth > result[0]:
             result = (depth, owners, row)
     depth, owners, row = result
-    in_steps = float(record.series["contact_overlap"][-1])
     return ContactOverlap(
         depth=depth,
-        in_steps=in_steps,
-        share=max(depth, in_steps) / contact.thickness,
+        share=depth / float(parts.half[list(owners)].sum()) if owners else 0.0,
+        share_in_steps=float(record.series["contact_overlap"][-1]),
         parts=tuple(parts.names[owner] for owner in owners),
         time=float(record.time[row]),
     )

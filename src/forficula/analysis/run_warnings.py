@@ -97,13 +97,13 @@ def _crossing_facets(record: Record) -> list[str]:
 def _overlapping_parts(record: Record) -> list[str]:
     """Warn of parts that touch and overlap by more than a tenth of their thickness."""
     overlap, contact = contact_overlap(record), record.structure.contact
-    if overlap is None or contact is None or overlap.share <= SLIGHT:
+    if overlap is None or contact is None or overlap.largest <= SLIGHT:
         return []
     names = f" ({' and '.join(overlap.parts)} at {overlap.time:.3g} s)" if overlap.parts else ""
     # the overlap at an impact is proportional to the time constant
-    need = contact.stops.time_constant * SLIGHT / overlap.share
+    need = contact.stops.time_constant * SLIGHT / overlap.largest
     return [
-        f"parts that touch overlap by up to {100 * overlap.share:.2g} % of their thickness{names}: a"
+        f"parts that touch overlap by up to {100 * overlap.largest:.2g} % of their thickness{names}: a"
         f" contact.time_constant of {show_value(need, 's')} or shorter reduces this to about {100 * SLIGHT:.0f} %"
     ]
 

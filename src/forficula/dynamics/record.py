@@ -67,7 +67,11 @@ OPTIONAL_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "yield_work": ((), "J", "work of the tendons' yielding since the start"),
     "closure_work": ((), "J", "work of closures of loops of bodies since the start, ideally 0"),
     "closure_gap": ((), "m", "widest gap of the creases that close loops since the start"),
-    "contact_overlap": ((), "m", "largest overlap of facets, plates and bars that touch since the start"),
+    "contact_overlap": (
+        (),
+        "1",
+        "largest overlap of facets, plates and bars that touch since the start, as a share of their thickness",
+    ),
     "drag_work": ((), "J", "work of the drag of air or water since the start"),
     "letting_go_work": (
         (),

@@ -92,12 +92,15 @@ class Plate:
         points: numbers of the corners, points of that body, in order.
         thickness: m.
         density: kg/m^3.
+        touching_distance: distance between the mid-planes of touching plates, m; that of the structure's contact if
+            None.
     """
 
     body: int
     points: tuple[int, ...]
     thickness: float
     density: float
+    touching_distance: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -126,12 +129,15 @@ class Facet:
         points: numbers of the corners, in order.
         thickness: m.
         inside: numbers of points inside the polygon at which the facet also bends.
+        touching_distance: distance between the mid-planes of touching facets, m; that of the structure's contact if
+            None.
     """
 
     name: str
     points: tuple[int, ...]
     thickness: float
     inside: tuple[int, ...] = ()
+    touching_distance: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -402,7 +408,8 @@ class Contact:
     """Contact between bars and sheets.
 
     Attributes:
-        thickness: distance between the mid-planes of touching sheets, m; for bars their diameters apply.
+        thickness: distance between the mid-planes of touching sheets, m; for bars their diameters apply, for plates and
+            facets their own distances if they have some.
         friction: Coulomb's friction coefficient.
         stops: compliance of a contact.
     """

@@ -63,7 +63,7 @@ class WorkBalance:
         self._jumped = np.zeros(len(models))
         # the widest gap so far, m
         self._widest = np.zeros(len(models))
-        # the largest overlap of parts so far, m, if facets or plates touch
+        # the largest overlap of parts so far as a share of the thickness, if facets or plates touch
         self._touches = touching_of(models[0]) is not None
         self._deepest = np.zeros(len(models))
 
@@ -392,9 +392,8 @@ class WorkBalance:
         return np.asarray(widest[:, :-1])
 
     def _deepened(self, rows: Indices, overlaps: Array, taken: Indices) -> Array:
-        """Return the largest overlap of parts before each step, m, (row, step)."""
-        unit = np.array([self._models[row].units.length for row in rows.tolist()])
-        overlaps = np.concatenate([self._deepest[rows, None], unit[:, None] * overlaps], axis=1)
+        """Return the largest overlap of parts before each step as a share of the thickness, (row, step)."""
+        overlaps = np.concatenate([self._deepest[rows, None], overlaps], axis=1)
         deepest = np.maximum.accumulate(overlaps, axis=1)
         self._deepest[rows] = deepest[np.arange(len(rows)), taken]
         return np.asarray(deepest[:, :-1])

@@ -171,27 +171,27 @@ def check_start(model: Model) -> None:
     pairs = near_pairs(parts, places, 0.0)
     distances = pairs.nearest(places).distances
     overlaps = pairs.thickness - distances
-    if not len(overlaps) or not overlaps.max() > _ROUNDING * touching.contact.thickness:
+    if not len(overlaps) or not (overlaps > _ROUNDING * pairs.thickness).any():
         return
     worst = int(np.argmax(overlaps))
     names = [parts.names[part] for part in pairs.parts[worst]]
+    halves = parts.half[pairs.parts[worst]]
     # a bar keeps its diameter
-    thickness = touching.contact.thickness
-    with_bar = not np.isin(parts.half[pairs.parts[worst]], thickness / 2).all()
-    most = thickness - float(overlaps[worst]) * (2 if with_bar else 1)
+    thickness = 2 * float(halves[-1])
+    most = thickness - float(overlaps[worst]) * (1 if np.ptp(halves) == 0 else 2)
     need, got = (show_quantity(model.units.length * size, SMALL_LENGTH) for size in (most, thickness))
     room = f"need <= {need}" if most > 0 else "need parts that are further apart"
     raise InputError(f"contact.thickness: {' and '.join(names)} are nearer than that at the start: {room}, got {got}")
 
 
 def overlap_doubt(contact: Contact, overlap: float) -> str:
-    """Return why a run in which parts overlapped by a length, m, is unreliable; empty for a slight overlap."""
-    if overlap <= _LARGEST_OVERLAP * contact.thickness:
+    """Return why a run in which parts overlapped by a share of their thickness is unreliable; empty for a small one."""
+    if overlap <= _LARGEST_OVERLAP:
         return ""
     return (
-        f"parts that touch overlap by {100 * overlap / contact.thickness:.0f} % of their thickness, so that they may"
-        " have passed through each other: need a contact.time_constant shorter than"
-        f" {show_value(contact.stops.time_constant, 's')} and a timestep that resolves it"
+        f"parts that touch overlap by {100 * overlap:.0f} % of their thickness, so that they may have passed through"
+        f" each other: need a contact.time_constant shorter than {show_value(contact.stops.time_constant, 's')} and a"
+        " timestep that resolves it"
     )
 
 
@@ -261,7 +261,7 @@ class ContactForces:
             velocity: of the engine, (structure, dof).
 
         Returns:
-            Forces, (structure, dof), largest overlaps, (structure,), and the number of steps: 1 where something
+            Forces, (structure, dof), largest overlaps as shares of the thickness, (structure,), and the number of steps: 1 where something
             touches, else an estimate of the number of steps until something touches, which `apart` checks.
         """
         forces, overlaps, steps = np.zeros_like(velocity), np.zeros(len(rows)), _MANY
@@ -306,18 +306,19 @@ class ContactForces:
         overlaps = near.pairs.thickness - nearest.distances
         speeds = touching.velocities(pose, arms, velocity)
         active, step = overlaps > 0, _FASTER * _largest(speeds) * touching.timestep
-        deepest = float(overlaps.max(initial=-np.inf))
-        if step > touching.contact.thickness and deepest > -step:
+        deepest = float((overlaps / near.pairs.thickness).max(initial=0.0))
+        gap = -float(overlaps.max(initial=-np.inf))
+        if step > near.pairs.thickness.min(initial=np.inf) and gap < step:
             # parts could pass through each other within a step
-            deepest = max(deepest, touching.contact.thickness)
+            deepest = max(deepest, 1.0)
         if active.any():
             near.slack = 0.0
             pushes = _pushes(touching, near.pairs.some(active), nearest.some(active), places, speeds)
             forces += touching.loads(pose, arms, pushes)
             return deepest, 1
-        clear = min(-float(overlaps.max(initial=-np.inf)), touching.skin - 2 * _largest(places - near.listed_at))
+        clear = min(gap, touching.skin - 2 * _largest(places - near.listed_at))
         near.known_at, near.position, near.slack = places, position, clear / 2
-        return max(deepest, 0.0), max(1, int(min(near.slack / step, _MANY))) if step else _MANY
+        return deepest, max(1, int(min(near.slack / step, _MANY))) if step else _MANY
 
     def _rates(self, row: int, velocity: Array) -> Array:
         """Return the rates of the numbers of a position, where no body turns freely, (position,)."""

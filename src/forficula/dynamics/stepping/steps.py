@@ -26,7 +26,7 @@ class StepContacts(NamedTuple):
 
     Attributes:
         forces: generalised forces in each step, (structure, step, dof).
-        overlaps: largest overlap in each step, (structure, step).
+        overlaps: largest overlap in each step as a share of the thickness, (structure, step).
     """
 
     forces: Array

@@ -55,7 +55,18 @@ def _bar(part: JoinedPart, bar: Bar) -> Bar:
 
 
 def _plate(part: JoinedPart, plate: Plate) -> Plate:
-    return replace(plate, body=part.body(plate.body), points=part.point_numbers(plate.points))
+    return replace(
+        plate,
+        body=part.body(plate.body),
+        points=part.point_numbers(plate.points),
+        touching_distance=_touching_distance(part),
+    )
+
+
+def _touching_distance(part: JoinedPart) -> float | None:
+    """Return the distance between the mid-planes of touching plates or facets of a part, m; None without contact."""
+    contact = part.structure.contact
+    return None if contact is None else contact.thickness
 
 
 def _mass(part: JoinedPart, mass: PointMass) -> PointMass:
@@ -68,6 +79,7 @@ def _facet(part: JoinedPart, facet: Facet) -> Facet:
         name=part.full_name(facet.name),
         points=part.point_numbers(facet.points),
         inside=part.point_numbers(facet.inside),
+        touching_distance=_touching_distance(part),
     )
 
 

@@ -86,13 +86,24 @@ def _common_contact(design: AssemblyDesign, parts: Sequence[JoinedPart]) -> Cont
         raise InputError(
             f"{design.name}: protocol.contact: need false, because contact is modelled for none of the parts, got true"
         )
-    for part in touching:
-        if part.structure.contact != touching[0].structure.contact:
-            raise InputError(
-                f"{design.name}: protocol.contact: need one thickness and one friction of contact in all parts, got"
-                f" those of {part.name} that differ from those of {touching[0].name}"
-            )
-    return touching[0].structure.contact
+    # plates and facets have thicknesses of their own, panels have that of the structure
+    fans = [part for part in touching if part.structure.membranes and part.structure.bars]
+    first = (fans or touching)[0]
+    for one, others in ((first, touching), (first, fans)):
+        for part in others:
+            if _contact_values(part, others is fans) != _contact_values(one, others is fans):
+                raise InputError(
+                    f"{design.name}: protocol.contact: need one friction and one compliance of contact in all parts, and"
+                    f" one thickness in all fans, got those of {part.name} that differ from those of {one.name}"
+                )
+    return first.structure.contact
+
+
+def _contact_values(part: JoinedPart, with_thickness: bool) -> tuple[object, ...]:
+    """Return the values of a part's contact that parts must share."""
+    contact = part.structure.contact
+    assert contact is not None
+    return (contact.friction, contact.stops, contact.thickness if with_thickness else None)
 
 
 def _titles(parts: Sequence[JoinedPart]) -> dict[str, str]:

@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.pattern.triangulation import ears
-from forficula.structure.parts import GROUND, Contact
+from forficula.structure.parts import GROUND, Contact, Facet, Plate
 from forficula.structure.sheets.facets import facet_triangles
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points
@@ -131,12 +131,17 @@ def _plates(structure: Structure, contact: Contact) -> Iterable[_Part]:
         cut = ears(places, range(len(corners)))
         yield _Part(
             name=f"{body.role} {body.name.removeprefix(body.role)}",
-            half=contact.thickness / 2,
+            half=_half(plate, contact),
             triangles=[tuple(corners[place] for place in triangle) for triangle in cut],
             sides=_around(corners),
             corners=corners,
             bodies=frozenset([plate.body]),
         )
+
+
+def _half(part: Plate | Facet, contact: Contact) -> float:
+    """Return half the touching distance of a plate or a facet, m."""
+    return (contact.thickness if part.touching_distance is None else part.touching_distance) / 2
 
 
 def _facets(structure: Structure, contact: Contact) -> Iterable[_Part]:
@@ -145,7 +150,7 @@ def _facets(structure: Structure, contact: Contact) -> Iterable[_Part]:
     for number, facet in enumerate(structure.facets):
         yield _Part(
             name=f"facet {facet.name.removeprefix('facet')}",
-            half=contact.thickness / 2,
+            half=_half(facet, contact),
             triangles=[tuple(corners) for corners in triangles[owners == number].tolist()],
             sides=_around(facet.points),
             corners=facet.points,
