@@ -1,4 +1,4 @@
-"""Strips of facets whose layers touch, for tests: two facets, two layers with a spine between them, and a letter fold."""
+"""Strips of facets whose layers touch, for tests: two facets, two layers beside a spine, and a letter fold."""
 
 from functools import cache
 

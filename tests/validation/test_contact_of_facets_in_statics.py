@@ -42,7 +42,8 @@ def test_a_folded_crease_presses_two_facets_on_each_other_with_its_moment_divide
     agree("fold angle", angle, math.pi - WEDGE, by="closed form", unit="rad", rel=near)
     forces = contact_forces(net, rest.shape)
     force = STIFFNESS * WEDGE / (LENGTH * math.cos(WEDGE))
-    assert rest.stable and list(forces) == ["facet 0 and facet 1"]
+    assert rest.stable
+    assert list(forces) == ["facet 0 and facet 1"]
     agree("contact force", forces["facet 0 and facet 1"], force, by="closed form", unit="N", rel=10 * near)
 
 
@@ -93,7 +94,8 @@ def test_a_fold_under_a_growing_torque_closes_to_its_contact_and_no_further(agre
     assert touch.text.startswith('Facet 0 and facet 1 begin to touch when the drive "fold" is 3.041 N cm')
     (forces,) = path.contacts.values()
     apart = path.strength < touch.strength
-    assert path.reached and not forces[apart].any()
+    assert path.reached
+    assert not forces[apart].any()
     holds("contact force", forces, above=-1e-12, by="no adhesion", unit="N")
     theory = (path.strength - first) / (LENGTH * math.cos(WEDGE))
     agree("contact force", forces[~apart], theory[~apart], by="closed form", unit="N", rel=1e-4, abs=2e-6)
@@ -117,7 +119,9 @@ def test_a_strip_that_springs_back_presses_on_the_layer_below_with_the_excess_of
         unit="N",
         rel=5e-3,
     )
-    agree("height of the free edge", free[pressed, 2], THICK, by="closed form", unit="m", rel=1e-6)
+    # the facet bends about one of its diagonals, so one corner touches first
+    lower = path.positions[pressed][:, [0, 4], 2].min(axis=1)
+    agree("height of the free edge", lower, THICK, by="closed form", unit="m", rel=1e-6)
 
 
 def test_a_slow_run_rests_where_statics_does(agree):

@@ -53,7 +53,8 @@ class PathMark:
 
     Attributes:
         kind: "snap", a jump at a constant drive; "branch", where the path turns into one of several possible paths;
-            "contact", where parts touch for the first time; "goal", where the goal of the transition is reached; "lost", where the path could not be followed further.
+            "contact", where parts touch for the first time; "goal", where the goal of the transition is reached;
+            "lost", where the path could not be followed further.
         share: position on the path.
         end: position at which a snap ends; equal to `share` for other events.
         strength: of the drive, in its SI unit, with the sign of the drive.

@@ -73,7 +73,7 @@ def shape_at(net: Net, positions: Array, near: Array | None = None, sets: Array 
 
 
 def moved_shape(net: Net, shape: NetShape, positions: Array) -> NetShape:
-    """Return the shape of a net that moves from a shape, with its permanent folds and contact forces, to positions, m."""
+    """Return the shape of a net that moves from a shape, with its permanent folds and contacts, to positions, m."""
     return replace(shape_at(net, positions, shape.angles, shape.sets), pressing=shape.pressing)
 
 

@@ -299,8 +299,8 @@ def _remarks(
             " others of lowest energy in which no panels pass through one another"
         )
     remarks += [
-        f'in "{state.name}" panels pass through one another, because contact is off: contact (protocol.contact = true), a'
-        ' locking law (crease.law = "locking") or stops (crease.fold_limit) prevent it'
+        f'in "{state.name}" panels pass through one another, because contact is off: contact (protocol.contact = true),'
+        ' a locking law (crease.law = "locking") or stops (crease.fold_limit) prevent it'
         for state in states
         if state.passing
     ]

@@ -323,7 +323,8 @@ def _notes(path: QuasiStaticPath) -> list[str]:
     whole, word = path.structure.appearance.whole, effort_word(path.structure, path.drive)
     first = (
         f'The {word} of the drive "{path.drive.name}" grows so slowly that the {whole} is at rest at every position'
-        f" outside snaps. Statics compute the shapes, without inertia and damping, and {_contact_words(path.structure)}."
+        " outside snaps. Statics compute the shapes, without inertia and damping, and"
+        f" {_contact_words(path.structure)}."
     )
     remarks = [f"{remark[:1].upper()}{remark[1:].removesuffix('.')}." for remark in path.remarks]
     return [first, *(mark.text for mark in path.marks), *remarks]
@@ -335,4 +336,4 @@ def _contact_words(structure: Structure) -> str:
         return "without contact between bodies"
     if not is_net(structure):
         return "without the contact of bars and panels that runs include"
-    return f"with contact of facets {readable(structure.contact.thickness, 'm')} thick, but without friction"
+    return "with contact between facets, but without friction"

@@ -1,4 +1,4 @@
-"""Closest points of corners and triangles, and of edges: distances with gradient and Hessian, for many pairs at once."""
+"""Closest points of corners and triangles, and of edges: distances with gradients and Hessians, for many pairs."""
 
 from __future__ import annotations
 

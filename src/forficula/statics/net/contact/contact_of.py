@@ -15,9 +15,9 @@ from forficula.statics.net.net import Net
 from forficula.structure import Structure
 from forficula.structure.contact.touching_parts import touching_parts
 
-# stiffness of the augmented Lagrangian, of the largest one as built, of facets and of plates, whose pins and bars are far
-# stiffer than they need to be: with less, descents end in wrong contact forces first; with more, they take many steps
-# [chosen: between the bounds of the values with which test structures converge]
+# stiffness of the augmented Lagrangian, of the largest one as built, of facets and of plates, whose pins and bars are
+# far stiffer than other parts: with less, contact forces converge slowly; with more, descents take many steps [chosen:
+# within the range in which test structures converge]
 _STIFFER, _RIGID = 0.3, 0.01
 # of the thickness: distance by which a part of the size of the net counts as larger on each side [chosen]
 _LARGER = 1e-3
@@ -50,7 +50,7 @@ def contact_remarks(structure: Structure) -> tuple[str, ...]:
     if structure.contact is None:
         return ()
     return (
-        f"statics keeps the parts of the {structure.appearance.whole} at the thickness of contact from one another, without"
+        f"statics keeps the parts of the {structure.appearance.whole} apart by the thickness of contact, and ignores"
         " friction",
         "barriers and unstable equilibria are not computed with contact, because parts that touch part again there;"
         " without contact (protocol.contact = false) they are",
