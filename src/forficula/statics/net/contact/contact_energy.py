@@ -54,18 +54,18 @@ def contact_terms(contact: NetContact, positions: Array, pressing: Pressing | No
         pressing: multipliers; None for 0.
     """
     places = contact.points @ positions
-    pairs, found, force, known = _forces(contact, places, pressing)
+    pairs, nearest, force, known = _forces(contact, places, pressing)
     rows = (force > 0) | (known > 0)
     if not rows.any():
         return ContactTerms(0.0, np.zeros_like(positions), csc_array((positions.size, positions.size)))
     stiffness, force, known, pairs = contact.stiffness, np.maximum(force[rows], 0.0), known[rows], pairs.some(rows)
-    at, found = places[pairs.nodes], _some(found, rows)
+    at, nearest = places[pairs.nodes], _some(nearest, rows)
     share, changes = _shares(pairs, at)
     value = (force**2 - known**2) / (2 * stiffness)
-    slopes = gradients(found).reshape(-1, 12)
+    slopes = gradients(nearest).reshape(-1, 12)
     by_place = -(share * force)[:, None] * slopes + value[:, None] * changes
     hessians = (share * stiffness * (force > 0))[:, None, None] * slopes[:, :, None] * slopes[:, None]
-    hessians -= (share * force)[:, None, None] * distance_hessians(at, found)
+    hessians -= (share * force)[:, None, None] * distance_hessians(at, nearest)
     mixed = -force[:, None, None] * slopes[:, :, None] * changes[:, None]
     hessians += mixed + np.swapaxes(mixed, 1, 2)
     size = places.size
@@ -102,11 +102,11 @@ def with_contact_forces(net: Net, shape: NetShape, parts: Factorisation) -> tupl
     if contact is None:
         return shape, True
     places = contact.points @ shape.positions
-    pairs, found, force, known = _forces(contact, places, shape.pressing)
+    pairs, nearest, force, known = _forces(contact, places, shape.pressing)
     used = (_shares(pairs, places[pairs.nodes])[0] > 0) & ((force > 0) | (known > 0))
-    pairs, found, force, known = pairs.some(used), _some(found, used), force[used], known[used]
+    pairs, nearest, force, known = pairs.some(used), _some(nearest, used), force[used], known[used]
     error = float((np.abs(np.maximum(force, 0.0) - known) / (contact.stiffness * pairs.thickness)).max(initial=0.0))
-    slopes, sums = gradients(found), np.zeros((2, *places.shape))
+    slopes, sums = gradients(nearest), np.zeros((2, *places.shape))
     for total, forces in zip(sums, (np.maximum(force, 0.0), np.maximum(force, 0.0) - known), strict=True):
         np.add.at(total, pairs.nodes, forces[:, None, None] * slopes)
     largest, change = np.abs(sums).max(axis=(1, 2))
@@ -119,7 +119,7 @@ def with_contact_forces(net: Net, shape: NetShape, parts: Factorisation) -> tupl
     by_place = csr_array((slopes.ravel(), (rows, numbers.ravel())), shape=(len(numbers), places.size))
     by_free = (by_place @ contact.spread)[:, np.flatnonzero(net.free.ravel())].toarray()[active]
     yields = by_free @ parts.solve(np.ascontiguousarray(by_free.T))
-    overlap = pairs.thickness[active] - found.distance[active]
+    overlap = pairs.thickness[active] - nearest.distance[active]
     force = force.copy()
     if active.any() and error <= _NEAR:
         root = np.linalg.cholesky(
@@ -153,13 +153,13 @@ def passes_through(net: Net, before: Array, after: Array) -> bool:
 def _forces(contact: NetContact, places: Array, pressing: Pressing | None) -> tuple[Pairs, Closest, Array, Array]:
     """Return pairs that may touch, their closest points, their forces f + k (t - d), N, and their multipliers f, N."""
     pairs, known = contact.near(places, pressing)
-    found = contact.closest(places[pairs.nodes], pairs.of_triangles)
-    return pairs, found, np.asarray(known + contact.stiffness * (pairs.thickness - found.distance)), known
+    nearest = contact.closest(places[pairs.nodes], pairs.of_triangles)
+    return pairs, nearest, np.asarray(known + contact.stiffness * (pairs.thickness - nearest.distance)), known
 
 
-def _some(found: Closest, which: Flags) -> Closest:
+def _some(nearest: Closest, which: Flags) -> Closest:
     """Select closest points of pairs."""
-    return Closest(*(values[which] for values in found))
+    return Closest(*(values[which] for values in nearest))
 
 
 def _shares(pairs: Pairs, at: Array) -> tuple[Array, Array]:

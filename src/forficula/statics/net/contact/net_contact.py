@@ -73,8 +73,8 @@ class NetContact:
         order = np.argsort(all_known)
         codes = self._codes(pairs, size)
         places_of = np.minimum(np.searchsorted(all_known[order], codes), len(order) - 1)
-        found = all_known[order][places_of] == codes
-        return pairs, np.where(found, pressing.forces[order][places_of], 0.0)
+        same = all_known[order][places_of] == codes
+        return pairs, np.where(same, pressing.forces[order][places_of], 0.0)
 
     def closest(self, at: Array, of_triangles: int) -> Closest:
         """Return the closest points of pairs: first those of a corner and a triangle, then those of two sides.

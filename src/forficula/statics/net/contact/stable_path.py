@@ -41,8 +41,8 @@ def stable_path(
     """Follow stable equilibria while the load factor grows or falls in steps, up to the first that is lost.
 
     With contact, the tangent of a path turns where parts begin to touch, and it vanishes where they are blocked. The
-    load therefore grows in steps, after each of which the net descends to the nearest energy minimum. A step is halved
-    if the minimum is unstable or far away.
+    load therefore grows in steps. After each step the net descends to the nearest energy minimum. A step is halved if
+    the minimum is unstable or far away.
 
     Args:
         net: as for `load_path`.

@@ -20,6 +20,7 @@ from forficula.statics.drag import (
     dragged_shape,
     least_force,
 )
+from forficula.statics.net.contact.contact_energy import contact_forces
 from forficula.statics.net.driven.driven_net import DrivenNet, driven_net
 from forficula.statics.net.driven.net_course import released
 from forficula.statics.net.driven.net_path import net_point
@@ -187,5 +188,6 @@ def _pulled(pulled: _PulledNet, near: QuasiStaticPoint, target: Array) -> Dragge
             held = _held(pulled, held.shape, held.position, factor)
         compliance = _compliance(driven, pulled.supported, pulled.weights, held.shape, factor)[0]
         held = held._replace(force=least_force(held.force, compliance))
-    point = net_point(driven, held.shape, factor, resting=False, pulled=True)
+    contacts = contact_forces(driven.net, held.shape)
+    point = replace(net_point(driven, held.shape, factor, resting=False), contacts=contacts)
     return dragged_shape(driven.structure, point, target, held, reached=reached)

@@ -377,18 +377,8 @@ def _path_remarks(
     return tuple(remarks)
 
 
-def net_point(
-    driven: DrivenNet, shape: NetShape, factor: float, *, resting: bool = True, pulled: bool = False
-) -> QuasiStaticPoint:
-    """Return a shape of a net under its drive as a point of a quasi-static path.
-
-    Args:
-        driven: the net with its drive.
-        shape: of the net.
-        factor: of the load.
-        resting: whether the shape is an equilibrium under the drive.
-        pulled: whether it is an equilibrium with a point that is held.
-    """
+def net_point(driven: DrivenNet, shape: NetShape, factor: float, *, resting: bool = True) -> QuasiStaticPoint:
+    """Return a shape of a net under its drive as a point of a quasi-static path."""
     structure, drive, strength = driven.structure, driven.drive, factor * driven.drive.strength
     further = valley_angles(structure, strength * rest_changes(structure, drive))
     displaced = prescribes_displacement(structure, drive)
@@ -400,7 +390,7 @@ def net_point(
         coordinates=(shape.positions - driven.net.nodes).ravel(),
         energy=stored_parts(structure, driven.net, shape, further),
         force=reaction(structure, driven.net, drive, shape) if displaced else 0.0,
-        contacts=contact_forces(driven.net, shape) if resting or pulled else {},
+        contacts=contact_forces(driven.net, shape) if resting else {},
     )
 
 
