@@ -96,7 +96,7 @@ _SHEETS: dict[str, tuple[str, str, dict[str, str]]] = {
         'kind = "vertex"\nsectors = ["60 deg", "90 deg", "120 deg", "90 deg"]\nlengths = ["5 cm"]\n'
         'assignment = "MVVV"\nfold = "30 deg"',
         "rigid",
-        {"torque": "0.3 N cm"},
+        {"torque": "0.1 N cm", "time_constant": "0.1 ms", "timestep": "0.0125 ms"},
     ),
     "Miura sheet of 9 rigid facets": (
         'kind = "miura-ori"\ncolumns = 3\nrows = 3\nlong_side = "2 cm"\nshort_side = "2 cm"\n'

@@ -164,24 +164,32 @@ def check_start(model: Model) -> None:
     parts = touching.parts
     _, places, _ = touching.nodes(start_position(model))
     for one, other in parts_that_cross(parts, places):
-        raise InputError(
-            f"protocol.contact: {parts.names[one]} and {parts.names[other]} pass through each other at the start: need"
-            " a start without crossings, or false"
-        )
+        raise _crossing_error(parts, one, other)
     pairs = near_pairs(parts, places, 0.0)
     distances = pairs.nearest(places).distances
     overlaps = pairs.thickness - distances
-    if not len(overlaps) or not (overlaps > _ROUNDING * pairs.thickness).any():
+    if not (overlaps > _ROUNDING * pairs.thickness).any():
         return
     worst = int(np.argmax(overlaps))
-    names = [parts.names[part] for part in pairs.parts[worst]]
-    halves = parts.half[pairs.parts[worst]]
-    # a bar keeps its diameter
-    thickness = 2 * float(halves[-1])
-    most = thickness - float(overlaps[worst]) * (1 if np.ptp(halves) == 0 else 2)
+    one, other = pairs.parts[worst].tolist()
+    if distances[worst] < _ROUNDING * pairs.thickness[worst]:
+        raise _crossing_error(parts, one, other)
+    halves = parts.half[[one, other]]
+    thickness = 2 * float(halves[1])
+    # if the other part is a bar, which keeps its diameter, the facet alone becomes thinner
+    most = thickness - float(overlaps[worst]) * (1 if halves[0] == halves[1] else 2)
     need, got = (show_quantity(model.units.length * size, SMALL_LENGTH) for size in (most, thickness))
     room = f"need <= {need}" if most > 0 else "need parts that are further apart"
-    raise InputError(f"contact.thickness: {' and '.join(names)} are nearer than that at the start: {room}, got {got}")
+    names = f"{parts.names[one]} and {parts.names[other]}"
+    raise InputError(f"contact.thickness: {names} are nearer than that at the start: {room}, got {got}")
+
+
+def _crossing_error(parts: TouchingParts, one: int, other: int) -> InputError:
+    """Return the error that two parts cross at the start."""
+    return InputError(
+        f"protocol.contact: {parts.names[one]} and {parts.names[other]} pass through each other at the start: need a"
+        " start without crossings, or false"
+    )
 
 
 def overlap_doubt(contact: Contact, overlap: float) -> str:
@@ -261,8 +269,9 @@ class ContactForces:
             velocity: of the engine, (structure, dof).
 
         Returns:
-            Forces, (structure, dof), largest overlaps as shares of the thickness, (structure,), and the number of steps: 1 where something
-            touches, else an estimate of the number of steps until something touches, which `apart` checks.
+            Forces, (structure, dof), largest overlaps as shares of the thickness, (structure,), and the number of
+            steps: 1 where something touches, else an estimate of the number of steps until something touches, which
+            `apart` checks.
         """
         forces, overlaps, steps = np.zeros_like(velocity), np.zeros(len(rows)), _MANY
         for place, row in enumerate(rows.tolist()):

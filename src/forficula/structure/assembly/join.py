@@ -93,8 +93,8 @@ def _common_contact(design: AssemblyDesign, parts: Sequence[JoinedPart]) -> Cont
         for part in others:
             if _contact_values(part, others is fans) != _contact_values(one, others is fans):
                 raise InputError(
-                    f"{design.name}: protocol.contact: need one friction and one compliance of contact in all parts, and"
-                    f" one thickness in all fans, got those of {part.name} that differ from those of {one.name}"
+                    f"{design.name}: protocol.contact: need one friction and one compliance of contact in all parts,"
+                    f" and one thickness in all fans, got those of {part.name} that differ from those of {one.name}"
                 )
     return first.structure.contact
 

@@ -1,0 +1,197 @@
+"""Contact of facets, plates and bars in runs: forces, rest states, refusals and measured overlaps."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.analysis.contact_overlap import contact_overlap, overlap_of
+from forficula.analysis.run_warnings import run_warnings
+from forficula.dynamics import compile_model, with_timestep
+from forficula.dynamics.engine.contact_forces import ContactForces, touching_of
+from forficula.errors import InputError
+from forficula.structure import built_points, structure_of
+from forficula.structure.contact.distances import crossing_share, node_from_triangle, side_from_side
+from forficula.structure.contact.pairs import near_pairs, parts_that_cross
+from forficula.structure.contact.touching_parts import touching_parts
+from tests.plate_sheets import LENGTH, strip
+
+THICK = 1e-3
+CLOSE = [
+    {"name": "close", "kind": "torque", "of": "creases", "value": "0.02 N m", "rise": "2 ms"},
+]
+
+
+def closing(panels=2, *, letters="V", time=0.02, **values):
+    """Panels that a torque on every crease closes, with contact."""
+    stages = [{"name": "close", "drive": "close", "until": "time", "hold": 0.0, "time_limit": time}]
+    chosen = {
+        "drive": CLOSE,
+        "crease.start": math.radians(178),
+        "crease.damping": 0.02,
+        "protocol.contact": True,
+        "protocol.timestep": 5e-5,
+        "protocol.sample_interval": 2e-3,
+    }
+    return strip(panels, letters=letters, stages=stages, **(chosen | values))
+
+
+@pytest.fixture(scope="module")
+def closed():
+    """Run of two panels until they rest on each other."""
+    return ff.run(closing(), confirm=False)
+
+
+@pytest.mark.parametrize("shape", [node_from_triangle, side_from_side])
+def test_weights_times_normals_are_the_gradient_of_the_distance(shape):
+    corners = np.random.default_rng(1).normal(size=(100, 4, 3))
+    nearest = shape(corners)
+    slopes = np.zeros_like(corners)
+    for place in np.ndindex(4, 3):
+        step = np.zeros((4, 3))
+        step[place] = 1e-6
+        slopes[(slice(None), *place)] = (shape(corners + step).distances - shape(corners - step).distances) / 2e-6
+    np.testing.assert_allclose(nearest.weights[:, :, None] * nearest.normals[:, None], slopes, atol=1e-8)
+    np.testing.assert_allclose(nearest.weights.sum(axis=1), 0, atol=1e-12)
+
+
+def test_the_gradient_of_the_angle_between_sides_of_constant_lengths_is_exact():
+    corners = np.random.default_rng(2).normal(size=(1, 4, 3))
+    # a turn of the second side about its tail keeps its length
+    turn = np.cross([0.3, -0.2, 0.5], corners[0, 3] - corners[0, 2])
+    moved = [corners.copy(), corners.copy()]
+    for places, sign in zip(moved, (1, -1), strict=True):
+        places[0, 3] += sign * 1e-6 * turn
+    slope = (crossing_share(moved[0])[0] - crossing_share(moved[1])[0]) / 2e-6
+    np.testing.assert_allclose(slope[0], crossing_share(corners)[1][0, 3] @ turn, rtol=1e-6)
+
+
+def test_forces_of_contact_have_no_resultant_and_no_moment():
+    design = ff.load_design("miura-sheet", {"support": [], "protocol.contact": True, "contact.friction": 0.3})
+    model = compile_model(design)
+    touching = touching_of(model)
+    random = np.random.default_rng(3)
+    position, velocity = np.array(model.engine.qpos0), random.normal(size=model.engine.nv)
+    slides = touching.placement.slides[touching.carriers]
+    _, places, _ = touching.nodes(position)
+    # the sheet is crumpled until facets touch
+    forces = np.zeros(0)
+    for size in np.linspace(0.1, 2, 40):
+        crumpled = position.copy()
+        crumpled[slides.ravel()] += size * random.normal(size=places.size)
+        forces, overlaps, _ = ContactForces([model]).forces(np.array([0]), crumpled[None], velocity[None])
+        if overlaps[0] > 0:
+            break
+    pushes = forces[0][slides]
+    _, places, _ = touching.nodes(crumpled)
+    scale = np.abs(pushes).max()
+    assert scale > 0
+    np.testing.assert_allclose(pushes.sum(axis=0), 0, atol=1e-9 * scale)
+    # forces along sliding velocities act at both nearest points, a thickness apart
+    smooth = compile_model(design.with_values({"contact.friction": 0.0}))
+    forces, _, _ = ContactForces([smooth]).forces(np.array([0]), crumpled[None], velocity[None])
+    moment = np.cross(places, forces[0][slides]).sum(axis=0)
+    np.testing.assert_allclose(moment, 0, atol=1e-9 * scale * np.ptp(places))
+
+
+def test_two_panels_rest_one_thickness_apart_and_the_balance_closes(closed):
+    folded = math.pi - closed.series["hinge_angle"][-1, 0]
+    assert LENGTH * math.sin(folded) == pytest.approx(THICK, rel=0.01)
+    assert ff.measure(closed).energy_balance.residual < 1e-6
+    assert closed.series["contact_work"][-1] < 0
+
+
+def test_the_recorded_overlap_agrees_with_that_of_separate_geometry(closed):
+    overlap = contact_overlap(closed)
+    parts = touching_parts(closed.structure, closed.structure.contact)
+    for row in (-1, len(closed.time) // 2):
+        places = closed.series["point_position"][row][parts.points]
+        pairs = near_pairs(parts, places, 0.0)
+        expected = max(float((pairs.thickness - pairs.nearest(places).distances).max(initial=0.0)), 0.0)
+        assert overlap_of(parts, places)[0] == pytest.approx(expected, abs=1e-6 * THICK)
+    assert overlap.share <= overlap.share_in_steps < 0.1
+    assert not any("overlap" in text for text in run_warnings(closed))
+
+
+def test_facets_that_bend_are_one_thickness_apart():
+    values = {
+        "facet.kind": "membrane",
+        "facet.youngs_modulus": 2e7,
+        "facet.poisson_ratio": 0.3,
+        "crease.start": 0.0,
+        "crease.stiffness": 1e-3,
+        "crease.fold_limit": None,
+        "crease.back_limit": None,
+    }
+    record = ff.run(closing(time=0.24, **values), confirm=False)
+    # the facets twist a little, so the distances of the corners that lie on each other are compared
+    places = record.series["point_position"][-1]
+    np.testing.assert_allclose(np.linalg.norm(places[[0, 3]] - places[[2, 5]], axis=1), THICK, rtol=0.02)
+    assert ff.measure(record).energy_balance.residual < 0.005
+
+
+def test_a_contact_that_is_too_soft_makes_a_run_unreliable():
+    record = ff.run(
+        closing(time=0.02, **{"contact.time_constant": 5e-3, "crease.damping": 0.0, "crease.start": 3.0}), confirm=False
+    )
+    assert record.overlaps
+    assert "need a contact.time_constant shorter than 5 ms" in record.doubt
+    assert ff.measure(record).verdict == "untrusted"
+    assert any("of their thickness" in text for text in run_warnings(record))
+
+
+def test_a_bouncy_contact_needs_a_shorter_timestep():
+    record = ff.run(closing(**{"contact.damping_ratio": 0.1}), confirm=False)
+    assert ff.measure(record).verdict == "untrusted"
+    steps = [
+        with_timestep(closing(**{"protocol.timestep": "auto", "contact.damping_ratio": ratio})).protocol.timestep
+        for ratio in (1.0, 0.5, 0.25)
+    ]
+    np.testing.assert_allclose(steps, [5e-5, 5e-5, 2e-5], rtol=0.3)
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"contact.thickness": "12 cm"}, "contact.thickness: facet 0 and facet 1 are nearer than that at the start"),
+        (
+            {"crease.start": math.radians(179.9)},
+            "contact.thickness: facet 0 and facet 1 are nearer than that at the start: need <= 0.1745 mm, got 1 mm",
+        ),
+    ],
+)
+def test_parts_that_overlap_at_the_start_are_named_with_the_largest_thickness(values, message):
+    with pytest.raises(InputError) as error:
+        compile_model(closing(**values))
+    assert str(error.value).startswith(message)
+
+
+def test_parts_that_cross_at_the_start_are_named():
+    # both outer panels of a letter fold are closed beyond the middle
+    design = closing(3, **{"support": [{"of": "facet 1"}], "crease.start": math.radians(175)})
+    with pytest.raises(InputError) as error:
+        compile_model(design)
+    assert str(error.value).startswith("protocol.contact: facet 0 and facet 2 pass through each other at the start")
+
+
+def test_sheets_as_built_do_not_cross():
+    for name in ("miura-sheet", "kresling-cell", "waterbomb-base", "earwig-midwing"):
+        structure = structure_of(ff.load_design(name, {"protocol.contact": True}))
+        parts = touching_parts(structure, structure.contact)
+        assert not parts_that_cross(parts, built_points(structure)[parts.points])
+
+
+def test_friction_of_panels_closes_the_balance():
+    smooth, rough = (ff.run(closing(**{"contact.friction": friction}), confirm=False) for friction in (0.0, 0.5))
+    lost = [ff.measure(record).energy_balance.contacts for record in (smooth, rough)]
+    assert all(ff.measure(record).energy_balance.residual < 0.005 for record in (smooth, rough))
+    assert lost[1] != lost[0]
+
+
+def test_the_summary_has_the_overlap(closed, tmp_path):
+    ff.save(closed, tmp_path)
+    summary = json.loads((tmp_path / "summary.json").read_text("utf-8"))
+    assert summary["contact_overlap"]["share_in_steps"] == closed.series["contact_overlap"][-1]
+    assert summary["energy_balance"]["contacts_J"] > 0
