@@ -126,7 +126,6 @@ def _survey(design: Design, *, simulation: bool) -> tuple[EnergyLandscape, Recor
     """Compute the landscape of a design, and simulate it if wanted; warn of its structure and its timestep."""
     from forficula.dynamics import timestep_warnings
     from forficula.show.progress import survey_progress, waiting
-    from forficula.statics.net.net_of import is_net
     from forficula.structure import structure_of, structure_warnings
     from forficula.study.landscape_and_run import landscape_and_run
 
@@ -134,11 +133,6 @@ def _survey(design: Design, *, simulation: bool) -> tuple[EnergyLandscape, Recor
     whole = structure.appearance.whole
     for warning in structure_warnings(design, structure):
         warn(warning)
-    if structure.contact is not None and not is_net(structure):
-        warn(
-            f"the static analysis ignores contact of the bars and panels of this {whole}: they pass through each other;"
-            " only runs have contact"
-        )
     if simulation:
         with waiting("computing the timestep limit"):
             warnings = timestep_warnings(design)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from forficula.design import with_values
+from forficula.design import load_design, with_values
 from forficula.errors import InputError
 from forficula.statics import start_drag
 from forficula.statics.net.contact.closest import (
@@ -20,6 +20,7 @@ from forficula.statics.net.net_of import is_net, net_of, panels
 from forficula.statics.net.panel_crossing import panels_cross
 from forficula.statics.net.stable_states import find_stable_states
 from forficula.statics.survey import check_quasi_static
+from forficula.statics.tree_remarks import ignored_contact_remarks
 from forficula.structure import structure_of
 from forficula.structure.contact.distances import node_from_triangle, side_from_side
 from tests.touching_strips import rest_of, strip
@@ -115,3 +116,12 @@ def test_quasi_static_stages_refuse_friction():
     design = with_values(strip("strip", "plates"), {"protocol.stages": [stage], "contact.friction": 0.3})
     with pytest.raises(InputError, match="statics ignores the friction of contact"):
         check_quasi_static(structure_of(design), design.protocol)
+
+
+def test_statics_of_a_fan_reports_that_it_ignores_contact():
+    structure = structure_of(load_design("binder2025", {"protocol.contact": True}))
+    assert not is_net(structure)
+    assert ignored_contact_remarks(structure)[0].startswith(
+        "statics ignores contact of the bars and panels of this wing"
+    )
+    assert ignored_contact_remarks(structure_of(load_design("binder2025"))) == ()

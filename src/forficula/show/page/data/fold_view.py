@@ -332,8 +332,6 @@ def _notes(path: QuasiStaticPath) -> list[str]:
 
 def _contact_words(structure: Structure) -> str:
     """Return a phrase on the contact that the path includes."""
-    if structure.contact is None:
+    if structure.contact is None or not is_net(structure):
         return "without contact between bodies"
-    if not is_net(structure):
-        return "without the contact of bars and panels that runs include"
     return "with contact between facets, but without friction"

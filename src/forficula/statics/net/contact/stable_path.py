@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import count
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -22,6 +23,8 @@ _QUICK = 0.5  # of the longest displacement, below which the next step may be lo
 _FAR = 2.0  # of the longest displacement, beyond which a step is halved
 _HALVINGS = 16  # of an interval, to locate where parts begin to touch
 _LARGEST = 0.05  # step of the factor, of the whole range
+_DESCENT = 200  # steps of a descent, after which a step of the factor is halved
+_LOST = 1e-4  # of the factor, without a target: accuracy with which the loss of an equilibrium is located
 _SMALLEST = 1e-7  # step of the factor, of the whole range or of the first step, at which an equilibrium counts as lost
 
 
@@ -81,7 +84,7 @@ def stable_path(
         moved = np.abs(rest.shape.positions - before.shape.positions).max()
         if not rest.stable or moved > _FAR * longest:
             size = abs(following - before.factor) / 2
-            if size >= smallest:
+            if size >= (smallest if target is not None else max(smallest, _LOST * abs(before.factor - factor))):
                 continue
             lost, ended = rest, "stop"
             break
@@ -166,12 +169,14 @@ def with_contact_begins(net: Net, load: Load, points: Sequence[PathPoint]) -> li
 
 
 def _next_rest(net: Net, load: Load, before: PathPoint, factor: float, far: float) -> NetRest:
-    """Return the energy minimum near a point of the path at another factor; not settled if it is far away."""
+    """Return the energy minimum near a point of the path at another factor; not settled if it is not reached soon."""
     positions = before.shape.positions + (factor - before.factor) * load.displacements
     start = moved_shape(net, before.shape, positions)
 
+    steps = count()
+
     def is_far(shape: NetShape) -> bool:
-        return bool(np.abs(shape.positions - before.shape.positions).max() > far)
+        return bool(np.abs(shape.positions - before.shape.positions).max() > far) or next(steps) > _DESCENT
 
     return minimum(net, start, load, factor, stop=is_far)
 
