@@ -48,7 +48,7 @@ page:  ## build the script of the HTML pages, which is kept in the package; need
 benchmarks: $(INSTALLED)  ## run every benchmark in its smallest size, as a check
 	$(BIN)/python benchmarks/advice.py --designs 1 --family joint
 	$(BIN)/python benchmarks/confirmation.py --of binder2025-joint --designs 1
-	$(BIN)/python benchmarks/contact.py --units 1 --strips 1
+	$(BIN)/python benchmarks/contact.py --units 1 --strips 1 --sheets "two panels"
 	$(BIN)/python benchmarks/folding_ratio.py --units 1
 	$(BIN)/python benchmarks/gpu.py --smallest
 	$(BIN)/python benchmarks/identify.py --plantings 1 --only smooth

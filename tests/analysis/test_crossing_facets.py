@@ -78,7 +78,8 @@ def test_a_plate_may_pass_through_the_gap_of_one_that_is_not_convex(place, cross
 def test_a_letter_that_closes_too_fast_passes_through_itself_and_the_example_does_not():
     fast, letter = (run(load_design("letter-fold", more)) for more in ({"crease.damping": "5e-3 N m s/rad/m"}, {}))
     (warning,) = run_warnings(fast)
-    assert warning == "facet 0 and facet 2 pass through each other from 0.444 s: contact between plates is not modelled"
+    crossing = "facet 0 and facet 2 pass through each other from 0.444 s"
+    assert warning == f"{crossing}: contact is switched off; protocol.contact = true keeps them apart"
     assert np.degrees(letter.measured("creases")).max() < 115
     assert run_warnings(letter) == []
 

@@ -9,8 +9,9 @@ import pytest
 import forficula as ff
 from forficula.analysis.contact_overlap import contact_overlap, overlap_of
 from forficula.analysis.run_warnings import run_warnings
-from forficula.dynamics import compile_model, with_timestep
-from forficula.dynamics.engine.contact_forces import ContactForces, touching_of
+from forficula.dynamics import compile_model, simulate, with_timestep
+from forficula.dynamics.engine.contact_forces import ContactForces
+from forficula.dynamics.engine.touching import touching_of
 from forficula.errors import InputError
 from forficula.structure import built_points, structure_of
 from forficula.structure.contact.distances import crossing_share, node_from_triangle, side_from_side
@@ -113,6 +114,16 @@ def test_the_recorded_overlap_agrees_with_that_of_separate_geometry(closed):
         assert overlap_of(parts, places)[0] == pytest.approx(expected, abs=1e-6 * THICK)
     assert overlap.share <= overlap.share_in_steps < 0.1
     assert not any("overlap" in text for text in run_warnings(closed))
+
+
+def test_structures_side_by_side_have_the_bits_of_each_alone():
+    designs = [closing(time=0.012, **{"crease.damping": damping}) for damping in (0.02, 0.01)]
+    models = [compile_model(design) for design in designs]
+    for together, model in zip(simulate(models), models, strict=True):
+        (alone,) = simulate([model])
+        assert alone.series["contact_overlap"][-1] > 0
+        for name, values in alone.series.items():
+            np.testing.assert_array_equal(together.series[name], values)
 
 
 def test_facets_that_bend_are_one_thickness_apart():

@@ -11,8 +11,8 @@ from forficula.dynamics.energies.crease_work import crease_works, displacement_f
 from forficula.dynamics.energies.energy import CLAMPING_FIELDS, branch_losses, clamping_work, energy_of
 from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
 from forficula.dynamics.engine.contact import has_engine_contact
-from forficula.dynamics.engine.contact_forces import touching_of
 from forficula.dynamics.engine.model import Model, joint_ranges
+from forficula.dynamics.engine.touching import touching_of
 from forficula.dynamics.stepping.steps import EngineState, Steps
 from forficula.structure import RestPath
 

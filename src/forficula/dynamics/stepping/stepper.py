@@ -20,11 +20,12 @@ from forficula.cores import usable_cores
 from forficula.dynamics.energies.creases import engine_rows
 from forficula.dynamics.energies.energy import state_series
 from forficula.dynamics.engine.contact import has_engine_contact
-from forficula.dynamics.engine.contact_forces import ContactForces, touching_of
+from forficula.dynamics.engine.contact_forces import ContactForces
 from forficula.dynamics.engine.crease_rows import CreaseRows, crease_rows, without_jump
 from forficula.dynamics.engine.drag import KINEMATICS, stacked_drag
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.plate_creases import PlateRows, plate_rows
+from forficula.dynamics.engine.touching import touching_of
 from forficula.dynamics.engine.warnings import quiet
 from forficula.dynamics.stepping.folds import joint_address, slide_name
 from forficula.dynamics.stepping.start_states import start_creases, start_folds, start_position, start_states
