@@ -1,4 +1,4 @@
-"""Strips of facets whose layers touch, for tests: two facets, two layers beside a spine, and a letter fold."""
+"""Strips of facets whose layers touch, for tests: folds, zigzags, two layers beside a spine, and a letter fold."""
 
 from functools import cache
 
@@ -16,10 +16,11 @@ FACETS = {
 }
 LENGTHS = {
     "fold": ["4 cm", "4 cm"],
+    "zigzag": ["4 cm", "4 cm", "4 cm", "4 cm"],
     "strip": ["3.7 cm", "1.001 mm", "4 cm"],
     "letter": ["3.7 cm", "1.001 mm", "4 cm", "2.002 mm", "3.7 cm"],
 }
-HELD = {"fold": 0, "strip": 2, "letter": 2}
+HELD = {"fold": 0, "zigzag": 0, "strip": 2, "letter": 2}
 DRIVES = {
     "torque": '[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "4 N cm"\nrise = "1 s"',
     # on both corners of the free edge of a strip
@@ -34,7 +35,7 @@ kind = "pleats"
 panels = {count}
 panel_lengths = {lengths}
 width = "2 cm"
-assignment = "V"
+assignment = "{assignment}"
 [facet]
 {facets}
 [crease]
@@ -70,6 +71,7 @@ def strip(kind, facets="nodes", *, rest="100 deg", thickness="1 mm", drive="torq
         lengths=str(LENGTHS[kind]).replace("'", '"'),
         facets=FACETS[facets],
         rest=rest,
+        assignment="VM" if kind == "zigzag" else "V",
         thickness=thickness,
         held=HELD[kind],
         drive=DRIVES[drive],

@@ -81,6 +81,15 @@ def test_layers_of_a_letter_fold_lie_a_thickness_above_each_other(facets, agree)
         agree("force of the lower layer", lower, on_lower, by="closed form", unit="N", rel=1e-4)
 
 
+def test_a_zigzag_of_four_facets_without_spines_closes_to_two_thicknesses(agree):
+    structure, net, rest = rest_of("zigzag", rest="180 deg")
+    assert rest.stable
+    angles = crease_angles(structure, own_angles(structure, rest.shape))
+    agree("fold angles", angles, math.pi - math.asin(THICK / LENGTH), by="closed form", unit="rad", rel=1e-6)
+    height = corners(net, rest.shape, "facet 3").max()
+    agree("height of the stack", height, 2 * THICK, by="closed form", unit="m", rel=1e-5)
+
+
 @cache
 def closing():
     return quasi_static_path(structure_of(strip("fold", "plates", rest="0 deg", thickness="4 mm")), error=0.05)
