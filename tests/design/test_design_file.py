@@ -267,8 +267,8 @@ SOME = (
     "forficula designs lists the named designs: binder2025, binder2025-built, binder2025-coupled, binder2025-joint, ..."
 )
 SECTIONS = (
-    "based_on, name, source, shows, reproduces, medium, stops, make, pattern, vein, membrane, hinge, coupling, tendon,"
-    " guard, contact, protocol"
+    "based_on, name, source, shows, reproduces, medium, stops, table, make, pattern, vein, membrane, hinge, coupling,"
+    " tendon, guard, contact, protocol"
 )
 OF_TENDON = (
     "stiffness, rest_length, damping, pushes_when_slack, area, law, density, proximal_attachment, distal_attachment,"

@@ -9,6 +9,7 @@ import pytest
 
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate, stable_timestep
+from forficula.dynamics.energies.crease_moments import Past
 from forficula.dynamics.energies.creases import engine_rows
 from forficula.dynamics.engine.crease_rows import crease_rows
 from forficula.structure import built_points, crease_flaps, flap_angles, structure_of
@@ -80,7 +81,8 @@ def test_the_engine_pushes_nodes_by_the_moments_of_creases_and_in_no_other_way(s
     position = size * random.normal(size=dof)
     effort = random.normal(size=(1, len(model.structure.motors)))
     start = model.folds.angles(position)[None, model.folds.creases]
-    angles, _, values = rows.follow(position[None], np.zeros((1, dof)), start, effort, np.zeros_like(start))
+    past = Past(angles=start, memory=np.zeros((1, *start.shape)), elapsed=np.zeros((1, 1)), block=np.zeros((1, 1)))
+    angles, _, values = rows.follow(position[None], np.zeros((1, dof)), effort, past)
     engine = copy.copy(model.engine)
     engine_rows(engine)[rows.rows] = values[0]
     data = mujoco.MjData(engine)

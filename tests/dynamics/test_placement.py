@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from forficula.dynamics import compile_model, simulate
+from forficula.dynamics.energies.crease_moments import Past
 from forficula.dynamics.energies.creases import engine_rows
 from forficula.dynamics.engine.crease_rows import crease_rows
 from forficula.dynamics.engine.plate_angles import plate_angles
@@ -72,7 +73,8 @@ def test_the_engine_pushes_by_the_slope_of_the_energy_of_creases(moved):
     rows = plate_rows([model])
     near = model.folds.angles(data.qpos)[model.folds.creases][None]
     rest = np.zeros_like(data.qvel)
-    *_, values = rows.follow(data.qpos[None], rest[None], near, np.zeros((1, 0)), np.zeros_like(near))
+    past = Past(angles=near, memory=np.zeros((1, *near.shape)), elapsed=np.zeros((1, 1)), block=np.zeros((1, 1)))
+    *_, values = rows.follow(data.qpos[None], rest[None], np.zeros((1, 0)), past)
     engine_rows(model.engine)[rows.rows] = values[0]
     # a state at rest: no damping
     data.qvel[:] = 0

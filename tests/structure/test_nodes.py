@@ -215,7 +215,7 @@ def test_a_structure_in_other_units_is_the_same():
     ("values", "message"),
     [
         ({"support": [{"of": "vertex 99"}]}, r"support\.0\.of: need a vertex from 0 to 24, got 99"),
-        ({"support": [{"of": "edge 3"}]}, r'support\.0\.of: need a vertex such as "vertex 4"'),
+        ({"support": [{"of": "side 3"}]}, r'support\.0\.of: need a vertex such as "vertex 4"'),
         ({"crease.start": 0.1}, r"crease\.start: is for rigid facets"),
         (
             {"crease.fold_limit": 0.5},

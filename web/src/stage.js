@@ -4,6 +4,7 @@ import { DirectionalLight, HemisphereLight, Scene, Vector3, WebGLRenderer } from
 import { makeCamera } from "./camera.js";
 import { make } from "./elements.js";
 import { makeFloor } from "./floor.js";
+import { makeGravity } from "./gravity.js";
 import { makeProcessorRenderer } from "./processor-renderer.js";
 import { onSchemeChange, styleColour } from "./scheme.js";
 
@@ -75,6 +76,7 @@ export function makeStage(clips, clock, shapeOf, text, look) {
       view.floor.material.opacity = above ? GRID : GRID_FROM_BELOW;
       view.shape.shadow.visible = above;
       view.shape.sort(eye.camera.position);
+      view.gravity?.follow(eye.camera, eye.controls.target);
       renderer.render(view.scene, eye.camera);
     }
     eye.aim();
@@ -85,6 +87,7 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     for (const view of views) {
       view.floor.material.color.set(styleColour("--floor"));
       view.shape.paint();
+      view.gravity?.paint();
     }
     invalidate();
   }
@@ -126,8 +129,9 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     stopPainting();
     watch.disconnect();
     eye.dispose();
-    for (const { shape, floor } of views) {
+    for (const { shape, floor, gravity } of views) {
       shape.dispose();
+      gravity?.dispose();
       floor.geometry.dispose();
       floor.material.dispose();
     }
@@ -154,12 +158,15 @@ const HELP = "Drag to turn, pinch to zoom; keys are listed below.";
 /** A scene for every structure; all are seen by one camera. */
 function makeView(clip, shape, eye) {
   const floor = makeFloor(eye.size, eye.target);
-  floor.position.z = lowest(clip) - 0.06 * eye.size;
+  // the grid is a level table, if there is one
+  floor.position.z = clip.mesh.table_m ?? lowest(clip) - 0.06 * eye.size;
   shape.shadow.position.z = floor.position.z + 1e-3 * eye.size;
   const light = new DirectionalLight("#ffffff", LIGHT);
   const scene = new Scene();
   scene.add(shape.group, shape.shadow, floor, light, new HemisphereLight("#ffffff", "#dde2e8", SKY));
-  return { shape, floor, light, scene };
+  const gravity = clip.mesh.gravity && makeGravity(clip.mesh.gravity);
+  if (gravity) scene.add(gravity.group);
+  return { shape, floor, light, scene, gravity };
 }
 
 function lowest(clip) {

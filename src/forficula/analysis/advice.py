@@ -205,7 +205,7 @@ def least_torque(design: Design, structure: Structure, transition: Transition) -
 
     Returns:
         nan if no such torque makes it; None if the drive is not a torque, if the hinges do not form a tree, or if
-        hinges have dry friction or fold permanently.
+        hinges have dry friction or fold permanently, or if there is a table.
     """
     return _least_torques([design], transition)[0] if _turned_slowly(structure, transition) else None
 
@@ -213,10 +213,10 @@ def least_torque(design: Design, structure: Structure, transition: Transition) -
 def _turned_slowly(structure: Structure, transition: Transition) -> bool:
     """Return whether statics can compute the least torque of a transition.
 
-    It can for torques on a tree without dry friction and permanent folds.
+    It can for torques on a tree without dry friction, permanent folds and a table.
     """
     drive = drive_of(structure, transition.drive)
-    if any(hinge.friction for hinge in structure.hinges) or path_dependence(structure):
+    if any(hinge.friction for hinge in structure.hinges) or path_dependence(structure) or structure.table is not None:
         return False
     return not is_net(structure) and drive_unit(structure, drive) == "N m" and bool(drive.strength)
 

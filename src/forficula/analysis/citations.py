@@ -263,7 +263,13 @@ _FEATURES: tuple[tuple[str, str, Callable[[Structure], bool]], ...] = (
     (
         "gear2003",
         "time steps over long stages in which only Maxwell branches relax",
-        lambda structure: any(tendon.law.branches for tendon in structure.tendons),
+        lambda structure: any(
+            branches
+            for branches in (
+                *(tendon.law.branches for tendon in structure.tendons),
+                *(hinge.branches for hinge in structure.hinges),
+            )
+        ),
     ),
 )
 

@@ -22,6 +22,8 @@ _LOSSES = (
     "letting_go_work",
     "yield_work",
     "crease_yield_work",
+    "crease_branch_work",
+    "crease_damage_work",
     "drag_work",
 )
 # series of the energies of elements, by the field of a mechanism that contains their numbers

@@ -30,7 +30,8 @@ class Storage:
         clock: time since the structure first rested, s, (row,), one row before every skipped interval and at the end.
         pulls: force of every tendon, N, (row, tendon); None if no tendon has Maxwell branches.
         slack: whether no tendon pulls at the beginning and at the end of the wait.
-        lost: energy that Maxwell branches dissipated, J.
+        lost: energy that Maxwell branches of tendons dissipated, J.
+        lost_in_creases: energy that those of creases dissipated, J; None without them.
         membrane: energy stored in the membrane at the end, J; its creep is not modelled; 0 without a membrane, nan in
             a sparse record.
     """
@@ -43,6 +44,7 @@ class Storage:
     pulls: Annotated[Array | None, Written.NEVER]
     slack: Annotated[bool, Written.NEVER]
     lost: Annotated[Joules, Key("branch_damping")]
+    lost_in_creases: Annotated[Joules | None, Key("crease_branch_damping"), Written.IF_KNOWN]
     membrane: Annotated[Joules, Key("membrane_energy")]
 
     @property
@@ -75,6 +77,7 @@ def storages(record: Record) -> tuple[Storage, ...]:
         clock = record.time[last] + waited[last]
         pulls = record.series.get("tendon_pull")
         heat = record.series.get("branch_damping_work", np.zeros(len(record.time)))
+        of_creases = record.series.get("crease_branch_work")
         result.append(
             Storage(
                 stage=number,
@@ -85,6 +88,7 @@ def storages(record: Record) -> tuple[Storage, ...]:
                 pulls=None if pulls is None else pulls[last],
                 slack=pulls is not None and bool(np.all(pulls[last[[0, -1]]] <= _SLACK * pulls.max(initial=0.0))),
                 lost=float(heat[last[0]] - heat[last[-1]]),
+                lost_in_creases=None if of_creases is None else float(of_creases[last[0]] - of_creases[last[-1]]),
                 membrane=float(record.series["membrane_energy"][last[-1]]),
             )
         )
@@ -101,8 +105,10 @@ def _storage_text(record: Record, outcome: Outcome, storage: Storage) -> str:
     missed = outcome.holds.get(storage.state, True) is not True
     where = f'in the stage "{storage.name}"' if missed or not storage.state else storage.state
     after = f"After {show_duration(storage.time)} {where}"
-    weakened = storage.weakened
-    if storage.pulls is None:
+    weakened, of_creases = storage.weakened, storage.lost_in_creases
+    if storage.pulls is None and of_creases is not None:
+        first = f"{after} its creases have relaxed: their Maxwell branches dissipated {show_value(of_creases, 'J')}."
+    elif storage.pulls is None:
         first = f"{after} it is unchanged: none of its tendons has Maxwell branches, and no other part creeps."
     elif weakened is None:
         first = f"{after} the holding force is unchanged, because its tendons are slack in this state."
@@ -114,6 +120,8 @@ def _storage_text(record: Record, outcome: Outcome, storage: Storage) -> str:
             f" rests on its stops, the holding torque is {word} by the same share. Maxwell branches dissipated"
             f" {show_value(storage.lost, 'J')}."
         )
+    if storage.pulls is not None and of_creases is not None:
+        first = f"{first} Those of its creases dissipated {show_value(of_creases, 'J')}."
     if record.structure.membranes and np.isfinite(storage.membrane):
         first = f"{first} Its membrane, whose creep is not modelled, stores {show_value(storage.membrane, 'J')}."
     then = next(

@@ -54,6 +54,19 @@ class FoldPeak:
     time: Seconds
 
 
+@dataclass(frozen=True, kw_only=True)
+class WornCrease:
+    """The crease that wear has weakened most at the end of a run.
+
+    Attributes:
+        left: share of its moment that wear has left.
+        crease: name of the crease.
+    """
+
+    left: float
+    crease: str
+
+
 def strain_peaks(record: Record) -> tuple[Peak, ...]:
     """Find the largest strains of bars, membranes and tendons in the rows of a record.
 
@@ -91,6 +104,15 @@ def permanent_fold(record: Record) -> FoldPeak | None:
     sets = record.series["hinge_set"][-1]
     crease = int(np.argmax(np.abs(sets)))
     return FoldPeak(angle=float(sets[crease]), crease=record.structure.hinges[crease].name, time=float(record.time[-1]))
+
+
+def worn_crease(record: Record) -> WornCrease | None:
+    """Find the crease that has lost most of its moment to wear; None if no crease wears, or for a diverged run."""
+    if "hinge_remaining" not in record.series or record.diverged_at is not None:
+        return None
+    left = record.series["hinge_remaining"][-1]
+    crease = int(np.argmin(left))
+    return WornCrease(left=float(left[crease]), crease=record.structure.hinges[crease].name)
 
 
 def _bars(record: Record) -> Peak | None:

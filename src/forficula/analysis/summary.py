@@ -22,7 +22,7 @@ from forficula.analysis.precision import precision_of
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.states import SPRUNG, State
 from forficula.analysis.storage import Storage, storage_texts, storages
-from forficula.analysis.strength import FoldPeak, Peak, fold_peak, permanent_fold, strain_peaks
+from forficula.analysis.strength import FoldPeak, Peak, WornCrease, fold_peak, permanent_fold, strain_peaks, worn_crease
 from forficula.analysis.verdict import Verdict
 from forficula.arrays import Array
 from forficula.dynamics import EnergyBalance, Record
@@ -131,6 +131,7 @@ class Summary:
         largest_strains: by kind of parts.
         furthest_fold: the crease with the largest fold angle.
         permanent_fold: the crease with the largest permanent fold at the end.
+        worn_crease: the crease that has lost most of its moment to wear at the end.
         branch: branch that a sheet followed out of its flat state.
         package: packaged sizes of the states.
         storage: effect of waiting times on the tendons.
@@ -160,6 +161,7 @@ class Summary:
     largest_strains: Mapping[str, Peak]
     furthest_fold: Annotated[FoldPeak | None, Written.IF_KNOWN]
     permanent_fold: Annotated[FoldPeak | None, Written.IF_KNOWN]
+    worn_crease: Annotated[WornCrease | None, Written.IF_KNOWN]
     branch: Annotated[Branch | None, Written.IF_KNOWN]
     package: Annotated[PackageSummary | None, Written.IF_KNOWN]
     storage: Annotated[StorageSummary | None, Written.IF_KNOWN]
@@ -208,6 +210,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str], key: str
         largest_strains={peak.kind: peak for peak in strain_peaks(record)},
         furthest_fold=fold_peak(record),
         permanent_fold=permanent_fold(record),
+        worn_crease=worn_crease(record),
         branch=branch_taken(record),
         package=smallest and PackageSummary(state=smallest[0], smallest=smallest[2], states=rooms),
         storage=StorageSummary(waits=waits, in_words=storage_texts(record, outcome)) if waits else None,

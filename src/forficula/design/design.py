@@ -17,6 +17,7 @@ from forficula.design.named_protocol import NamedProtocol
 from forficula.design.protocol import Protocol
 from forficula.design.section import SHORT_TIME, TIME, Section
 from forficula.design.stops import StopSection
+from forficula.design.table import TableSection
 from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.names import folder_name
@@ -70,6 +71,9 @@ class Design(Displayed, Section):
         None
     )
     stops: Annotated[StopSection, Field(description="compliance of hinge stops and guard tendons")] = StopSection()
+    table: Annotated[
+        TableSection | None, Field(description="table that the structure cannot pass through; none if not given")
+    ] = None
     make: Annotated[
         MakeSection | None, Field(description="how the parts are made; by the default of each key if not given")
     ] = None

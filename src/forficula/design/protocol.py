@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import Field, field_validator
+from pydantic import BeforeValidator, Field, field_validator
 
 from forficula.design.section import ACCELERATION, ANGLE, ANGULAR_SPEED, LONG_TIME, SHORT_TIME, TIME, Section, quantity
 from forficula.errors import InputError
@@ -19,6 +19,28 @@ _BOUND = re.compile(r"\s*(?P<name>[^<>=]+?)\s*(?P<relation>[<>])=?\s*(?P<value>[
 
 # s, a thousand million days: every step of a wait is at most twice the previous one, so 1e300 d would never end
 _LONGEST_WAIT = 1e9 * 86400
+
+_AXES = {
+    f"{sign}{axis}": tuple(float(f"{sign}1") if axis == other else 0.0 for other in "xyz")
+    for axis in "xyz"
+    for sign in ("", "-")
+}
+
+
+def _read_direction(direction: object) -> object:
+    """Read a direction: the name of an axis, or a vector; a vector along an axis becomes its name."""
+    written = direction.strip() if isinstance(direction, str) else None
+    if written in _AXES:
+        return written
+    vector = tuple(direction) if isinstance(direction, list | tuple) else ()
+    if not (len(vector) == len("xyz") and all(type(part) in (int, float) and math.isfinite(part) for part in vector)):
+        raise InputError(
+            f'need "x", "y", "z", "-x", "-y", "-z" or a vector such as [0, -1, -1], got {as_written(direction)}'
+        )
+    if not any(vector):
+        raise InputError(f'need a direction that is not zero, such as "-z" or [0, -1, -1], got {as_written(direction)}')
+    size = max(map(abs, vector))
+    return next((name for name, axis in _AXES.items() if tuple(part / size for part in vector) == axis), vector)
 
 
 class StageSection(Section):
@@ -55,7 +77,8 @@ class StageSection(Section):
     ] = None
     wait: float | None = quantity(
         LONG_TIME,
-        "how long the structure stays at rest while Maxwell branches of its tendons relax; this time is not simulated"
+        "how long the structure stays at rest while Maxwell branches of its tendons and creases relax; this time is not"
+        " simulated"
         ' step by step; needs until = "rest"',
         default=None,
         at_least=0,
@@ -96,7 +119,7 @@ class Protocol(Section):
     about: ClassVar[str] = "The stages in which the structure is driven, and the criteria by which a run is judged"
 
     natural: ClassVar[tuple[str, ...]] = ("gravity",)
-    later: ClassVar[tuple[str, ...]] = ("shortest_timestep", "device")
+    later: ClassVar[tuple[str, ...]] = ("shortest_timestep", "device", "gravity_direction")
 
     timestep: float | Literal["auto"] = quantity(
         SHORT_TIME,
@@ -139,7 +162,16 @@ class Protocol(Section):
             " verdict is untrusted",
         ),
     ] = 0.005
-    gravity: float = quantity(ACCELERATION, "gravity, normal to the flat sheet and downwards; 0 switches gravity off")
+    gravity: float = quantity(ACCELERATION, "gravity along protocol.gravity_direction; 0 switches gravity off")
+    gravity_direction: Annotated[
+        str | tuple[float, float, float],
+        BeforeValidator(_read_direction),
+        Field(
+            description="direction of gravity in the axes of the structure, as a vector of any length or as an axis"
+            ' such as "-y"; "-z" is normal to a flat sheet and downwards',
+            examples=["-y", [0, -1, -1]],
+        ),
+    ] = "-z"
     contact: Annotated[bool, Field(strict=True, description="whether bodies touch each other")]
     device: Annotated[
         Literal["gpu", "warp-cpu"] | None,
@@ -150,6 +182,14 @@ class Protocol(Section):
         ),
     ] = None
     stages: Annotated[tuple[StageSection, ...], Field(min_length=1, description="stages of the protocol, in order")]
+
+    @property
+    def down(self) -> tuple[float, float, float]:
+        """Return the unit vector along gravity."""
+        direction = self.gravity_direction
+        x, y, z = _AXES[direction] if isinstance(direction, str) else direction
+        length = math.hypot(x, y, z)
+        return x / length, y / length, z / length
 
     @field_validator("device", mode="before")
     @classmethod
@@ -185,7 +225,7 @@ class CommonProtocol(Protocol):
         above=0,
     )
     gravity: float = quantity(
-        ACCELERATION, "gravity, normal to the flat sheet and downwards; 0 switches gravity off", default=0.0
+        ACCELERATION, "gravity along protocol.gravity_direction; 0 switches gravity off", default=0.0
     )
     contact: Annotated[bool, Field(strict=True, description="whether bodies touch each other")] = False
 

@@ -225,11 +225,13 @@ class Section(BaseModel):
         defaults = {name: type(self).model_fields[name].default for name in self.later}
         for name in _readers(type(self)):
             value = getattr(self, name)
+            if name in self.later and value == defaults[name]:
+                continue
             if isinstance(value, Section):
                 values[name] = _hash_values(value)
             elif isinstance(value, tuple):
                 values[name] = [_hash_values(item) if isinstance(item, Section) else item for item in value]
-            elif value is not None and (name not in self.later or value != defaults[name]):
+            elif value is not None:
                 values[name] = value
         return values
 

@@ -20,7 +20,7 @@ from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.touching import overlap_doubt
 from forficula.dynamics.record import Record, StageEnd
 from forficula.dynamics.stepping.stage_plan import NEVER
-from forficula.dynamics.stepping.steps import SETS, EngineState, Steps
+from forficula.dynamics.stepping.steps import MEMORY, EngineState, Steps
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -281,11 +281,12 @@ def keep_rows(recorders: Sequence[Recorder], chunk: Chunk) -> None:
     # for all structures at once, which replaces thousands of calls by a few
     structure, before = np.nonzero(kept)
     inner = {name: steps.states(structure, before, place) for name, place in steps.inner.items()}
-    if steps.sets is not None:
-        inner[SETS] = steps.sets[structure, before // steps.followed]
+    angles = _angles(recorders, steps, structure, before)
+    if steps.memory is not None:
+        inner[MEMORY] = _memory(recorders, steps, structure, before, angles)
     rows = _Rows(
         number=number[structure, before],
-        angle=_angles(recorders, steps, structure, before),
+        angle=angles,
         derived={name: steps.derived[name][structure, before] for name in steps.kept} | inner,
         account={name: values[structure, before] for name, values in chunk.account.items()},
     )
@@ -305,6 +306,17 @@ def _angles(recorders: Sequence[Recorder], steps: Steps, structure: Indices, bef
         every = np.arange(angles.shape[1])
         angles[rows] = steps.angles_of(folds, place, positions[rows], before[rows], every)
     return angles
+
+
+def _memory(recorders: Sequence[Recorder], steps: Steps, structure: Indices, before: Indices, angles: Array) -> Array:
+    """Return the memory of creases in the kept states with the angles of all hinges, (row, slot, crease)."""
+    assert steps.memory is not None
+    memory = np.zeros((len(before), len(steps.memory), steps.memory.shape[-1]))
+    for place in np.unique(structure).tolist():
+        rows, model = structure == place, recorders[place].model
+        at = steps.memory_at(model, place, before[rows], angles[rows][:, model.followed_hinges])
+        memory[rows] = np.moveaxis(at, 0, 1)
+    return memory
 
 
 def _joined(parts: Sequence[_Part]) -> _Part:

@@ -23,7 +23,7 @@ from forficula.quantities import Unit, as_written, format_quantity, parse_quanti
 DEFAULT_SHARE = 0.1
 SIZE = 'percentage such as "10 %", or as in a design'
 # sections with the load, the measurements, and values that parts do not have
-_NOT_BUILT = ("protocol", "drive", "measure", "support", "make", "stops")
+_NOT_BUILT = ("protocol", "drive", "measure", "support", "table", "make", "stops")
 # range of validity of a law, which changes no run
 _KNOWLEDGE = ("largest_strain", "lowest_strain_rate", "highest_strain_rate")
 # normal distributions are cut at 4.8 standard deviations

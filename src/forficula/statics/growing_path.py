@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -165,7 +165,7 @@ def path_of(
         # a path that was stopped might have been followed further
         if complete or event.kind != "lost"
     ]
-    return QuasiStaticPath(
+    path = QuasiStaticPath(
         structure=structure,
         name=name,
         drive=drive,
@@ -189,6 +189,14 @@ def path_of(
             for name in sorted({name for point in points for name in point.contacts})
         },
     )
+    if not path.friction.any():
+        return path
+    most = show_value(float(np.nanmax(path.friction, initial=0.0)), unit)
+    remark = (
+        f'the path is that without dry friction, which adds up to {most} to the drive "{drive.name}" while it grows and'
+        " takes as much away while it falls"
+    )
+    return replace(path, remarks=(*remarks, remark))
 
 
 def _sentence(structure: Structure, drive: Drive, event: NumberedEvent, strength: str) -> str:

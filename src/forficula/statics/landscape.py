@@ -19,6 +19,7 @@ from forficula.errors import InputError
 from forficula.quantities import Unit, show_value
 from forficula.results import Result, pandas_module
 from forficula.serial import Joules, Written
+from forficula.statics.friction import FrictionBand
 from forficula.statics.net.driven.net_course import Course
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_state import Mobility, NetState
@@ -161,6 +162,7 @@ class EnergyLandscape(Result):
             does, or if it is folded already.
         tips: resistance to a load at the tips; None without a single folding path.
         net: survey of sliding points, or of plates that are in loops or free; None for a tree of bodies on joints.
+        friction_bands: angles at which dry friction holds single hinges in the stable states.
     """
 
     design: Design
@@ -177,6 +179,7 @@ class EnergyLandscape(Result):
     hinge_barriers: Array = field(default_factory=lambda: np.zeros(0))
     tips: TipStiffness | None = None
     net: NetSurvey | None = None
+    friction_bands: tuple[FrictionBand, ...] = ()
 
     def __repr__(self) -> str:
         """Return the resting states with their energies."""

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from forficula.arrays import Array
 from forficula.quantities import Unit
 from forficula.serial import Joules, Metres, NewtonMetres, Newtons, WithUnit, Written, plain
+from forficula.statics.friction import FrictionBand
 from forficula.statics.landscape import (
     EnergyLandscape,
     LeastTorque,
@@ -106,6 +107,7 @@ class LandscapeSummary:
         inertial_help: a snap after which inertia may make a transition with less than the least slow torque.
         tips: stiffness of the tips.
         remarks: sentences on missing results and on limits of the others.
+        friction_bands: angles at which dry friction holds single hinges in the stable states.
         saddles: of a tree without a single folding path, between states that its protocol reaches one after another.
         net: states, saddles and courses of sliding points and of plates in loops.
         design_hash: hash of all values of the design.
@@ -129,6 +131,7 @@ class LandscapeSummary:
     inertial_help: Mapping[str, InertialHelp | None]
     tips: TipStiffness | None
     remarks: Sequence[str]
+    friction_bands: Annotated[Sequence[FrictionBand] | None, Written.IF_KNOWN]
     saddles: Annotated[Sequence[Mapping[str, Any]] | None, Written.IF_KNOWN]
     net: Annotated[Mapping[str, Any] | None, Written.IF_KNOWN]
     design_hash: str
@@ -165,6 +168,7 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
         inertial_help={torque.name: torque.inertial_help for torque in torques},
         tips=landscape.tips,
         remarks=landscape.remarks,
+        friction_bands=landscape.friction_bands or None,
         saddles=_tree_saddles(landscape) or None,
         net=None if landscape.net is None else _net(landscape, landscape.net),
         design_hash=landscape.design.hash,

@@ -12,20 +12,77 @@ def path_dependence(structure: Structure) -> str:
     """Return why the rest states of a structure depend on what happened before, as a clause; empty if they do not."""
     yielding = next((hinge for hinge in structure.hinges if math.isfinite(hinge.yield_angle)), None)
     if yielding is None:
-        return ""
+        return wear(structure)
     name = yielding.label or yielding.name
     return f"{name} folds permanently, so that where it rests depends on how it was folded before"
 
 
+def wear(structure: Structure) -> str:
+    """Return why no result of statics has the moments of a structure, as a clause; empty if its creases do not wear."""
+    worn = next((hinge for hinge in structure.hinges if hinge.damage is not None), None)
+    if worn is None:
+        return ""
+    return f"{worn.label or worn.name} wears out, so that its moment depends on how often it was folded before"
+
+
 def refuse_path_dependence(structure: Structure, results: str) -> None:
-    """Refuse a structure whose rest states depend on what happened before.
+    """Refuse a structure whose rest states depend on what happened before, or whose bodies turn on a table.
 
     Args:
         structure: the structure.
         results: results of statics that such a structure lacks, such as "energy landscape".
 
     Raises:
-        InputError: the rest states depend on what happened before.
+        InputError: the rest states depend on what happened before, or bodies turn on a table.
     """
+    refuse_table(structure, results)
     if reason := path_dependence(structure):
-        raise InputError(f"{structure.name}: has no {results}, because {reason}; a run follows permanent folds")
+        follows = "wear" if reason == wear(structure) else "permanent folds"
+        raise InputError(f"{structure.name}: has no {results}, because {reason}; a run follows {follows}")
+
+
+def refuse_wear(structure: Structure, results: str) -> None:
+    """Refuse a structure whose creases wear out; the arguments are those of `refuse_path_dependence`.
+
+    Raises:
+        InputError: a crease wears out.
+    """
+    if reason := wear(structure):
+        raise InputError(f"{structure.name}: has no {results}, because {reason}; a run follows wear")
+
+
+def rest_angle_of_nonlinear(structure: Structure) -> str:
+    """Return why statics cannot move the rest angles of a structure, as a clause; empty if it can."""
+    for motor in structure.motors:
+        hinges = [structure.hinges[number] for number in motor.hinges if motor.kind == "rest-angle"]
+        bent = next((hinge for hinge in hinges if hinge.quadratic or hinge.cubic), None)
+        if bent is not None:
+            return f"a drive changes the rest angle of {bent.label or bent.name}, whose moment is nonlinear"
+    return ""
+
+
+def refuse_rest_angles(structure: Structure) -> None:
+    """Refuse drives that change rest angles of springs whose moment is not linear.
+
+    Raises:
+        InputError: a drive changes such a rest angle.
+    """
+    if reason := rest_angle_of_nonlinear(structure):
+        raise InputError(f"{structure.name}: has no static results, because {reason}; a run follows both")
+
+
+def refuse_table(structure: Structure, results: str) -> None:
+    """Refuse bodies that turn on a table, which statics ignores; it includes the table under facets that bend.
+
+    Args:
+        structure: the structure.
+        results: results of statics that such a structure lacks, such as "energy landscape".
+
+    Raises:
+        InputError: the structure has a table, and bodies that turn.
+    """
+    if structure.table is not None and (structure.bars or structure.plates):
+        raise InputError(
+            f"{structure.name}: has no {results}, because statics ignores the table under bodies that turn; a run"
+            ' includes it, and table = "none" leaves it out'
+        )

@@ -12,6 +12,7 @@ import numpy as np
 from forficula.arrays import Array, Flags
 from forficula.errors import InputError
 from forficula.results import pandas_module
+from forficula.statics.friction import friction_range
 from forficula.structure import Drive, Structure, crease_law, drive_unit, springs_name
 from forficula.structure.membrane_stress import principal_strains
 
@@ -140,6 +141,15 @@ class QuasiStaticPath:
         return np.asarray(np.sum([np.zeros(len(self.share)), *self.energy.values()], axis=0))
 
     @cached_property
+    def friction(self) -> Array:
+        """Return by how much dry friction of hinges widens the strength of the drive to both sides, (point,).
+
+        While the drive grows, the structure needs this much more, and while it falls, this much less: see
+        `forficula.statics.friction.friction_range`.
+        """
+        return friction_range(self.structure, self.drive, self.angles, self.positions, self.resting)
+
+    @cached_property
     def moments(self) -> Array:
         """Return the moments of the springs of all hinges and creases, N m, (point, hinge).
 
@@ -147,7 +157,7 @@ class QuasiStaticPath:
         spring reduces the angle. A drive that changes rest angles changes the moments accordingly.
         """
         further = self.strength[:, None] * rest_changes(self.structure, self.drive)
-        return spring_moments(self.structure, self.angles, further + self._rest_shifts)
+        return spring_moments(self.structure, self.angles, further, self._rest_shifts)
 
     @cached_property
     def sets(self) -> Array:
@@ -189,12 +199,14 @@ class QuasiStaticPath:
         return result
 
     def to_dataframe(self) -> DataFrame:
-        """Return a pandas table with share, strength of the drive, energies, contact forces and rest of every point."""
+        """Return a pandas table of every point: share, drive and its friction, energies, contact forces and rest."""
         pandas = pandas_module()
         unit = self.unit.replace(" ", "_")
         columns: dict[str, object] = {"share": self.share, f"drive_{unit}": self.strength}
         columns |= {f"{part.replace(' ', '_')}_J": values for part, values in self.energy.items()}
         columns |= {f"contact_{parts.replace(' ', '_')}_N": forces for parts, forces in self.contacts.items()}
+        if self.friction.any():
+            columns[f"friction_{unit}"] = self.friction
         return pandas.DataFrame(columns | {"resting": self.resting})
 
     def index(self, share: float) -> int:
@@ -254,16 +266,19 @@ def rest_changes(structure: Structure, drive: Drive) -> Array:
     return changes
 
 
-def spring_moments(structure: Structure, angles: Array, further: Array | float = 0.0) -> Array:
+def spring_moments(
+    structure: Structure, angles: Array, further: Array | float = 0.0, shift: Array | float = 0.0
+) -> Array:
     """Return the moments of the springs of all hinges, N m, (..., hinge).
 
     Args:
         structure: the structure.
         angles: of all hinges in their own senses, rad, (..., hinge).
         further: changes of the rest angles, rad.
+        shift: changes of the rest angles by permanent folds, rad.
     """
     law = crease_law(structure, np.arange(len(structure.hinges)), rigid_stops=True)
     creases = np.array([hinge.flaps is not None for hinge in structure.hinges], dtype=np.bool_)
-    linear = law.rest_moment(angles, further)
+    alone = law.rest_moment(angles, further, shift)
     # the stops of joints bound their angles and have no stiffness
-    return np.where(creases, law.moment(angles, further), linear)
+    return np.where(creases, law.moment_and_slope(angles, further, shift)[0], alone)

@@ -16,7 +16,14 @@ from forficula.statics.net.driven.net_path import net_path
 from forficula.statics.net.driven.net_rest import net_rest_path
 from forficula.statics.net.net_landscape import Progress, net_landscape, slow_courses
 from forficula.statics.net.net_of import is_net
-from forficula.statics.path_dependence import path_dependence, refuse_path_dependence
+from forficula.statics.path_dependence import (
+    path_dependence,
+    refuse_path_dependence,
+    refuse_table,
+    refuse_wear,
+    rest_angle_of_nonlinear,
+    wear,
+)
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
 from forficula.statics.tree.potential import ensemble
 from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
@@ -104,6 +111,8 @@ def quasi_static_path(
     if not 0 < error <= 1:
         raise InputError(f"error: need a number above 0 and up to 1, got {error}")
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
+    refuse_table(structure, "quasi-static path")
+    refuse_wear(structure, "quasi-static path")
     drive, made = _driven_transition(structure, transition)
     reason = path_dependence(structure)
     if reason and not is_net(structure):
@@ -168,6 +177,10 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
     laws = [tendon.law for tendon in structure.tendons]
     if any(law.branches for law in laws):
         return "the law of a tendon has Maxwell branches, whose force depends on time"
+    if any(hinge.branches for hinge in structure.hinges):
+        return "a crease has Maxwell branches, whose moment depends on time"
+    if reason := wear(structure) or rest_angle_of_nonlinear(structure):
+        return reason
     if any(law.yield_extension is not None for law in laws):
         return "a tendon yields, and statics ignores permanent extensions"
     if reason := path_dependence(structure):
@@ -176,6 +189,8 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
         return "statics ignores contact of its bars and panels"
     if structure.contact is not None and structure.contact.friction:
         return "statics ignores the friction of contact (contact.friction)"
+    if structure.table is not None:
+        return "stages on a table are simulated only"
     if any(hinge.friction for hinge in structure.hinges):
         return "hinges have dry friction, with which they rest anywhere in a range"
     if is_net(structure):
@@ -209,6 +224,7 @@ def start_drag(
             folds permanently.
     """
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
+    refuse_wear(structure, "point that can be dragged")
     refuse_path_dependence(structure, "point that can be dragged")
     if transition is None and not any(any(drive.strengths) for drive in structure.drives):
         shares = tuple(0.0 for _ in structure.motors)

@@ -12,6 +12,7 @@ import scipy
 
 from forficula.arrays import Array
 from forficula.design import Design
+from forficula.statics.friction import friction_bands, friction_remarks
 from forficula.statics.landscape import EnergyLandscape, LeastTorque, Pass, Rest, stable_rests
 from forficula.statics.tree.equilibrium import Equilibria
 from forficula.statics.tree.fold_path import FoldPath, fold_path, fold_states
@@ -47,7 +48,6 @@ from forficula.statics.tree.saddle import level_between, saddle_between
 from forficula.statics.tree.tip_stiffness import tip_stiffness
 from forficula.statics.tree_remarks import (
     coupling_remarks,
-    friction_remarks,
     ignored_contact_remarks,
     is_smallest,
     shared_remarks,
@@ -75,6 +75,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     start = start_state(structures)
     rests, courses, slow_paths, torque_remarks = _protocol(structures, start, hinges)
     stable = stable_rests(rests)
+    bands = friction_bands(structures, [(rest.name, rest.angles[: structures.size]) for rest in stable])
     passes, missing = _state_passes(structures, rests, slow_paths) if path is None else (_passes(path), ())
     return EnergyLandscape(
         design=design,
@@ -87,7 +88,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             *structure.remarks,
             *tendon_remarks(structure, hinges),
             *shared_remarks(structure),
-            *friction_remarks(structure),
+            *friction_remarks(structure, bands),
             *ignored_contact_remarks(structure),
             *(() if path is None else path.remarks),
             *start_remarks(structure, start.position[0]),
@@ -101,6 +102,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
         levels=fold_levels(structure),
         partial_folds=partial_folds(structures, start.position),
         hinge_barriers=single_hinge_barriers(structures, start.position),
+        friction_bands=bands,
         tips=None if path is None else tip_stiffness(structures, start.position),
     )
 

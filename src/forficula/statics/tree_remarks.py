@@ -106,17 +106,6 @@ def stage_remarks(design: Design, structure: Structure) -> tuple[str, ...]:
     )
 
 
-def friction_remarks(structure: Structure) -> tuple[str, ...]:
-    """Return a remark on dry friction, which the landscape ignores."""
-    largest = max((hinge.friction for hinge in structure.hinges), default=0.0)
-    if not largest:
-        return ()
-    return (
-        f"the landscape ignores the dry friction of hinges of up to {show_quantity(largest, TORQUE)}: friction holds"
-        " states more firmly and increases the torques that move them",
-    )
-
-
 def start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
     """Return a remark if a structure that is released flat does not stay flat.
 

@@ -47,6 +47,7 @@ from forficula.structure.parts import (
     Spring,
     Stops,
     Surface,
+    Table,
     Tendon,
 )
 from forficula.structure.sheets.couplings import coupling_rows
@@ -55,6 +56,7 @@ from forficula.structure.sheets.flaps import built_creases, crease_flaps, crease
 from forficula.structure.slow_stage import GrowingLoad, RestPath, RestShape, RestSolver
 from forficula.structure.structure import Structure
 from forficula.structure.structure_warnings import structure_warnings
+from forficula.structure.table import TouchingPoint, touching_points
 from forficula.structure.tree import (
     ancestry,
     built_frames,
@@ -104,7 +106,9 @@ __all__ = [
     "Stops",
     "Structure",
     "Surface",
+    "Table",
     "Tendon",
+    "TouchingPoint",
     "Transition",
     "Wording",
     "ancestry",
@@ -156,6 +160,7 @@ __all__ = [
     "sums_of",
     "tendon_arms",
     "tendon_crossing",
+    "touching_points",
     "transition_of",
     "with_protocol",
 ]

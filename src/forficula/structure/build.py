@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -13,6 +14,7 @@ from forficula.structure.assembly.join import assembly_structure
 from forficula.structure.fans import joint, veins
 from forficula.structure.sheets import nodes, plates
 from forficula.structure.structure import Structure
+from forficula.structure.table import table_of
 
 
 def _sheet_structure(design: SheetDesign) -> Structure:
@@ -41,7 +43,8 @@ def structure_of(design: AnyDesign) -> Structure:
 def _built(design: Design) -> Structure:
     for kind, build in _BUILDERS.items():
         if isinstance(design, kind):
-            return build(design)
+            structure = build(design)
+            return structure if design.table is None else replace(structure, table=table_of(design))
     raise InputError(f"{design.name}: designs of this class cannot be built")
 
 

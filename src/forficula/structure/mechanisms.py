@@ -58,6 +58,6 @@ def _mechanisms_by_kind(structure: Structure) -> tuple[Mechanism, ...]:
 
 
 def _stores_energy(hinge: Hinge) -> bool:
-    """Return whether a hinge has a spring, or is a crease with a stop, whose stops are springs."""
+    """Return whether a hinge has a spring or Maxwell branches, or is a crease with a stop, whose stops are springs."""
     stopped = math.isfinite(hinge.lower) or math.isfinite(hinge.upper)
-    return hinge.stiffness > 0 or (hinge.flaps is not None and stopped)
+    return hinge.stiffness > 0 or bool(hinge.branches) or (hinge.flaps is not None and stopped)

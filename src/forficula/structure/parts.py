@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from forficula.arrays import Array, Indices
+from forficula.material.law.crease_law import CreaseBranch, CreaseDamage
 from forficula.material.law.material_law import MaterialLaw
 from forficula.material.law.tendon_law import TendonLaw
 
@@ -169,6 +170,10 @@ class Hinge:
         stop_stiffness: stiffness of the stops of a crease, N m/rad; None if `crease_law` chooses it.
         yield_angle: angle from rest at which the spring begins to yield, rad; inf for one that never yields.
         hardening: slope of the moment while the spring yields, N m/rad.
+        quadratic: quadratic term of the spring's moment over the angle from rest, N m/rad^2.
+        cubic: cubic term, N m/rad^3.
+        branches: Maxwell branches parallel to the spring.
+        damage: loss of the moment with wear; None without.
         damping: N m s/rad.
         friction: torque of the dry friction of a joint, N m.
         armature: added inertia, kg m^2.
@@ -194,6 +199,10 @@ class Hinge:
     stop_stiffness: float | None = None
     yield_angle: float = math.inf
     hardening: float = 0.0
+    quadratic: float = 0.0
+    cubic: float = 0.0
+    branches: tuple[CreaseBranch, ...] = ()
+    damage: CreaseDamage | None = None
     damping: float = 0.0
     friction: float = 0.0
     armature: float = 0.0
@@ -202,6 +211,11 @@ class Hinge:
     assignment: str = ""
     edge: int = -1
     label: str = ""
+
+    @property
+    def remembers(self) -> bool:
+        """Whether the moment of the spring depends on the past by more than a permanent fold."""
+        return bool(self.branches) or self.damage is not None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -415,6 +429,21 @@ class Contact:
     """
 
     thickness: float
+    friction: float = 0.0
+    stops: Stops
+
+
+@dataclass(frozen=True, kw_only=True)
+class Table:
+    """A plane normal to gravity that no part passes through.
+
+    Attributes:
+        height: distance from the origin against the direction of gravity, m.
+        friction: Coulomb's friction coefficient.
+        stops: compliance of contact with the table.
+    """
+
+    height: float
     friction: float = 0.0
     stops: Stops
 

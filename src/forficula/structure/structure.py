@@ -29,6 +29,7 @@ from forficula.structure.parts import (
     PointMass,
     Spring,
     Stops,
+    Table,
     Tendon,
 )
 
@@ -69,7 +70,9 @@ class Structure:
         imperfection: random deviation from the drawing with which it is built; None without one.
         stops: compliance of the stops of joints and of length limits.
         contact: contact between bodies; None if bodies pass through each other.
-        gravity: acceleration along -z, m/s^2.
+        table: plane that no part passes through; None without a table.
+        gravity: acceleration along `down`, m/s^2.
+        down: unit vector along gravity.
         mechanisms: groups of elements that store energy, each element in one group; if empty, elements are grouped by
             kind. See `mechanisms_of`.
         groups: groups of bodies that drawings distinguish by colour; with fewer than two, colours depend on roles.
@@ -106,10 +109,17 @@ class Structure:
     imperfection: Imperfection | None = None
     stops: Stops = field(default_factory=lambda: Stops(time_constant=2e-3))
     contact: Contact | None = None
+    table: Table | None = None
     gravity: float = 0.0
+    down: tuple[float, float, float] = (0.0, 0.0, -1.0)
     mechanisms: tuple[Mechanism, ...] = ()
     groups: tuple[BodyGroup, ...] = ()
     appearance: Appearance = field(default_factory=Appearance)
+
+    @property
+    def has_contacts(self) -> bool:
+        """Whether bodies touch each other or a table."""
+        return self.contact is not None or self.table is not None
 
     def __repr__(self) -> str:
         """Name and number of parts."""

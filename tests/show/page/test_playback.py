@@ -8,8 +8,9 @@ import pytest
 from forficula.analysis import measure, summary
 from forficula.design import load_design
 from forficula.show.page.data.shape_mesh import moving_points, shape_mesh
-from forficula.show.page.playback import clip_data, make_clip
+from forficula.show.page.playback import clip_data, legend_data, make_clip
 from forficula.show.page.run_page import run_page
+from forficula.structure import Table
 from forficula.study.running.runs import run
 
 MEGABYTE = 1_000_000
@@ -116,3 +117,17 @@ def test_five_seconds_of_a_wing_of_five_units_that_never_rests_take_less_than_fi
         series[name] = values[:1] + jitter
     record = replace(large_record, time=np.linspace(0, 5, rows), series=series)
     assert len(run_page(record, measure(large_record)).encode()) < 5 * MEGABYTE
+
+
+def test_gravity_is_an_arrow_and_a_level_table_the_grid_of_a_page(short_run, short_outcome):
+    clip = make_clip(short_run, short_outcome)
+    assert not {"gravity", "table_m"} & clip_data(clip).keys()
+    heavy = replace(clip.structure, gravity=9.81, table=Table(height=-0.2, stops=clip.structure.stops))
+    level, tilted = (
+        clip_data(replace(clip, structure=replace(heavy, down=down))) for down in ((0.0, 0.0, -1.0), (1.0, 0.0, 0.0))
+    )
+    assert (level["gravity"], level["table_m"]) == ([0.0, 0.0, -1.0], -0.2)
+    assert tilted["gravity"] == [1.0, 0.0, 0.0]
+    assert "table_m" not in tilted
+    samples = {entry["sample"] for entry in legend_data([replace(clip, structure=heavy)])}
+    assert "gravity" in samples

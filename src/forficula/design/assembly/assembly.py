@@ -31,6 +31,8 @@ from forficula.quantities import Unit, as_written
 
 # names of parts begin dotted keys, bounds and names in the structure
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
+# keys of the protocol that parts take from the assembly
+_SURROUNDINGS = ("gravity", "gravity_direction", "contact")
 
 
 class AssemblyDesign(Design):
@@ -93,7 +95,7 @@ class AssemblyDesign(Design):
     def _surrounded(self, name: str) -> Design:
         """Return the design of a part in the surroundings of the assembly."""
         part: Design = getattr(self, name)
-        protocol = part.protocol.model_copy(update={key: getattr(self.protocol, key) for key in ("gravity", "contact")})
+        protocol = part.protocol.model_copy(update={key: getattr(self.protocol, key) for key in _SURROUNDINGS})
         # a part without stops of bodies refuses a compliance of stops
         stops = self.stops if part.has_stops_of_bodies else part.stops
         return part.model_copy(update={"medium": self.medium, "stops": stops, "protocol": protocol})
@@ -309,6 +311,7 @@ def assembly_class(parts: tuple[tuple[str, type[Design]], ...]) -> type[Assembly
     created.rest_keys = (
         "joint",
         "protocol.gravity",
+        "protocol.gravity_direction",
         *(f"{name}.{key}" for name, model in parts for key in model.rest_keys if not key.startswith("protocol.stages")),
     )
     created.weight_sections = tuple(f"{name}.{section}" for name, model in parts for section in model.weight_sections)

@@ -25,6 +25,7 @@ REST_KEYS = (
     "protocol.folded_angle",
     "protocol.opened_angle",
     "protocol.gravity",
+    "protocol.gravity_direction",
 )
 # rad, fold angle beyond which a hinge has left the overbend for good
 _LEFT_STRAIGHT = math.radians(5.0)

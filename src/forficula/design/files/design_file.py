@@ -231,8 +231,16 @@ def _check_of_parts(settings: Mapping[str, object], before: Design, after: Desig
     for key in dotted_keys(settings):
         inside = key.removeprefix("part.")
         common = replacing_key(before, inside)
-        if common is not None and key_value(before, inside) != key_value(after, inside):
+        if common is not None and _known_value(before, inside) != _known_value(after, inside):
             raise InputError(f"{key}: has no effect in a part; set {common} of the assembly")
+
+
+def _known_value(design: Design, key: str) -> object:
+    """Return the value of a design at a key; None if the design lacks the section."""
+    try:
+        return key_value(design, key)
+    except InputError:
+        return None
 
 
 def _check_texts(settings: Mapping[str, object]) -> None:

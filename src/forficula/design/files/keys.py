@@ -28,7 +28,9 @@ _SectionOf = TypeVar("_SectionOf", bound=Section)
 _OF_ASSEMBLY = (
     "medium",
     "stops",
+    "table",
     "protocol.gravity",
+    "protocol.gravity_direction",
     "protocol.contact",
     "protocol.timestep",
     "protocol.sample_interval",

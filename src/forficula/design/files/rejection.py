@@ -116,10 +116,19 @@ def _of_a_check(place: list[str], message: str, model: type[Section], which: str
     if is_key(name, model):  # a check of several values has no single place
         return RejectedError([], message)
     if place and is_key(f"{written_key(place)}.{name}", model):  # the same of a part of an assembly
-        return RejectedError(place, f"{written_key(place)}.{message}")
+        return RejectedError(place, _of_a_part(written_key(place), message, model))
     if place and not message.startswith((f"{written_key(place)}.", f"{written_key(place)} ")):
         message = f"{written_key(place)}: {message}"
     return RejectedError(place, message)
+
+
+def _of_a_part(part: str, message: str, model: type[Section]) -> str:
+    """Return the message of a check of a part, with the name of the part before every key in the message."""
+
+    def named(match: re.Match[str]) -> str:
+        return f"{part}.{match[0]}" if is_key(f"{part}.{match[0]}", model) else match[0]
+
+    return re.sub(r"(?<![\w.])[a-z_]+(?:\.\w+)+", named, message)
 
 
 def _remedy(place: list[str], model: type[Section], which: str) -> str:

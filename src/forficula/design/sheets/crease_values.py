@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from forficula.design.sheets.sheet_creases import creases_of, fold_edges
+from forficula.design.sheets.sheet_sections import NONE
 
 if TYPE_CHECKING:
     from forficula.design.sheets.sheet import SheetDesign
@@ -17,7 +18,13 @@ def creases_by_edge(design: SheetDesign) -> dict[int, Crease]:
     sheet, groups = design.sheet, design.crease.group
     creases = dict.fromkeys(fold_edges(sheet), design.crease)
     for number, group in enumerate(groups):
-        values = {key: value for key, value in group if key not in ("name", "of") and value is not None}
+        values: dict[str, object] = {
+            key: None if value == NONE else value
+            for key, value in group
+            if key not in ("name", "of") and value is not None
+        }
+        if group.yield_moment == NONE:
+            values["hardening"] = None
         for edge in creases_of(sheet, group.of, groups[:number]):
             creases[edge] = creases[edge].model_copy(update=values)
     return creases

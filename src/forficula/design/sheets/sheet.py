@@ -14,7 +14,7 @@ from forficula.design.named_protocol import NamedProtocol
 from forficula.design.sheet_protocol import sheet_protocol
 from forficula.design.sheets.sheet_checks import check_sheet, measured_units
 from forficula.design.sheets.sheet_drives import SheetDrive, SheetMeasure, SheetProtocol, SheetTendon
-from forficula.design.sheets.sheet_places import facet_of
+from forficula.design.sheets.sheet_places import edge_of, facet_of
 from forficula.design.sheets.sheet_sections import Crease, FacetSection, Imperfection, Support, largest_extension
 from forficula.pattern import CreasePattern, central_facet, facet_tree
 from forficula.quantities import Unit
@@ -35,6 +35,7 @@ class SheetDesign(Design):
         "measure",
         "protocol.stages",
         "protocol.gravity",
+        "protocol.gravity_direction",
     )
 
     source: Annotated[str, Field(description="where the values of the design come from")] = ""
@@ -46,8 +47,8 @@ class SheetDesign(Design):
     support: Annotated[
         tuple[Support, ...],
         Field(
-            description="facets or vertices that are held; if none is given, hinged rigid facets are held at facet 0,"
-            " or at the central facet if they form loops"
+            description="facets, edges or vertices that are held; if none is given, hinged rigid facets are held at"
+            " facet 0, or at the central facet if they form loops"
         ),
     ] = ()
     drive: Annotated[tuple[SheetDrive, ...], Field(description="drives that stages of the protocol switch on")] = ()
@@ -65,10 +66,17 @@ class SheetDesign(Design):
         return _drawn(self.pattern)
 
     @property
+    def turning_facets(self) -> dict[int, int]:
+        """Edges about which facets of a rigid sheet turn on the ground, by the numbers of the facets."""
+        on_edges = (edge_of(self.sheet, support.of) for support in self.support if support.kind == "edge")
+        return {facet: edge for edge, facet in on_edges}
+
+    @property
     def held_facets(self) -> tuple[int, ...]:
-        """Numbers of the facets that are held, of a sheet of rigid facets."""
+        """Numbers of the facets that are clamped or turn about an edge, of a sheet of rigid facets."""
         if self.support or self.opens:
-            return tuple(facet_of(self.sheet, support.of) for support in self.support)
+            clamped = [facet_of(self.sheet, support.of) for support in self.support if support.kind == "facet"]
+            return (*clamped, *self.turning_facets)
         closes = any(link.closes for link in facet_tree(self.sheet))
         return (central_facet(self.sheet) if closes else 0,)
 

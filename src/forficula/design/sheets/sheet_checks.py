@@ -12,6 +12,7 @@ from forficula.design.design import check_duration
 from forficula.design.medium import check_medium
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
 from forficula.design.section import ANGLE, LENGTH, SHORT_TIME, TORQUE
+from forficula.design.sheets.crease_checks import check_friction, check_memory
 from forficula.design.sheets.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.sheets.rigid_checks import (
     check_rigid,
@@ -21,7 +22,15 @@ from forficula.design.sheets.rigid_checks import (
 )
 from forficula.design.sheets.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
 from forficula.design.sheets.sheet_drives import DisplacementDrive, RestAngleDrive, TorqueDrive, places_of
-from forficula.design.sheets.sheet_places import GROUND_PLACE, SheetPlace, facet_of, is_vertex, place_on, vertex_of
+from forficula.design.sheets.sheet_places import (
+    GROUND_PLACE,
+    SheetPlace,
+    edge_of,
+    facet_of,
+    is_vertex,
+    place_on,
+    vertex_of,
+)
 from forficula.design.sheets.sheet_sections import CREASE_STIFFNESS
 from forficula.design.stops import StopSection
 from forficula.errors import InputError
@@ -80,6 +89,8 @@ def check_sheet(design: SheetDesign) -> None:
             key = f"crease.group.{number - 1}" if number else "crease"
             raise InputError(f'{key}.extension: is for facet.kind = "rigid", with which creases can open')
     _check_yielding(design)
+    check_memory(design)
+    check_friction(design)
     _check_names(design, sheet)
     for number, _ in enumerate(design.tendon):
         _check_tendon(design, sheet, number)
@@ -164,10 +175,13 @@ def _check_supports(design: SheetDesign, sheet: CreasePattern) -> None:
     if rigid and len(design.support) > 1 and not design.opens:
         raise InputError(f"support: need at most 1 entry for hinged rigid facets, got {len(design.support)}")
     for number, support in enumerate(design.support):
-        if rigid or support.of.strip().startswith("facet"):
-            _keyed(f"support.{number}.of", facet_of, sheet, support.of)
+        key = f"support.{number}.of"
+        if support.kind == "edge":
+            _keyed(key, edge_of, sheet, support.of)
+        elif rigid or support.kind == "facet":
+            _keyed(key, facet_of, sheet, support.of)
         else:
-            _keyed(f"support.{number}.of", vertex_of, sheet, support.of)
+            _keyed(key, vertex_of, sheet, support.of)
         if rigid and support.axes is not None:
             raise InputError(f"support.{number}.axes: is for facets that bend; a rigid one is held as a whole")
     if not rigid and len(_held_whole(design, sheet)) == len(sheet.vertices_coords):
@@ -183,8 +197,10 @@ def _held_whole(design: SheetDesign, sheet: CreasePattern) -> set[int]:
     for support in design.support:
         if set(support.axes or "xyz") < set("xyz"):
             continue
-        if support.of.strip().startswith("facet"):
+        if support.kind == "facet":
             held.update(sheet.faces_vertices[facet_of(sheet, support.of)])
+        elif support.kind == "edge":
+            held.update(sheet.edges_vertices[edge_of(sheet, support.of)[0]].tolist())
         else:
             held.add(vertex_of(sheet, support.of)[0])
     return held

@@ -20,6 +20,7 @@ _VERTEX = re.compile(r"vertex (\d{1,9})(?: of facet (\d{1,9}))?")
 _EDGE = re.compile(rf"(?:edge|crease) (\d{{1,9}}) at {_NUMBER}")
 _FACET = re.compile(rf"facet (\d{{1,9}}) at (?:cent(?:re|er)|{_NUMBER}\s*,\s*{_NUMBER})")
 _WHOLE_FACET = re.compile(r"facet (\d{1,9})")
+_WHOLE_EDGE = re.compile(r"(?:edge|crease) (\d{1,9})")
 _EXAMPLES = '"vertex 4", "vertex 4 of facet 2", "edge 12 at 0.5", "facet 3 at centre" or "facet 3 at 0.5, 1"'
 # end of a tendon or a distance that is not on the sheet
 GROUND_PLACE = "ground"
@@ -89,6 +90,19 @@ def facet_of(pattern: CreasePattern, text: str) -> int:
     if match is None:
         raise InputError(f'need a facet such as "facet 0", got {as_written(text)}')
     return _facet(pattern, int(match[1]))
+
+
+def edge_of(pattern: CreasePattern, text: str) -> tuple[int, int]:
+    """Return the number of an edge written as "edge 3", and of the first facet that it borders.
+
+    Raises:
+        InputError: the text is not an edge, or there is no such edge on a facet.
+    """
+    match = _WHOLE_EDGE.fullmatch(as_place(text))
+    if match is None:
+        raise InputError(f'need an edge such as "edge 3", got {as_written(text)}')
+    edge = int(match[1])
+    return edge, _on_edge(pattern, edge, 0.5).facet
 
 
 def vertex_of(pattern: CreasePattern, text: str) -> tuple[int, int | None]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import Field, field_validator
+from pydantic import BeforeValidator, Field, field_validator
 
-from forficula.design.section import ANGLE, DENSITY, MODULUS, SHORT_TIME, SMALL_LENGTH, Section, quantity
+from forficula.design.section import ANGLE, DENSITY, MODULUS, SHORT_TIME, SMALL_LENGTH, TIME, Section, quantity
 from forficula.design.sheets.sheet_names import checked_name
 from forficula.quantities import Unit
 
@@ -15,9 +15,13 @@ CREASE_STIFFNESS = Unit(display="N m/rad/m", si="N m/rad/m", example="1e-2 N m/r
 EXTENSION = Unit(display="N/m^2", si="N/m^2", example="1e5 N/m^2")
 EXTENSION_DAMPING = Unit(display="N s/m^2", si="N s/m^2", example="10 N s/m^2")
 CREASE_MOMENT = Unit(display="N m/m", si="N m/m", example="1e-2 N m/m")
+CREASE_QUADRATIC = Unit(display="N m/rad^2/m", si="N m/rad^2/m", example="1e-3 N m/rad^2/m")
+CREASE_CUBIC = Unit(display="N m/rad^3/m", si="N m/rad^3/m", example="1e-3 N m/rad^3/m")
 CREASE_DAMPING = Unit(display="N m s/rad/m", si="N m s/rad/m", example="1e-3 N m s/rad/m")
 
 _RESTS = ("as built", "flat")
+# word of a group that switches off what the section of all creases has
+NONE = "none"
 _OF = "creases, mountains, valleys, a group by name, crease 2, role:zigzag, assignment:M, or several joined by and"
 
 
@@ -76,6 +80,48 @@ class Imperfection(Section):
     ] = 0
 
 
+def _without_branches(value: object) -> object:
+    """Read the word that switches the branches of a section off as an empty list."""
+    return () if value == NONE else value
+
+
+class CreaseBranch(Section):
+    """A Maxwell branch of a crease: a spring and a damper in series."""
+
+    about: ClassVar[str] = "A Maxwell branch of a crease: a spring and a damper in series"
+    natural: ClassVar[tuple[str, ...]] = ("time",)
+
+    stiffness: float = quantity(CREASE_STIFFNESS, "stiffness of its spring per length of the crease", above=0)
+    time: float = quantity(TIME, "relaxation time", above=0)
+
+
+class CreaseDamage(Section):
+    """Loss of the moment of a crease over many folds: the share loss (1 - exp(-wear / turn)) is lost."""
+
+    about: ClassVar[str] = (
+        "Loss of the moment of a crease over many folds: the share loss (1 - exp(-wear / turn)) is lost"
+    )
+
+    loss: Annotated[
+        float,
+        Field(
+            strict=True,
+            gt=0,
+            le=1,
+            description="share of the moment that is lost after infinitely many folds",
+            examples=[0.3],
+        ),
+    ]
+    turn: float = quantity(ANGLE, "wear after which 63 % of this share is lost", above=0, examples=["36000 deg"])
+    of: Annotated[
+        Literal["turns", "set"],
+        Field(
+            description="wear of a crease: the sum of all its turns, in both senses, or of all changes of its permanent"
+            " fold"
+        ),
+    ] = "turns"
+
+
 class CreaseGroup(Section):
     """Creases that differ from the others; values that are not given are those of [crease]."""
 
@@ -103,8 +149,19 @@ class CreaseGroup(Section):
         below=math.pi,
         examples=["135 deg"],
     )
-    yield_moment: float | None = quantity(
-        CREASE_MOMENT, "moment per length at which they begin to fold permanently", default=None, above=0
+    friction: float | None = quantity(
+        CREASE_MOMENT, "moment of their dry friction per length", default=None, at_least=0
+    )
+    quadratic_stiffness: float | None = quantity(
+        CREASE_QUADRATIC, "quadratic term of their moment per length", default=None
+    )
+    cubic_stiffness: float | None = quantity(CREASE_CUBIC, "cubic term of their moment per length", default=None)
+    yield_moment: float | str | None = quantity(
+        CREASE_MOMENT,
+        'moment per length at which they begin to fold permanently; "none" if they never do',
+        default=None,
+        words=(NONE,),
+        above=0,
     )
     hardening: float | None = quantity(
         CREASE_STIFFNESS,
@@ -113,6 +170,15 @@ class CreaseGroup(Section):
         at_least=0,
         examples=["1e-3 N m/rad/m"],
     )
+    branches: Annotated[
+        tuple[CreaseBranch, ...] | None,
+        BeforeValidator(_without_branches),
+        Field(description='Maxwell branches; an empty list or "none" if they have none', examples=[[]]),
+    ] = None
+    damage: Annotated[
+        CreaseDamage | Literal["none"] | None,
+        Field(description='loss of their moment over many folds; "none" if they keep it', examples=["none"]),
+    ] = None
     damping: float | None = quantity(CREASE_DAMPING, "viscous damping per length", default=None, at_least=0)
     extension: float | None = quantity(
         EXTENSION, "stiffness per length of the springs against opening", default=None, above=0
@@ -146,6 +212,7 @@ class Crease(Section):
     """The creases; angles are 0 when flat and positive when a crease folds as assigned."""
 
     about: ClassVar[str] = "The creases; angles are 0 when flat and positive when a crease folds as assigned"
+    later: ClassVar[tuple[str, ...]] = ("branches",)
 
     stiffness: float | None = quantity(
         CREASE_STIFFNESS,
@@ -175,6 +242,23 @@ class Crease(Section):
         above=0,
         below=math.pi,
     )
+    friction: float | None = quantity(
+        CREASE_MOMENT,
+        "moment of dry friction per length of the crease, needed to turn it slowly",
+        default=None,
+        at_least=0,
+    )
+    quadratic_stiffness: float | None = quantity(
+        CREASE_QUADRATIC,
+        "quadratic term of the moment over the angle from rest, per length of the crease: an asymmetric spring; 0 if"
+        " not given",
+        default=None,
+    )
+    cubic_stiffness: float | None = quantity(
+        CREASE_CUBIC,
+        "cubic term of the moment over the angle from rest, per length of the crease; 0 if not given",
+        default=None,
+    )
     yield_moment: float | None = quantity(
         CREASE_MOMENT,
         "moment per length of the crease at which it begins to fold permanently; if not given, it never does",
@@ -189,8 +273,15 @@ class Crease(Section):
         at_least=0,
         examples=["1e-3 N m/rad/m"],
     )
+    branches: Annotated[tuple[CreaseBranch, ...], Field(description="Maxwell branches parallel to the spring")] = ()
+    damage: Annotated[
+        CreaseDamage | None, Field(description="loss of the moment of a crease over many folds; none if not given")
+    ] = None
     damping: float | None = quantity(
-        CREASE_DAMPING, "viscous damping per length of the crease; chosen if not given", default=None, at_least=0
+        CREASE_DAMPING,
+        "viscous damping per length of the crease, parallel to the spring (Kelvin-Voigt); chosen if not given",
+        default=None,
+        at_least=0,
     )
     extension: float | None = quantity(
         EXTENSION,
@@ -242,22 +333,29 @@ def largest_extension(crease: Crease) -> float:
 
 
 class Support(Section):
-    """A support: a facet or a vertex that is held."""
+    """A support: a facet, an edge or a vertex that is held."""
 
-    about: ClassVar[str] = "A support: a facet or a vertex that is held"
+    about: ClassVar[str] = "A support: a facet, an edge or a vertex that is held"
 
     of: Annotated[
         str,
         Field(
-            description="part of the sheet that is held, such as facet 0 or, if facets bend, vertex 3",
-            examples=["facet 0"],
+            description="part of the sheet that is held: a facet, clamped; an edge, about which the sheet turns; or,"
+            " if facets bend, a vertex",
+            examples=["facet 0", "edge 3"],
         ),
     ]
     axes: Annotated[
         str | None,
         Field(
             pattern="^[xyz]{1,3}$",
-            description="axes along which a vertex is held; xyz if not given",
+            description="axes along which a vertex, or an edge of facets that bend, is held; xyz if not given",
             examples=["xz"],
         ),
     ] = None
+
+    @property
+    def kind(self) -> str:
+        """Return the kind of part that is held: "facet", "edge" or "vertex"."""
+        word = self.of.split()[0] if self.of.split() else ""
+        return "edge" if word == "crease" else word

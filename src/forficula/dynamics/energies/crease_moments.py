@@ -11,6 +11,28 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.model import Model
 from forficula.material import CreaseLaw
+from forficula.material.law.crease_memory import acting_moment, next_memory, yielding_slope
+
+
+@dataclass(frozen=True, kw_only=True)
+class Past:
+    """Creases of structures when their numbers in the engine were computed last.
+
+    Attributes:
+        angles: in own senses and without jumps, rad, (structure, crease).
+        memory: see `CreaseLaw`, (slot, structure, crease).
+        elapsed: time since then, in the models' units, (structure, 1).
+        block: time over which the next numbers will be constant, in the models' units, (structure, 1).
+    """
+
+    angles: Array
+    memory: Array
+    elapsed: Array
+    block: Array
+
+    def some(self, columns: slice) -> Past:
+        """Select creases."""
+        return dataclasses.replace(self, angles=self.angles[:, columns], memory=self.memory[..., columns])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,40 +64,47 @@ class CreaseMoments:
         }
         return CreaseMoments(law=self.law.some(which), **rows)
 
-    def at(self, angles: Array, turning: Array, efforts: Array, sets: Array) -> tuple[Array, Array, Array]:
-        """Compute moments in own senses, their derivatives by the angle, and the new sets, (structure, crease).
+    def at(self, angles: Array, turning: Array, efforts: Array, past: Past) -> tuple[Array, Array, Array]:
+        """Compute moments in own senses and their derivatives by the angle, (structure, crease), and the new memory.
 
         Args:
             angles: in own senses, rad, (structure, crease).
             turning: speeds of the angles between the flaps, valleys positive, (structure, crease).
             efforts: settings of the motors, (structure, motor).
-            sets: permanent folds before, rad, (structure, crease).
+            past: of the creases.
         """
         rests, torques, braking = (
             np.einsum("rm,rmc->rc", item, gains)
             for item, gains in ((efforts, self.rests), (efforts, self.torques), (np.abs(efforts), self.braking))
         )
-        if self.law.yields:
-            before, sets = sets, self.law.next_set(angles, rests, sets)
-            rests = rests + self.law.rest_shift(sets)
-        moment, slope = self.law.moment_and_slope(angles, rests)
-        if self.law.yields:
-            # while a crease yields, its moment grows with the slope of the hardening
-            slope = slope - np.where(sets != before, np.asarray(self.law.stiffness) - self.law.hardening, 0.0)
-        return moment + (self.damping + braking) * self.senses * turning - torques, slope, sets
+        memory = next_memory(self.law, angles, rests, past.memory, angles - past.angles, past.elapsed)
+        moment, slope = acting_moment(self.law, angles, rests, memory, past.block)
+        if self.law.yields or self.law.rubs:
+            # while a crease yields, its moment grows with the slope of the hardening; while it slides, it is constant
+            slope = slope - yielding_slope(self.law, past.memory, memory)
+        return moment + (self.damping + braking) * self.senses * turning - torques, slope, memory
 
 
-def crease_moments(models: Sequence[Model]) -> CreaseMoments:
-    """Collect the laws and motors of creases of structures of one topology, which must have creases."""
+def crease_moments(models: Sequence[Model], *, joints: bool) -> CreaseMoments:
+    """Collect the laws and motors of creases of structures of one topology.
+
+    Args:
+        models: with creases that are followed.
+        joints: whether to collect the creases that are joints, instead of those between flaps.
+    """
     creases = [model.creases for model in models if model.creases is not None]
+    which = np.flatnonzero((creases[0].joints >= 0) == joints)
     unit = [np.eye(len(model.structure.motors)) for model in models]
     settings = [model.settings(unit_creases) for model, unit_creases in zip(models, unit, strict=True)]
+    laws = [part.law.some(which) for part in creases]
     names = [field.name for field in dataclasses.fields(CreaseLaw)]
     return CreaseMoments(
-        senses=np.array([crease.senses for crease in creases], dtype=np.float64),
-        law=CreaseLaw(**{name: np.array([np.asarray(getattr(part.law, name)) for part in creases]) for name in names}),
-        damping=np.array([part.damping for part in creases]),
-        rests=np.array([rests for rests, _ in settings]),
-        torques=np.array([torques for _, torques in settings]),
-        braking=np.array([model.braking(unit_creases) for model, unit_creases in zip(models, unit, strict=True)]),
+        senses=np.array([crease.senses[which] for crease in creases], dtype=np.float64),
+        law=CreaseLaw(**{name: np.array([getattr(law, name) for law in laws]) for name in names}),
+        damping=np.array([part.damping[which] for part in creases]),
+        rests=np.array([rests[..., which] for rests, _ in settings]),
+        torques=np.array([torques[..., which] for _, torques in settings]),
+        braking=np.array(
+            [model.braking(unit_creases)[..., which] for model, unit_creases in zip(models, unit, strict=True)]
+        ),
     )

@@ -7,20 +7,29 @@ import math
 import numpy as np
 
 from forficula.arrays import Array, Indices
+from forficula.dynamics.engine.crease_rows import without_jump
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.placement import Placement
 from forficula.dynamics.stepping.steps import Steps
-from forficula.material import CreaseLaw
+from forficula.material.law.crease_memory import (
+    acting_moment,
+    friction_loss,
+    memory_losses,
+    remaining_share,
+    stored_energy,
+    turned_memory,
+    yielding_slope,
+)
 from forficula.structure import Motor, Structure
 
 
 def crease_works(
     model: Model, steps: Steps, place: int, travel: Array, efforts: Array, before: Array
-) -> tuple[Array, Array, Array]:
+) -> tuple[Array, Array, dict[str, Array]]:
     """Compute the works on a structure with creases in some steps, in the model's units.
 
-    The work of a moving rest angle is the change of the energy of the spring. Because this energy is quadratic in the
-    rest angle, it equals the mean moment of the spring, without locking and stops, times the change of the rest angle.
+    The work of a moving rest angle is the change of the energy of the spring. For a linear spring it equals the moment
+    at the mean rest angle, without locking and stops, times the change of the rest angle.
 
     Args:
         model: of the structure.
@@ -31,7 +40,8 @@ def crease_works(
         before: settings before each step, (step, motor).
 
     Returns:
-        Work of every motor, (motor, step), of the creases' damping, (step,), and of their yielding, (step,).
+        Work of every motor, (motor, step), and of the creases' damping, (step,); and by name the works, <= 0, of their
+        yielding, branches and damage, (step,), without those that no crease has.
     """
     assert model.creases is not None
     assert steps.angles is not None
@@ -44,14 +54,18 @@ def crease_works(
     if creases.damping.any() or any(math.isfinite(motor.no_load_speed) for motor in model.structure.motors):
         first = slice(0, None, steps.followed)
         velocity = np.concatenate([steps.velocity_before[place, None], steps.velocity[place, :-1]])
-        speeds = folds.travel(position[first], velocity[first])[:, folds.creases]
-        turned = folds.travel(position, travel)[:, folds.creases]
+        speeds = folds.travel(position[first], velocity[first])[:, creases.hinges]
+        turned = folds.travel(position, travel)[:, creases.hinges]
         damped = -np.sum((creases.damping * speeds)[block] * turned, axis=1)
     angles = steps.angles[place][block]
     rests, mean = model.settings(before)[0], model.settings((before + efforts) / 2)[0]
-    sets, lost = _sets_and_loss(creases.law, steps, place, len(travel))
-    moved = np.any(mean) or np.any(rests)
-    moments = creases.law.rest_moment(angles, mean + sets[block]) if moved else np.zeros_like(angles)
+    moved, moments, law = np.any(mean) or np.any(rests), np.zeros_like(angles), creases.law
+    if moved:
+        assert steps.memory is not None
+        memory = steps.memory[:, place, block]
+        moments = remaining_share(law, memory) * law.rest_moment(angles, mean, law.rest_shift(memory[0]))
+        if law.yields or law.bends:
+            moments = _mean_moments(model, steps, place, before, efforts, moments)
     works = []
     for number, motor in enumerate(model.structure.motors):
         if motor.kind == "displacement":
@@ -68,23 +82,104 @@ def crease_works(
         changes = np.zeros_like(efforts)
         changes[:, number] = efforts[:, number] - before[:, number]
         works.append(-np.sum(moments * model.settings(changes)[0], axis=1))
-    return np.array(works).reshape(-1, len(travel)), damped, lost
+    return np.array(works).reshape(-1, len(travel)), damped, _losses(model, steps, place, efforts)
 
 
-def _sets_and_loss(law: CreaseLaw, steps: Steps, place: int, count: int) -> tuple[Array, Array]:
-    """Return shifts of rest angles by sets, (block, crease) or zeros, and the work of yielding, <= 0, (step,).
+def _mean_moments(model: Model, steps: Steps, place: int, before: Array, efforts: Array, linear: Array) -> Array:
+    """Return the moments whose product with minus the change of rest angles is the work of this change, (step, crease).
 
-    A set changes where a block of steps begins, so the work is that of the first step of the block.
+    Rest angles change where a block begins, at constant fold angles. The work is the change of the stored energy plus
+    the loss of the yield that the change causes, after the yield that the turn before the block caused.
+
+    Args:
+        model: of the structure.
+        steps: of several structures.
+        place: index of the structure in the steps.
+        before: settings of its motors before each step, (step, motor).
+        efforts: settings in each step, (step, motor).
+        linear: moments where rest angles do not change, (step, crease).
     """
-    lost = np.zeros(count)
-    if not law.yields:
-        return np.zeros((-(-count // steps.followed), 1)), lost
-    assert steps.sets is not None
-    assert steps.sets_before is not None
-    sets = steps.sets[place]
-    changes = np.diff(np.concatenate([steps.sets_before[place, None], sets]), axis=0)
-    lost[:: steps.followed] = -np.sum(law.yield_loss(changes), axis=1)[: -(-count // steps.followed)]
-    return law.rest_shift(sets), lost
+    assert model.creases is not None
+    assert steps.memory is not None
+    assert steps.memory_before is not None
+    assert steps.angles is not None
+    law, block = model.creases.law, np.arange(len(efforts)) // steps.followed
+    angles, memory = steps.angles[place][block], steps.memory[:, place]
+    earlier = np.concatenate([steps.memory_before[:, place, None], memory[:, :-1]], axis=1)[:, block]
+    memory, (rests, ends) = memory[:, block], (model.settings(setting)[0] for setting in (before, efforts))
+    turned = np.array(memory)
+    turned[0] = law.next_set(angles, rests, earlier[0]) if law.yields else memory[0]
+    work = stored_energy(law, angles, ends, memory) - stored_energy(law, angles, rests, turned)
+    if law.yields:
+        work = work + remaining_share(law, memory) * law.yield_loss(memory[0] - turned[0])
+    changes = ends - rests
+    return np.divide(-work, changes, out=np.array(linear), where=changes != 0)
+
+
+def _losses(model: Model, steps: Steps, place: int, efforts: Array) -> dict[str, Array]:
+    """Return the works of yielding, branches, damage and friction of creases, <= 0, (step,), see `crease_works`.
+
+    A set changes where a block of steps begins, so the work is that of the first step of the block. The work of
+    branches and wear in a block is distributed evenly over its steps.
+    """
+    assert model.creases is not None
+    assert steps.memory is not None
+    assert steps.memory_before is not None
+    assert steps.angles is not None
+    law, memory, angles, count = model.creases.law, steps.memory[:, place], steps.angles[place], len(efforts)
+    works: dict[str, Array] = {}
+    if not (law.yields or law.relaxes or law.wears or law.rubs):
+        return works
+    block, rests = steps.followed * model.timestep, model.settings(efforts[:: steps.followed])[0]
+    after = memory
+    if len(memory) > 1:
+        # the last block ends at the angles after it
+        end = model.folds.angles(steps.position[place, -1])[model.followed_hinges]
+        ends = np.concatenate([angles[1:], without_jump(end, angles[-1])[None]])
+        after = turned_memory(law, memory, ends - angles, block)
+        _, relaxed, worn = memory_losses(law, ends, rests, memory, after, block)
+        for name, lost, present in (
+            ("crease_branch_work", relaxed, law.relaxes),
+            ("crease_damage_work", worn, law.wears),
+        ):
+            if present:
+                works[name] = -np.repeat(np.sum(lost, axis=1), steps.followed)[:count] / steps.followed
+        if law.rubs:
+            rubbed = friction_loss(law, ends - angles, memory, after)
+            works["friction_work"] = -np.repeat(np.sum(rubbed, axis=1), steps.followed)[:count] / steps.followed
+    if law.yields:
+        # the first block begins where the steps before it ended
+        before = np.concatenate([steps.memory_before[:, place, None], after[:, :-1]], axis=1)
+        yielded, _, worn = memory_losses(law, angles, rests, before, memory, 0.0)
+        works["crease_yield_work"] = np.zeros(count)
+        works["crease_yield_work"][:: steps.followed] = -np.sum(yielded, axis=1)
+        if law.wears:
+            works["crease_damage_work"][:: steps.followed] -= np.sum(worn, axis=1)
+    return works
+
+
+def spring_works(model: Model, steps: Steps, place: int) -> Array:
+    """Return the work of the engine's springs of joints that remember, (step,), as for `crease_works`."""
+    assert model.creases is not None
+    assert steps.memory is not None
+    assert steps.memory_before is not None
+    assert steps.angles is not None
+    joints, law, memory, angles = (
+        model.creases.joints >= 0,
+        model.creases.law,
+        steps.memory[:, place],
+        steps.angles[place],
+    )
+    moment, slope = acting_moment(law, angles, 0.0, memory, steps.followed * model.timestep)
+    if law.yields or law.rubs:
+        before = np.concatenate([steps.memory_before[:, place, None], memory[:, :-1]], axis=1)
+        slope = slope - yielding_slope(law, before, memory)
+    position = np.concatenate([steps.position_before[place, None], steps.position[place]])
+    block = np.arange(len(position) - 1) // steps.followed
+    ends = (model.folds.angles(position)[:, model.creases.hinges[joints]][part] for part in (slice(-1), slice(1, None)))
+    start, end = (turned - angles[block][:, joints] for turned in ends)
+    work = moment[block][:, joints] * (end - start) + slope[block][:, joints] / 2 * (end**2 - start**2)
+    return np.asarray(-np.sum(work, axis=1))
 
 
 def engine_work(model: Model, motor: int, steps: Steps, place: int, travel: Array) -> Array:

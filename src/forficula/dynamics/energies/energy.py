@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Mapping
 from functools import reduce
 
@@ -13,12 +14,12 @@ from forficula.dynamics.engine.couplings import coupling_energies
 from forficula.dynamics.engine.membrane import stretch_energy
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.warnings import quiet
-from forficula.dynamics.stepping.steps import MOVING, SETS
+from forficula.dynamics.stepping.steps import MEMORY, MOVING
+from forficula.material.law.crease_memory import remaining_share, stored_energy
+from forficula.material.law.relaxation import square_integrals
 
 # fields of the engine that `clamping_work` needs
 CLAMPING_FIELDS = ("ten_length", "ten_velocity", "ten_J")
-# nodes of the quadrature over a step, exact to 1e-9 up to steps of 20 relaxation times
-_NODES = 16
 
 
 def clamping_work(
@@ -78,30 +79,18 @@ def _letting_go(model: Model, which: Indices, forces: Mapping[str, Array], activ
 def branch_losses(model: Model, activations: Array) -> Array:
     """Compute the energy that Maxwell branches dissipate in each step, (step, tendon, branch), in the model's units.
 
-    It is the integral of F^2 / (k tau). Between two steps the engine assumes a constant velocity, so the force is
-    F0 a + F1 b with b = (1 - exp(-s / tau)) / (1 - exp(-h / tau)) and a = exp(-s / tau) - exp(-h / tau) b.
+    It is the integral of F^2 / (k tau). Between two steps the engine assumes a constant velocity; see
+    `square_integrals`.
     """
     force = branch_forces(model, activations)
     before, after = force[:-1], force[1:]
     time, stiffness = branch_numbers(model)
     # most tendons have the same branches
     different, which = np.unique(time, axis=0, return_inverse=True)
-    integrals = np.array([_square_integrals(times, model.timestep) for times in different])
+    integrals = np.array([square_integrals(times, model.timestep) for times in different])
     squares = np.moveaxis(integrals[which.ravel()], 1, 0)
     total = squares[0] * before**2 + squares[1] * before * after + squares[2] * after**2
     return np.asarray(total / (stiffness * time))
-
-
-def _square_integrals(time: Array, timestep: float) -> Array:
-    """Compute the integrals over a step of a^2, 2 a b and b^2, see `branch_losses`, (3, branch), for times (branch,).
-
-    Quadrature of positive numbers is used, because the closed forms lose all digits if h is far below tau.
-    """
-    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
-    share, width = (nodes[:, None] + 1) / 2, timestep / time
-    late = np.expm1(-share * width) / np.expm1(-width)
-    early = np.exp(-share * width) - np.exp(-width) * late
-    return np.array([weights @ product * timestep / 2 for product in (early * early, 2 * early * late, late * late)])
 
 
 def branch_forces(model: Model, activations: Array) -> Array:
@@ -203,19 +192,23 @@ def _hinge_series(model: Model, angles: Array, efforts: Array, derived: Mapping[
         series["hinge_set"] = sets
     else:
         energy = model.units.energy * springs / 2 * (angles - rests) ** 2
+    quadratic, cubic = (np.array([getattr(hinge, name) for hinge in hinges]) for name in ("quadratic", "cubic"))
+    if quadratic.any() or cubic.any():
+        x = angles - rests
+        energy += model.units.energy * x**3 * (quadratic / 3 + x * cubic / 4)
     if model.creases is not None:
-        creases, (further, _) = model.folds.creases, model.settings(efforts)
-        law = model.creases.law
+        creases, (further, _) = model.followed_hinges, model.settings(efforts)
+        law, memory = model.creases.law, np.moveaxis(derived[MEMORY], 1, 0)
+        energy[:, creases] = model.units.energy * stored_energy(law, angles[:, creases], further, memory)
         if law.yields:
-            sets = derived[SETS]
-            energy[:, creases] = law.energy(angles[:, creases], further + law.rest_shift(sets)) + law.set_energy(sets)
-            series.setdefault("hinge_set", np.zeros_like(angles))[:, creases] = sets
-        else:
-            energy[:, creases] = law.energy(angles[:, creases], further)
-        energy[:, creases] *= model.units.energy
+            series.setdefault("hinge_set", np.zeros_like(angles))[:, creases] = memory[0]
+        if law.wears:
+            series["hinge_remaining"] = np.ones_like(angles)
+            series["hinge_remaining"][:, creases] = remaining_share(law, memory)
         springs = springs + np.bincount(
             creases, (np.isfinite(law.lower) | np.isfinite(law.upper)).astype(float), len(hinges)
         )
+        springs = springs + np.bincount(creases, np.sum(law.branch_stiffness, axis=-1), len(hinges))
         if any(motor.kind == "rest-angle" for motor in model.structure.motors):
             series["hinge_rest_angle"] = np.broadcast_to(rests, angles.shape).copy()
             series["hinge_rest_angle"][:, creases] += further
@@ -245,7 +238,7 @@ def state_energies(model: Model, derived: Mapping[str, Array]) -> dict[str, Arra
     """
     # the added mass of the medium has no weight
     weighs = model.engine.body_mass * (1 - model.engine.body_gravcomp)
-    units, height = model.units, np.sum(weighs * derived["xipos"][..., 2], axis=-1)
+    units, height = model.units, np.sum(weighs * (derived["xipos"] @ -np.array(model.in_units.down)), axis=-1)
     with np.errstate(over="ignore", invalid="ignore"):  # diverging structures
         return {
             "membrane_energy": units.energy * stretch_energy(membrane_nodes(model, derived), model.mesh),
@@ -255,11 +248,18 @@ def state_energies(model: Model, derived: Mapping[str, Array]) -> dict[str, Arra
 
 
 def energy_of(model: Model, moving: Array) -> float:
-    """Compute the energy of springs, weight and motion, in the model's units, from a state of `Steps.after`."""
-    data = mujoco.MjData(model.engine)
-    mujoco.mj_setState(model.engine, data, moving, MOVING)
+    """Compute the energy of springs, weight and motion, in the model's units, from a state of `Steps.after`.
+
+    Springs whose numbers in the engine change, see `EngineCreases`, are left out.
+    """
+    engine = model.engine
+    if model.creases is not None and (model.creases.joints >= 0).any():
+        engine = copy.copy(engine)
+        engine.jnt_stiffness[model.creases.joints[model.creases.joints >= 0]] = 0.0
+    data = mujoco.MjData(engine)
+    mujoco.mj_setState(engine, data, moving, MOVING)
     with quiet:
-        mujoco.mj_forward(model.engine, data)
+        mujoco.mj_forward(engine, data)
     # the engine also counts the weight of floating masses
     floats = model.engine.body_mass * model.engine.body_gravcomp
     return float(data.energy.sum() + floats @ (data.xipos @ model.engine.opt.gravity))

@@ -42,9 +42,11 @@ class EnergyBalance:
         branch_damping: dissipated by the dampers of these branches; None without branches.
         yielding: dissipated by the tendons' yielding; None if they never yield.
         crease_yielding: dissipated by creases that fold permanently; None if they never do.
+        crease_branches: dissipated by the dampers of the creases' Maxwell branches; None without branches.
+        crease_damage: dissipated by the wear of creases; None without wear.
         letting_go: minus the energy that branches stored without work while a slack tendon could not push; None if no
             tendon is clamped.
-        hinges: change of the energy of the hinges' springs; None without such springs.
+        hinges: change of the energy of the hinges' springs, with that of their Maxwell branches; None without springs.
         springs: change of the energy of springs between points; None without such springs.
         couplings: change of the energy of elastic couplings between joints; None without couplings.
         closures: work of the closures of loops of bodies; it counts as missing, because it should be 0 except for
@@ -72,6 +74,8 @@ class EnergyBalance:
     branch_damping: _Term = None
     yielding: _Term = None
     crease_yielding: _Term = None
+    crease_branches: Annotated[_Term, Key("crease_branch_damping")] = None
+    crease_damage: _Term = None
     letting_go: _Term = None
     hinges: Annotated[_Term, Key("hinge_energy_change")] = None
     springs: Annotated[_Term, Key("spring_energy_change")] = None
@@ -99,6 +103,8 @@ class EnergyBalance:
             self.branch_damping,
             self.yielding,
             self.crease_yielding,
+            self.crease_branches,
+            self.crease_damage,
             self.letting_go,
             self.hinges,
             self.springs,
@@ -146,6 +152,8 @@ def energy_balance(record: Record) -> EnergyBalance:
         branch_damping=_loss(change, "branch_damping_work"),
         yielding=_loss(change, "yield_work"),
         crease_yielding=_loss(change, "crease_yield_work"),
+        crease_branches=_loss(change, "crease_branch_work"),
+        crease_damage=_loss(change, "crease_damage_work"),
         letting_go=_loss(change, "letting_go_work"),
         hinges=change.get("hinge_energy"),
         springs=change.get("spring_energy"),

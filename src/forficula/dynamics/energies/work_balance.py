@@ -7,7 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from forficula.arrays import Array, Indices
-from forficula.dynamics.energies.crease_work import crease_works, displacement_force, engine_work, motor_travel
+from forficula.dynamics.energies.crease_work import (
+    crease_works,
+    displacement_force,
+    engine_work,
+    motor_travel,
+    spring_works,
+)
 from forficula.dynamics.energies.energy import CLAMPING_FIELDS, branch_losses, clamping_work, energy_of
 from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
 from forficula.dynamics.engine.contact import has_engine_contact
@@ -102,8 +108,12 @@ class WorkBalance:
             touched = None if steps.contact is None else np.sum(steps.contact.forces * travel, axis=2)
             if self._explicit:
                 work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
+                self._divide_friction(work, rows, steps)
                 outside = [motor_work_name(number) for number in range(len(self._motors))]
-                done = sum((work[name] for name in (*outside, "drag_work") if name in work), np.zeros(travel.shape[:2]))
+                done = sum(
+                    (work[name] for name in (*outside, "drag_work", "friction_work") if name in work),
+                    np.zeros(travel.shape[:2]),
+                )
                 done = done if touched is None else done + touched
                 self._add_stops(work, done, rows, steps, taken)
             else:
@@ -179,10 +189,19 @@ class WorkBalance:
         self._set[row], self._powers[row] = settings[-1], 0.0
         return values
 
-    def wait(self, row: int, time: float, lost: float, spared: float) -> None:
-        """Add a skipped interval of a structure at rest, s, with energies lost and saved by branches, model units."""
+    def wait(self, row: int, time: float, lost: float, spared: float, of_creases: float) -> None:
+        """Add a skipped interval of a structure at rest, s, with energies lost and saved by branches, model units.
+
+        Args:
+            row: number of the structure.
+            time: duration, s.
+            lost: energy lost by the branches of tendons.
+            spared: energy saved by the branches of tendons.
+            of_creases: energy lost by the branches of creases.
+        """
         self._waited[row] += time
-        for name, work in (("branch_damping_work", -lost), ("letting_go_work", spared)):
+        works = {"branch_damping_work": -lost, "letting_go_work": spared, "crease_branch_work": -of_creases}
+        for name, work in works.items():
             if name in self._done:
                 self._done[name][row] += self._unit[row] * work
 
@@ -262,8 +281,9 @@ class WorkBalance:
                 for number in range(len(self._motors))
             }
             of_creases = np.array([damped for _, damped, _ in parts_of_pieces])
-            if any(creases.law.yields for model in self._models if (creases := model.creases) is not None):
-                work["crease_yield_work"] = np.array([lost for _, _, lost in parts_of_pieces])
+            of_laws = [lost for _, _, lost in parts_of_pieces]
+            for name in {name for lost in of_laws for name in lost}:
+                work[name] = np.array([lost.get(name, np.zeros(travel.shape[1])) for lost in of_laws])
         return work, of_creases
 
     def _add_losses(
@@ -285,11 +305,28 @@ class WorkBalance:
                     for place, (row, item) in enumerate(zip(rows.tolist(), steps.derived["qacc"], strict=True))
                 ]
             )
-            work["friction_work"] = np.sum(friction * travel, axis=2)
+            # creases between flaps may have friction, too
+            work["friction_work"] = work.get("friction_work", 0.0) + np.sum(friction * travel, axis=2)
             constraints = constraints - friction
         work["stop_work"] = np.sum(constraints * travel, axis=2)
         if has_engine_contact(self._models[0].structure):
             self._add_contacts(work, rows, steps, travel)
+
+    def _divide_friction(self, work: dict[str, Array], rows: Indices, steps: Steps) -> None:
+        """Divide the work of constraints in steps of Runge and Kutta into that of dry friction and that of others."""
+        if "qacc" not in steps.derived:
+            return
+        assert steps.late is not None
+        before = np.concatenate([steps.velocity_before[:, None], steps.velocity[:, :-1]], axis=1)
+        powers = np.zeros(before.shape[:2])
+        for velocity, fields in ((before, steps.derived), (steps.velocity, steps.late)):
+            for place, row in enumerate(rows.tolist()):
+                torques = friction_torques(
+                    self._models[row], velocity[place], fields["qacc"][place], fields["qfrc_constraint"][place]
+                )
+                powers[place] += np.sum(torques * velocity[place], axis=1)
+        work["friction_work"] = self._timestep[rows, None] / 2 * powers
+        work["stop_work"] = work["stop_work"] - work["friction_work"]
 
     def _motor_travel(self, rows: Indices, position: Array, travel: Array, number: int) -> Array:
         """Return the travel along a motor for small shifts of coordinates, (row, step).
@@ -376,6 +413,9 @@ class WorkBalance:
         if len(self._gaps):
             work["closure_work"] = closing
         others = driven + work["hinge_damping_work"] + work["elastic_damping_work"]
+        for place, row in enumerate(rows.tolist()):
+            if (creases := self._models[row].creases) is not None and (creases.joints >= 0).any():
+                others[place] += spring_works(self._models[row], steps, place)
         for place, step in zip(*np.nonzero(jumps & (np.arange(jumps.shape[1]) < taken[:, None])), strict=True):
             ends = (steps.before[place] if step == 0 else steps.after[place, step - 1], steps.after[place, step])
             before, after = (energy_of(self._models[rows[place]], state) for state in ends)

@@ -8,11 +8,12 @@ from collections.abc import Sequence
 import mujoco
 import numpy as np
 
+from forficula.dynamics.energies.creases import is_followed_joint
 from forficula.dynamics.engine.contact import BARS, set_contact
 from forficula.dynamics.engine.stops import FRICTION_IMPEDANCE, STOP_IMPEDANCE, stop_reference
 from forficula.dynamics.stepping.folds import slide_name
 from forficula.pattern.geometry import polygon_normal
-from forficula.structure import GROUND, Bar, Body, Hinge, Motor, Plate, Stops, Structure, mass_of
+from forficula.structure import GROUND, Bar, Body, Hinge, Motor, Plate, Structure, mass_of
 
 # share of a bar that counts as the whole bar, to allow for rounding
 _WHOLE = 1 - 1e-6
@@ -54,7 +55,7 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure) -> None:
     for number, hinge in enumerate(structure.hinges):
         if hinge.flaps:
             continue
-        _add_hinge(bodies[hinge.body], hinge, structure.stops)
+        _add_hinge(bodies[hinge.body], hinge, structure)
         if number in driven:
             _add_motor(spec, hinge, driven[number].no_load_speed)
     if has_turning_bodies(structure) and any(motor.points for motor in structure.motors):
@@ -129,7 +130,8 @@ def _add_mass(body: mujoco.MjsBody, number: int, structure: Structure) -> None:
     body.fullinertia = [inertia[row, column] for row, column in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
 
 
-def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, stops: Stops) -> None:
+def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, structure: Structure) -> None:
+    stops = structure.stops
     limited = math.isfinite(hinge.lower) or math.isfinite(hinge.upper)
     low, high = hinge.lower, hinge.upper
     joint = body.add_joint(
@@ -147,19 +149,27 @@ def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, stops: Stops) -> None:
         solref_limit=stop_reference(stops),
         solimp_limit=STOP_IMPEDANCE,
     )
-    if hinge.stiffness:
-        # of the two springs in parallel of a joint that yields, this is the one that yields; see `add_hardening`
-        joint.stiffness = [hinge.stiffness - hinge.hardening, 0, 0]
+    if is_followed_joint(hinge, structure):
+        # the stiffness of fast turns, for the choice of the timestep; see `JointSprings`
+        joint.stiffness = [hinge.stiffness + sum(branch.stiffness for branch in hinge.branches), 0, 0]
         joint.springref = hinge.sense * hinge.rest_angle
-        if math.isfinite(hinge.yield_angle):
+    elif hinge.stiffness:
+        # of the two springs in parallel of a joint that yields, this is the one that yields; see `add_hardening`
+        yields = math.isfinite(hinge.yield_angle)
+        nonlinear = [0.0, 0.0] if yields else [hinge.sense * hinge.quadratic, hinge.cubic]
+        joint.stiffness = [hinge.stiffness - hinge.hardening, *nonlinear]
+        joint.springref = hinge.sense * hinge.rest_angle
+        if yields:
             joint.springyield = hinge.yield_angle
 
 
 def add_hardening(spec: mujoco.MjSpec, structure: Structure) -> None:
     """Add the elastic springs that act beside the springs of joints that yield; see `CreaseLaw`."""
     for hinge in structure.hinges:
-        if hinge.flaps is None and hinge.hardening:
-            spring = spec.add_tendon(name=f"{hinge.name}_hardening", stiffness=[hinge.hardening, 0, 0])
+        elastic = [hinge.hardening, hinge.sense * hinge.quadratic, hinge.cubic]
+        yields = math.isfinite(hinge.yield_angle) and not is_followed_joint(hinge, structure)
+        if hinge.flaps is None and yields and any(elastic):
+            spring = spec.add_tendon(name=f"{hinge.name}_hardening", stiffness=elastic)
             rest = hinge.sense * hinge.rest_angle
             spring.springlength = [rest, rest]
             spring.wrap_joint(hinge.name, 1.0)

@@ -23,9 +23,13 @@ _ROUNDING = 1e-3
 
 
 def has_engine_contact(structure: Structure) -> bool:
-    """Return whether the engine computes contacts: those of bars and membranes, but not those of facets and plates."""
+    """Return whether the engine computes contacts: those of bars and membranes, and those with the table.
+
+    It does not compute the contacts of facets and plates with each other.
+    """
     surfaces = any(membrane.surface is not None for membrane in structure.membranes)
-    return structure.contact is not None and (surfaces or bool(structure.bars))
+    touching = structure.contact is not None and (surfaces or bool(structure.bars))
+    return touching or structure.table is not None
 
 
 def set_contact(shape: mujoco.MjsGeom | mujoco.MjsFlex, thickness: float, contact: Contact) -> None:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from forficula.arrays import Array, Indices
-from forficula.dynamics.energies.crease_moments import CreaseMoments, crease_moments
+from forficula.dynamics.energies.crease_moments import CreaseMoments, Past, crease_moments
 from forficula.dynamics.engine.model import Model
 from forficula.pattern.geometry import cross, dot
 
@@ -45,20 +45,18 @@ class CreaseRows:
         """Select structures by index, in ascending order."""
         return replace(self, built=self.built[which], moments=self.moments.some(which))
 
-    def follow(
-        self, positions: Array, velocities: Array, near: Array, efforts: Array, sets: Array
-    ) -> tuple[Array, Array, Array]:
+    def follow(self, positions: Array, velocities: Array, efforts: Array, past: Past) -> tuple[Array, Array, Array]:
         """Compute the angles of creases, and rows with their moments and slopes at these angles.
 
         Args:
             positions: of the structures, (structure, dof).
             velocities: of the structures, (structure, dof).
-            near: reference angles within half a turn, rad, (structure, crease).
             efforts: settings of the motors, (structure, motor).
-            sets: permanent folds of the creases before, rad, (structure, crease).
+            past: of the creases, with angles within half a turn.
 
         Returns:
-            Angles in own senses without jumps and sets, rad, (structure, crease), and rows, (structure, crease, 17).
+            Angles in own senses without jumps, rad, (structure, crease), memory, (slot, structure, crease), and rows,
+            (structure, crease, 17).
         """
         moments, senses = self.moments, self.moments.senses
         (edge, away), (edge_moves, moves) = self._sides(positions, velocities)
@@ -69,10 +67,10 @@ class CreaseRows:
         square, area = dot(edge, edge), dot(normals, normals)
         length, share = np.sqrt(square), dot(away, edge[:, None]) / square
         volume = dot(away[:, 1], normals[:, 0])
-        angles = without_jump(senses * np.arctan2(length * volume, dot(normals[:, 0], normals[:, 1])), near)
+        angles = without_jump(senses * np.arctan2(length * volume, dot(normals[:, 0], normals[:, 1])), past.angles)
         turned = dot(normals, moves - share * edge_moves[:, None]) / area
         turning = length * (turned[0] + turned[1])
-        moment, slope, sets = moments.at(angles, turning, efforts, sets)
+        moment, slope, memory = moments.at(angles, turning, efforts, past)
         # rows use the sense of the angle between the flaps
         rest = senses * (angles - np.arctan2(moment, slope))
         size, moment = np.hypot(moment, slope), senses * moment
@@ -103,7 +101,7 @@ class CreaseRows:
         rows = np.empty((*angles.shape, _ROW))
         rows[..., :_FORM] = form.reshape(_FORM, *angles.shape)[self.form, :, self._columns].transpose(2, 1, 0)
         rows[..., _FORM] = self.parity * last
-        return angles, sets, rows
+        return angles, memory, rows
 
     @property
     def _columns(self) -> Indices:
@@ -123,7 +121,7 @@ class CreaseRows:
 def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
     """Collect the creases of structures of one topology side by side; None without creases."""
     creases = [model.creases for model in models if model.creases is not None]
-    if not creases:
+    if not creases or not len(creases[0].rows):
         return None
     order, corners = creases[0].order, models[0].folds.flaps[:, [0, 1, 2, 5]]
     return CreaseRows(
@@ -132,7 +130,7 @@ def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
         rows=creases[0].rows,
         form=(4 * order[:, :, None] + order[:, None, :]).reshape(-1, _FORM).T,
         parity=np.where(order[:, 0] == order[:, 2] - 2, 1.0, -1.0),
-        moments=crease_moments(models),
+        moments=crease_moments(models, joints=False),
     )
 
 

@@ -11,7 +11,14 @@ import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.design import Design
-from forficula.dynamics.energies.creases import EngineCreases, add_creases, clear_rows, creases_of
+from forficula.dynamics.energies.creases import (
+    EngineCreases,
+    add_creases,
+    clear_rows,
+    creases_of,
+    followed_hinges,
+    is_followed_joint,
+)
 from forficula.dynamics.engine.bodies import (
     add_bodies,
     add_hardening,
@@ -27,11 +34,12 @@ from forficula.dynamics.engine.couplings import add_couplings
 from forficula.dynamics.engine.drag import CONSTANT_STEPS, Drag, add_medium, drag_of
 from forficula.dynamics.engine.membrane import MembraneMesh, add_membranes, first_node, joined_mesh
 from forficula.dynamics.engine.placement import Placement, placement_of
+from forficula.dynamics.engine.table import add_table, check_above_table
 from forficula.dynamics.engine.tendons import add_distance, add_limit, add_pulls, add_spring, add_tendon
 from forficula.dynamics.engine.touching import check_start
 from forficula.dynamics.engine.units import ModelUnits, design_in_model_units, model_units
 from forficula.dynamics.stepping.folds import Folds, folds_of, slide_name
-from forficula.dynamics.stepping.node_modes import followed_steps
+from forficula.dynamics.stepping.node_modes import AT_JOINTS, followed_steps
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import ElasticLaw, stacked_laws
 from forficula.structure import Measure, Structure, structure_of
@@ -57,7 +65,7 @@ class Model:
         mesh: its membranes, in the model's units.
         first_node: index of the first node of the membranes among the vertices of the engine's flexes.
         folds: computes the hinges' angles from the engine's positions.
-        creases: hinges that are not joints; None if there are none.
+        creases: hinges whose numbers in the engine are computed every few steps; None if there are none.
         drag: of the medium; None for empty space.
         followed: steps over which the engine's rows of creases and the drag are constant.
         pushed: displacement of a force's points along the force per shift of each coordinate, (motor, dof); 0 for other
@@ -121,6 +129,11 @@ class Model:
         """Return whether steps are those of Runge and Kutta instead of semi-implicit Euler."""
         return bool(self.engine.opt.integrator == mujoco.mjtIntegrator.mjINT_RK4)
 
+    @property
+    def followed_hinges(self) -> Indices:
+        """Return the numbers of the hinges in `creases`, (crease,)."""
+        return self.folds.creases if self.creases is None else self.creases.hinges
+
     def settings(self, efforts: Array) -> tuple[Array, Array]:
         """Return the effect of motors on creases: changes of rest angles, rad, and torques, (..., crease).
 
@@ -134,7 +147,9 @@ class Model:
                 rests[..., list(motor.hinges)] += acting
             elif motor.kind == "torque":
                 torques[..., list(motor.hinges)] += acting
-        return rests[..., self.folds.creases], torques[..., self.folds.creases]
+        # motors of joints are actuators of the engine
+        torques[..., self.folds.joints >= 0] = 0.0
+        return rests[..., self.followed_hinges], torques[..., self.followed_hinges]
 
     def braking(self, sizes: Array) -> Array:
         """Return the damping of creases by motors, (..., crease), for magnitudes of their settings, (..., motor)."""
@@ -142,7 +157,8 @@ class Model:
         for number, motor in enumerate(self.in_units.motors):
             gains = np.array(motor.gains or (1.0,) * len(motor.hinges))
             damping[..., list(motor.hinges)] += sizes[..., number, None] * gains / motor.no_load_speed
-        return damping[..., self.folds.creases]
+        damping[..., self.folds.joints >= 0] = 0.0
+        return damping[..., self.followed_hinges]
 
     def levers(self, tendon: int) -> tuple[slice, Indices]:
         """Return the entries of the engine's ten_J for the derivatives of a tendon's length, and their joints."""
@@ -202,6 +218,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     engine = _compiled(spec, design.name)
     clear_rows(engine)
     folds, drag = folds_of(engine, in_units), drag_of(engine, in_units)
+    check_above_table(engine, in_units, folds, units.length)
     tendons = _indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
     plastic = engine.tendon_plasticadr[tendons]
     (holds, servo_jacobian), (brakes, brake_jacobian) = _servos(engine, in_units), _brakes(engine, in_units)
@@ -313,6 +330,7 @@ def _spec_of(structure: Structure, timestep: float, mesh: MembraneMesh, distance
     add_membranes(spec, mesh, structure)
     add_panels(spec, structure)
     add_stop_sensors(spec, structure)
+    add_table(spec, structure)
     return spec
 
 
@@ -322,7 +340,7 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     spec.compiler.degree = False
     option = spec.option
     option.timestep = timestep
-    option.gravity = [0, 0, -structure.gravity]
+    option.gravity = structure.gravity * np.array(structure.down)
     # where loops are closed, Euler loses 5 to 9 % of the energy in a second of swinging: measured
     option.integrator = mujoco.mjtIntegrator.mjINT_RK4 if structure.closures else mujoco.mjtIntegrator.mjINT_EULER
     # with the default, 1e-8, the solver's result would depend on the model's units
@@ -341,7 +359,7 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
         return spec
     # the default would locate contacts of panels to 1e-6 of the length unit, which depends on the structure
     option.ccd_tolerance = 1e-10
-    if structure.contact is not None and structure.contact.friction:
+    if any(touched.friction for touched in (structure.contact, structure.table) if touched is not None):
         # friction in a pyramidal cone would depend on the direction
         option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     return spec
@@ -349,7 +367,7 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
 
 def _viewers(structure: Structure) -> str:
     """Return a note on the viewers that show the same motion as this simulation."""
-    if any(hinge.flaps for hinge in structure.hinges) or structure.medium is not None:
+    if len(followed_hinges(structure)) or structure.medium is not None:
         return "layout only: creases or drag are updated outside the engine between steps"
     if structure.membranes:
         return "MuJoCo 4.0 or later: earlier versions stretch membranes differently"
@@ -378,6 +396,9 @@ def _followed_steps(structure: Structure) -> int:
         most.append(followed_steps(structure))
     if structure.contact is not None and (structure.plates or structure.facets):
         most.append(_BETWEEN_CONTACTS)
+    joints = [hinge for hinge in structure.hinges if is_followed_joint(hinge, structure)]
+    if joints:
+        most.append(1 if any(hinge.quadratic or hinge.cubic for hinge in joints) else AT_JOINTS)
     return min(most, default=1)
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from forficula.arrays import Array, Indices
-from forficula.dynamics.energies.crease_moments import CreaseMoments, crease_moments
+from forficula.dynamics.energies.crease_moments import CreaseMoments, Past, crease_moments
 from forficula.dynamics.engine.crease_rows import without_jump
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.placement import stacked
@@ -49,20 +49,18 @@ class PlateRows:
             moments=self.moments.some(which),
         )
 
-    def follow(
-        self, positions: Array, velocities: Array, near: Array, efforts: Array, sets: Array
-    ) -> tuple[Array, Array, Array]:
+    def follow(self, positions: Array, velocities: Array, efforts: Array, past: Past) -> tuple[Array, Array, Array]:
         """Compute the angles of creases, and rows with their moments and slopes; see `CreaseRows.follow`."""
         moments, senses = self.moments, self.moments.senses
         apart, turned = self.folds.turns(positions, velocities)
-        angles = without_jump(senses * apart.angles, near)
-        moment, slope, sets = moments.at(angles, turned, efforts, sets)
+        angles = without_jump(senses * apart.angles, past.angles)
+        moment, slope, memory = moments.at(angles, turned, efforts, past)
         factors = -senses * moment * apart.slopes
         # add an energy without force at the present angle that has the slope of the moment
         upright, side = apart.values[:2]
         factors[:3] += slope / np.hypot(upright, side) * apart.values[:3]
         values = np.moveaxis(factors, 0, -1).reshape(len(positions), -1)
-        return angles, sets, values[..., None] * self.forms
+        return angles, memory, values[..., None] * self.forms
 
 
 def plate_rows(models: Sequence[Model]) -> PlateRows:
@@ -76,7 +74,7 @@ def plate_rows(models: Sequence[Model]) -> PlateRows:
         folds=folds,
         rows=creases.rows,
         forms=np.array([_forms(model, creases.order) for model in models]),
-        moments=crease_moments(models),
+        moments=crease_moments(models, joints=False),
     )
 
 

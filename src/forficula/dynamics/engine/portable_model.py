@@ -71,6 +71,8 @@ def model_numbers(model: Model) -> dict[str, Array]:
 
 def why_not_portable(model: Model) -> str:
     """Return why an older engine alone moves a structure differently, as a clause; empty if it does not."""
+    if model.creases is not None and (model.creases.joints >= 0).any():
+        return "its creases remember how they were turned, which is computed outside the engine"
     if model.creases is not None:
         return "its creases are not joints, which engines before MuJoCo 4.0 do not support"
     if model.drag is not None:
@@ -79,8 +81,8 @@ def why_not_portable(model: Model) -> str:
         return "its tendons yield, which only MuJoCo 4.0 supports"
     if (model.hinge_creep >= 0).any():
         return "its joints yield, which only MuJoCo 4.0 supports"
-    if model.structure.contact is not None:
-        return "its parts touch, and older engines compute contacts differently"
+    if model.structure.has_contacts:
+        return "its parts touch each other or a table, and older engines compute contacts differently"
     if (model.holds >= 0).any():
         return "a drive displaces points"
     if model.pushed_bodies is not None:

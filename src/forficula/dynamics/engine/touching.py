@@ -12,7 +12,6 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.design.section import SMALL_LENGTH
 from forficula.dynamics.engine.placement import Placement, Pose, placement_of
-from forficula.dynamics.stepping.start_states import start_position
 from forficula.errors import InputError
 from forficula.quantities import show_quantity, show_value
 from forficula.structure import Contact
@@ -145,6 +144,8 @@ def check_start(model: Model) -> None:
     Raises:
         InputError: the message names two parts and gives the largest thickness.
     """
+    from forficula.dynamics.stepping.start_states import start_position
+
     touching = touching_of(model)
     if touching is None:
         return

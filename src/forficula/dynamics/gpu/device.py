@@ -103,12 +103,16 @@ def check_device(model: Model) -> None:
 
 def _why_not(model: Model) -> str:
     """Return why a structure cannot be simulated on a device; empty if it can."""
+    if model.creases is not None and (model.creases.joints >= 0).any():
+        return "creases that remember how they were turned are computed on the processor between the steps"
+    if any(hinge.quadratic or hinge.cubic for hinge in model.structure.hinges):
+        return "nonlinear springs of joints were not compared with MuJoCo Warp"
     if model.creases is not None:
         return (
             "creases of sheets and nets change numbers of the engine's flex every few steps, and on a device these"
             " numbers are the same for all structures"
         )
-    if model.structure.contact is not None:
+    if model.structure.has_contacts:
         return (
             "the number of contacts differs between structures and steps, while memory on a device is reserved before"
         )

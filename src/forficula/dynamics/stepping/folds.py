@@ -112,6 +112,15 @@ class Folds:
         return np.asarray(held[..., self.slides])
 
 
+def start_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> Array:
+    """Return the engine's positions at the start; bodies that slide start in the built shape."""
+    position = np.array(engine.qpos0)
+    for hinge, place in zip(structure.hinges, folds.joints.tolist(), strict=True):
+        if place >= 0:
+            position[place] = hinge.sense * hinge.start + 0.0  # -0 would be another bit
+    return position
+
+
 def folds_of(engine: mujoco.MjModel, structure: Structure) -> Folds:
     """Find the hinges of a structure in the model's units, and the nodes of its creases, in the compiled model."""
     hinges = structure.hinges

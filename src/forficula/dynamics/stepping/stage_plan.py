@@ -204,6 +204,7 @@ def longest_rest(model: Model) -> float:
     protocol = model.design.protocol
     longest = max(stage.time_limit for stage in protocol.stages)
     times = [branch.time for tendon in model.structure.tendons for branch in tendon.law.branches]
+    times += [branch.time for hinge in model.structure.hinges for branch in hinge.branches]
     return max(protocol.window, _RELAXED * max((time for time in times if time <= longest), default=0.0))
 
 

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import mujoco
 import numpy as np
 from mujoco.batch import Batch
 
 from forficula.arrays import Array
-
-if TYPE_CHECKING:
-    from forficula.dynamics.engine.model import Model
+from forficula.dynamics.engine.model import Model
+from forficula.dynamics.stepping.folds import start_of
+from forficula.material.law.crease_memory import start_memory
 
 
 def start_states(models: Sequence[Model]) -> Array:
@@ -27,23 +26,18 @@ def start_states(models: Sequence[Model]) -> Array:
 
 def start_position(model: Model) -> Array:
     """Return the positions at the start; sliding bodies start in the built shape."""
-    position = np.array(model.engine.qpos0)
-    for hinge, place in zip(model.structure.hinges, model.folds.joints.tolist(), strict=True):
-        if place >= 0:
-            position[place] = hinge.sense * hinge.start + 0.0  # -0 would be another bit
-    return position
+    return start_of(model.engine, model.structure, model.folds)
 
 
 def start_creases(model: Model) -> Array:
-    """Return the start angles of creases, rad, (crease,)."""
-    return np.array([model.structure.hinges[number].start for number in model.folds.creases])
+    """Return the start angles of followed creases, rad, (crease,)."""
+    return np.array([model.structure.hinges[number].start for number in model.followed_hinges])
 
 
-def start_folds(model: Model) -> Array:
-    """Return the permanent folds of creases at the start, rad, (crease,): some start beyond their yield angle."""
+def start_crease_memory(model: Model) -> Array:
+    """Return the memory of followed creases at the start, (slot, crease): some start beyond their yield angle."""
     start = start_creases(model)
-    unfolded = np.zeros_like(start)
-    return unfolded if model.creases is None else model.creases.law.next_set(start, 0.0, unfolded)
+    return np.zeros((1, len(start))) if model.creases is None else start_memory(model.creases.law, start)
 
 
 def _start_creep(model: Model) -> Array:

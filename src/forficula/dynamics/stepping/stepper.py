@@ -17,19 +17,19 @@ from mujoco.batch import Batch
 
 from forficula.arrays import Array, Indices
 from forficula.cores import usable_cores
-from forficula.dynamics.energies.creases import engine_rows
+from forficula.dynamics.energies.crease_moments import Past
 from forficula.dynamics.energies.energy import state_series
 from forficula.dynamics.engine.contact import has_engine_contact
 from forficula.dynamics.engine.contact_forces import ContactForces
-from forficula.dynamics.engine.crease_rows import CreaseRows, crease_rows, without_jump
+from forficula.dynamics.engine.crease_rows import without_jump
 from forficula.dynamics.engine.drag import KINEMATICS, stacked_drag
+from forficula.dynamics.engine.followed_creases import FollowedCreases, followed_creases
 from forficula.dynamics.engine.model import Model
-from forficula.dynamics.engine.plate_creases import PlateRows, plate_rows
 from forficula.dynamics.engine.touching import touching_of
 from forficula.dynamics.engine.warnings import quiet
 from forficula.dynamics.stepping.folds import joint_address, slide_name
-from forficula.dynamics.stepping.start_states import start_creases, start_folds, start_position, start_states
-from forficula.dynamics.stepping.steps import MOVING, SETS, STATE, EngineState, StepContacts, Steps
+from forficula.dynamics.stepping.start_states import start_crease_memory, start_creases, start_position, start_states
+from forficula.dynamics.stepping.steps import MEMORY, MOVING, STATE, EngineState, StepContacts, Steps
 from forficula.structure import RestShape
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ class Stepper:
         self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if models[0].lets_go.any() else ()))
         if has_engine_contact(models[0].structure):
             self._names = tuple(dict.fromkeys((*self._names, *_OF_CONTACT)))
-        if any(hinge.friction for model in models for hinge in model.structure.hinges):
+        if any(hinge.friction and not hinge.flaps for model in models for hinge in model.structure.hinges):
             self._names = (*self._names, "qacc")
         if models[0].jacobian.any():
             self._names = (*self._names, "actuator_force")
@@ -99,8 +99,8 @@ class Stepper:
             self._names = (*self._names, "qfrc_applied")
         # last angles of creases, without jumps
         self._angles = np.array([start_creases(model) for model in models])
-        # permanent folds of creases
-        self._sets = np.array([start_folds(model) for model in models])
+        # memory of creases, (slot, structure, crease)
+        self._past = np.stack([start_crease_memory(model) for model in models], axis=1)
         self._data = mujoco.MjData(model)
         self._device = _device_engine(models, self._models, self._names, chunk)
         if self._device is not None:
@@ -109,12 +109,10 @@ class Stepper:
             return
         # memory is reused, because fresh memory costs as much time as reading it
         self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
-        self._creases = crease_rows(models) if models[0].folds.placement is None else plate_rows(models)
-        # writable rows of the engine's models
-        self._bends = [] if self._creases is None else [engine_rows(model) for model in self._models]
-        self._blocks = deque(
-            [np.empty((2, len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
-        )
+        self._creases = followed_creases(models)
+        # angles and memory of creases at the start of each block
+        slots, blocks = 1 + len(self._past), chunk // models[0].followed
+        self._blocks = deque([np.empty((slots, len(models), blocks, len(self._angles[0]))) for _ in range(2)])
         self._contact = ContactForces(models) if touching_of(models[0]) is not None else None
         memory = (len(models), chunk if self._contact else 0)
         self._contacts = deque(
@@ -161,8 +159,8 @@ class Stepper:
             derived={name: fields[name] for name in self._names},
             late=late,
             angles=None if followed is None else followed[0],
-            sets=None if followed is None else followed[1],
-            sets_before=self._sets[rows],
+            memory=None if followed is None else followed[1:],
+            memory_before=self._past[:, rows],
             followed=self._structures[0].followed,
             contact=contacts,
         )
@@ -187,18 +185,17 @@ class Stepper:
         """Put structures into their states after the steps that count, (row,)."""
         self._state[np.ix_(rows, self._moving)] = steps.states(np.arange(len(rows)), taken)
         if steps.angles is not None:
-            assert steps.sets is not None
             for place, (row, step) in enumerate(zip(rows.tolist(), taken.tolist(), strict=True)):
                 block = min(step // steps.followed, steps.angles.shape[1] - 1)
-                near, self._sets[row] = steps.angles[place, block], steps.sets[place, block]
-                folds = self._structures[row].folds
+                model, near = self._structures[row], steps.angles[place, block]
                 position = self._state[row, self._moving][1 : 1 + steps.positions]
-                self._angles[row] = without_jump(folds.angles(position)[folds.creases], near)
+                self._angles[row] = without_jump(model.folds.angles(position)[model.followed_hinges], near)
+                self._past[:, row] = steps.memory_at(model, place, np.array([step]), self._angles[row][None])[:, 0]
 
     def follow_leader(self, row: int, leader: int) -> None:
         """Copy the state of another structure."""
         self._state[row] = self._state[leader]
-        self._angles[row], self._sets[row] = self._angles[leader], self._sets[leader]
+        self._angles[row], self._past[:, row] = self._angles[leader], self._past[:, leader]
 
     def state(self, row: int) -> EngineState:
         """Return the state of a structure."""
@@ -209,10 +206,10 @@ class Stepper:
         with quiet:
             mujoco.mj_forward(engine, data)
         derived = {name: getattr(data, name).copy() for name in (*_OF_STATES, "xmat", *self._branch_slices)}
-        derived[SETS] = self._sets[row].copy()
-        folds = self._structures[row].folds
-        angle = folds.angles(data.qpos)
-        angle[folds.creases] = without_jump(angle[folds.creases], self._angles[row])
+        derived[MEMORY] = self._past[:, row].copy()
+        followed = self._structures[row].followed_hinges
+        angle = self._structures[row].folds.angles(data.qpos)
+        angle[followed] = without_jump(angle[followed], self._angles[row])
         return EngineState(position=data.qpos.copy(), velocity=data.qvel.copy(), angle=angle, derived=derived)
 
     def position_of(self, row: int, shape: RestShape) -> Array:
@@ -251,7 +248,7 @@ class Stepper:
         changed[1 : 1 + engine.nq], changed[1 + engine.nq : 1 + engine.nq + engine.nv] = position, 0.0
         self._state[row, self._moving] = changed
         state = self.state(row)
-        self._angles[row] = state.angle[self._structures[row].folds.creases]
+        self._angles[row] = state.angle[self._structures[row].followed_hinges]
         return state
 
     def lengths(self, row: int) -> Array:
@@ -265,6 +262,14 @@ class Stepper:
     def set_activation(self, row: int, forces: Array) -> None:
         """Set the forces of the Maxwell branches of a structure."""
         self._state[row, self._activation] = forces
+
+    def creases(self, row: int) -> tuple[Array, Array]:
+        """Return the angles of the followed creases of a structure, (crease,), and their memory, (slot, crease)."""
+        return self._angles[row].copy(), self._past[:, row].copy()
+
+    def set_branch_moments(self, row: int, moments: Array) -> None:
+        """Set the moments of the Maxwell branches of the creases of a structure, (branch, crease)."""
+        self._past[2:, row] = moments
 
     def close(self) -> None:
         """Wait for the steps in progress and start no others."""
@@ -357,8 +362,11 @@ class Stepper:
                 steps = slice(block * length, (block + 1) * length)
                 with np.errstate(all="ignore"):  # diverging structures, whose later steps do not count
                     if followed is not None and creases is not None:
-                        before = (self._angles[rows], self._sets[rows]) if block == 0 else followed[:, :, block - 1]
-                        followed[:, :, block] = self._set_creases(rows, creases, state, before, means[:, block])
+                        before = followed[:, :, block - 1]
+                        if block == 0:
+                            before = np.concatenate([self._angles[None, rows], self._past[:, rows]])
+                        angles, past = self._set_creases(rows, creases, state, before, means[:, block], block > 0)
+                        followed[0, :, block], followed[1:, :, block] = angles, past
                     if self._drag is not None:
                         self._set_drag(engine, rows, state)
                 if contacts is not None:
@@ -433,18 +441,21 @@ class Stepper:
     def _set_creases(
         self,
         rows: Indices,
-        creases: CreaseRows | PlateRows,
+        creases: FollowedCreases,
         state: Array,
-        before: tuple[Array, Array] | Array,
+        before: Array,
         efforts: Array,
+        later: bool,
     ) -> tuple[Array, Array]:
-        """Set the rows of creases of structures in some states; return their angles and sets, (row, crease) each."""
+        """Set the numbers of creases of structures in some states; return their angles and memory.
+
+        The angles and memory before are those of the same states, or of states a block earlier if `later` is true.
+        """
         position, velocity = self._motion(state)
-        near, sets = before
-        angles, sets, values = creases.follow(position, velocity, near, efforts, sets)
-        for row, numbers in zip(rows.tolist(), values, strict=True):
-            self._bends[row][creases.rows] = numbers
-        return angles, sets
+        models = [self._structures[row] for row in rows.tolist()]
+        block = np.array([[model.followed * model.timestep] for model in models])
+        past = Past(angles=before[0], memory=before[1:], elapsed=block * later, block=block)
+        return creases.update([self._models[row] for row in rows.tolist()], position, velocity, efforts, past)
 
 
 def _device_engine(

@@ -11,14 +11,16 @@ import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.crease_rows import without_jump
+from forficula.dynamics.engine.model import Model
 from forficula.dynamics.stepping.folds import Folds
 from forficula.dynamics.stepping.passage import Conditions, Passage, passage_of
+from forficula.material.law.crease_memory import turned_memory
 
 # the full state that a step depends on, and the part that a step changes: time, positions and velocities first
 STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
 MOVING = STATE & ~mujoco.mjtState.mjSTATE_USER.value
-# name of the sets of creases among the fields of a state
-SETS = "crease_set"
+# name of the memory of creases among the fields of a state
+MEMORY = "crease_memory"
 
 
 class StepContacts(NamedTuple):
@@ -50,8 +52,8 @@ class Steps:
             and Kutta; None for other steps.
         angles: of the creases at the start of every block of steps with constant rows, in own senses and without jumps,
             rad, (structure, block, crease); None without creases.
-        sets: permanent folds of the creases in every block, rad, (structure, block, crease); None without creases.
-        sets_before: those before the first block, (structure, crease).
+        memory: of the creases in every block, see `CreaseLaw`, (slot, structure, block, crease); None without creases.
+        memory_before: that before the first block, (slot, structure, crease).
         followed: number of steps of a block.
         contact: contacts of facets and plates; None without such contacts.
     """
@@ -65,8 +67,8 @@ class Steps:
     kept: Sequence[str]
     late: Mapping[str, Array] | None = None
     angles: Array | None = None
-    sets: Array | None = None
-    sets_before: Array | None = None
+    memory: Array | None = None
+    memory_before: Array | None = None
     followed: int = 1
     contact: StepContacts | None = None
 
@@ -121,6 +123,28 @@ class Steps:
             near = near[:, np.searchsorted(folds.creases, hinges[some.creases])]
             angles[:, some.creases] = without_jump(angles[:, some.creases], near)
         return angles
+
+    def memory_at(self, model: Model, structure: int, step: Indices, angles: Array) -> Array:
+        """Return the memory of creases in some states, (slot, state, crease); sets are those of the block.
+
+        Args:
+            model: of the structure.
+            structure: its index among the stepped structures.
+            step: number of steps before each state, (state,).
+            angles: of the creases in these states, rad, (state, crease).
+        """
+        assert self.angles is not None
+        assert self.memory is not None
+        assert model.creases is not None
+        block = np.minimum(step // self.followed, self.angles.shape[1] - 1)
+        memory = self.memory[:, structure, block]
+        if len(memory) == 1:
+            return memory
+        late, turned = step - block * self.followed, angles - self.angles[structure, block]
+        for steps in np.unique(late).tolist():
+            which = late == steps
+            memory[:, which] = turned_memory(model.creases.law, memory[:, which], turned[which], steps * model.timestep)
+        return memory
 
     def activation(self, structure: int, taken: int) -> Array:
         """Return the activations of a structure before the first step and after each taken step, (step + 1, ...)."""

@@ -21,7 +21,7 @@ from forficula.dynamics.stepping.node_modes import node_timestep
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonBranch
 from forficula.quantities import show_quantity
-from forficula.structure import Structure, structure_of, tendon_arms
+from forficula.structure import Structure, crease_law, structure_of, tendon_arms
 
 # Folding stretches the membrane and pleats the veins together: along the fold the limit was measured to fall to about
 # half of the flat wing's (reference design: 2.4 ms flat, 1.2 ms at the snap; seven veins, 5 MPa: 0.40 and 0.23 ms).
@@ -77,6 +77,8 @@ def resolving_timestep(structure: Structure) -> float:
     """
     stopped = any(np.isfinite([hinge.lower, hinge.upper]).any() for hinge in structure.hinges if not hinge.flaps)
     longest = [structure.stops.time_constant / STEPS_TO_TIME_CONSTANT] * bool(stopped or structure.limits)
+    if structure.table is not None:
+        longest.append(structure.table.stops.time_constant / STEPS_TO_CONTACT)
     return min([*longest, contact_timestep(structure)])
 
 
@@ -235,6 +237,7 @@ def _as_built(model: Model) -> _Linear:
         for tendon in np.flatnonzero(model.lets_go):
             viscous = (model.in_units.tendons[tendon].law.damping or (0.0,))[0]
             damping += viscous * stretch[tendon : tendon + 1].T @ stretch[tendon : tendon + 1]
+    stiffness = stiffness + np.diag(_steepening(model))
     for control in np.flatnonzero(model.brakes >= 0):
         # reduction of motors' torques with speed, at the largest torques
         number, way = model.brakes[control], model.jacobian[control]
@@ -250,6 +253,17 @@ def _as_built(model: Model) -> _Linear:
         implicit=np.diag(np.array(engine.dof_damping).reshape(engine.nv, -1)[:, 0]),
         stretch=stretch,
     )
+
+
+def _steepening(model: Model) -> Array:
+    """Return the largest slope that nonlinear terms of joints' springs add between their stops, (dof,)."""
+    more, joints = np.zeros(model.engine.nv), np.flatnonzero(model.folds.speeds >= 0)
+    law = crease_law(model.in_units, joints)
+    if law.bends:
+        built = np.array([model.in_units.hinges[number].built for number in joints])
+        linear = replace(law, quadratic=np.zeros(len(joints)), cubic=np.zeros(len(joints)))
+        more[model.folds.speeds[joints]] = law.largest_slope(built) - linear.largest_slope(built)
+    return more
 
 
 def _drag_damping(model: Model, drag: Drag, data: mujoco.MjData, inertia: Array) -> Array:

@@ -22,14 +22,17 @@ from forficula.show.structure.painted_shape import (
 )
 from forficula.show.structure.shape import Shape, shape_of
 from forficula.show.structure.surface import DrawnSurface, surface_of
-from forficula.show.structure.viewpoint import readable_view
+from forficula.show.structure.surroundings import draw_gravity
+from forficula.show.structure.viewpoint import Viewpoint, readable_view
 from forficula.show.style import ORANGE
 from forficula.statics import EnergyLandscape
 from forficula.statics.landscape import net_states
 from forficula.statics.net.energy import built_shape
 from forficula.statics.net.net import NetShape
 from forficula.statics.net.net_of import place_points, point_positions
+from forficula.structure import Structure
 
+_ARROW = 0.06  # half of the length of the arrow of gravity, as a share of a picture's width
 _DOTTED: dict[str, Any] = {"color": "0.35", "lw": 0.6, "ls": ":"}
 
 
@@ -43,6 +46,8 @@ class Pictures:
         middles: middle of each picture, m, (picture, 2).
         size: width and height of the largest picture, m, (2,).
         handles: entries of the legend.
+        structure: the structure.
+        view: viewpoint of the pictures.
     """
 
     painted: tuple[PaintedShape, ...]
@@ -50,6 +55,8 @@ class Pictures:
     middles: Array
     size: Array
     handles: tuple[Patch | Line2D, ...]
+    structure: Structure
+    view: Viewpoint
 
     @property
     def slope(self) -> float:
@@ -80,6 +87,8 @@ def net_pictures(landscape: EnergyLandscape, shapes: Sequence[NetShape], outline
         middles=corners.mean(axis=1),
         size=np.ptp(corners, axis=1).max(axis=0),
         handles=tuple(shape_handles(shape, structure, ORANGE, 2.0)),
+        structure=structure,
+        view=view,
     )
 
 
@@ -92,6 +101,10 @@ def show_pictures(pictures: Pictures, all_axes: Iterable[Axes], width: float) ->
         axes.set_axis_off()
     for axes, painted, middle in zip(all_axes, pictures.painted, pictures.middles, strict=False):
         show_painted(axes, painted, np.array([middle - pictures.size / 2, middle + pictures.size / 2]), width)
+    # in the upper right corner of the first picture
+    half = _ARROW * float(pictures.size[0])
+    corner = pictures.middles[0] + pictures.size / 2
+    draw_gravity(all_axes[0], pictures.structure, pictures.view, (corner[0] - 2 * half, corner[1] - half), half)
     for axes, lines in zip(all_axes, pictures.outlines, strict=False):
         axes.add_collection(LineCollection(list(lines), colors=_DOTTED["color"], lw=_DOTTED["lw"], ls=_DOTTED["ls"]))
 

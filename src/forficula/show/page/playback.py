@@ -212,6 +212,7 @@ def clip_data(clip: Clip) -> dict[str, Any]:
     return {
         "name": clip.name,
         "span_m": clip.structure.span,
+        **_surroundings_data(clip.structure),
         "time": packed(clip.time, "f8"),
         "points": packed(clip.points, "f4"),
         "pointCount": len(mesh.anchors),
@@ -329,6 +330,17 @@ def _mark_data(clip: Clip, mark: StateMark) -> dict[str, Any]:
     }
 
 
+def _surroundings_data(structure: Structure) -> dict[str, Any]:
+    """Return the direction of gravity where there is gravity, and the height of a level table, as data for JSON."""
+    data: dict[str, Any] = {}
+    if structure.gravity:
+        data["gravity"] = (np.sign(structure.gravity) * np.array(structure.down)).tolist()
+    # the grid of a page is level
+    if structure.table is not None and structure.down[2] == -1.0:
+        data["table_m"] = structure.table.height
+    return data
+
+
 def legend_data(clips: Sequence[Clip]) -> list[dict[str, str]]:
     """Return the legend of all clips as data for JSON: a sample that the page's script knows, and a text."""
     entries: dict[str, str] = {}
@@ -353,7 +365,9 @@ def legend_data(clips: Sequence[Clip]) -> list[dict[str, str]]:
             entries.setdefault("base", "fixed")
         if clip.structure.tendons:
             entries.setdefault("tendon", "tendon, coloured by stored energy")
-    order = ("mountain", "valley", "border", "edge", "region", "joint", "base", "tendon")
+        if clip.structure.gravity:
+            entries.setdefault("gravity", "direction of gravity")
+    order = ("mountain", "valley", "border", "edge", "region", "joint", "base", "tendon", "gravity")
     return [
         {"sample": sample, "text": text}
         for sample, text in sorted(entries.items(), key=lambda item: order.index(item[0].partition(" ")[0]))

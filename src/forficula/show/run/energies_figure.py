@@ -118,6 +118,8 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
         ("letting_go_work", "branches that gave way", PURPLE),
         ("yield_work", "dissipated by yielding", PURPLE),
         ("crease_yield_work", "dissipated by yielding creases", ORANGE),
+        ("crease_branch_work", "dissipated by branches of creases", BLUE),
+        ("crease_damage_work", "dissipated by wear of creases", PURPLE),
         ("drag_work", "dissipated by drag", BLUE),
     ):
         if name in series:

@@ -29,8 +29,9 @@ from forficula.show.structure.painted_shape import (
     show_painted,
 )
 from forficula.show.structure.shape import shape_of
-from forficula.show.structure.surface import at_time, face_strains, surface_at
-from forficula.show.structure.viewpoint import readable_view
+from forficula.show.structure.surface import DrawnSurface, at_time, face_strains, surface_at
+from forficula.show.structure.surroundings import draw_gravity, draw_table, surroundings_text
+from forficula.show.structure.viewpoint import Viewpoint, readable_view
 from forficula.show.style import (
     ORANGE,
     PAGE_WIDTH,
@@ -41,6 +42,7 @@ from forficula.show.style import (
     fit_legend,
     is_narrow,
 )
+from forficula.structure import Structure
 
 # inch, heights: of a row of the legend below, of an entry of one beside pictures, and of a line of a title
 _LEGEND_ROW, _ENTRY, _LINE = 0.2, 0.166, 0.16
@@ -79,6 +81,7 @@ class _Panel:
     """A picture and its title; at the scale of the others if its magnification is 1."""
 
     painted: PaintedShape
+    surface: DrawnSurface
     title: str
     magnification: float = 1.0
 
@@ -113,18 +116,23 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *,
     norm = Normalize(0, max((float(strain.max(initial=0)) for strain in strains), default=0.0) or 1e-6)
     colours = [STRAIN_COLOURS(norm(strain))[:, :3] for strain in strains] or [None] * len(surfaces)
     drawn = [paint_shape(surface, view, ORANGE, colour) for surface, colour in zip(surfaces, colours, strict=True)]
-    panels = [_Panel(painted=painted, title=texts[moment]) for painted, moment in zip(drawn, moments, strict=True)]
+    panels = [
+        _Panel(painted=painted, surface=surface, title=texts[moment])
+        for painted, surface, moment in zip(drawn, surfaces, moments, strict=True)
+    ]
     largest = np.max([panel.size for panel in panels], axis=0)
     enlarged = _enlarged(moments, panels, largest)
     if enlarged is not None:
         place, times = enlarged
         title = f"{moments[place].name}\nenlarged {times:.2g} times"
-        panels.insert(place + 1, _Panel(painted=drawn[place], title=title, magnification=times))
+        panels.insert(
+            place + 1, _Panel(painted=drawn[place], surface=surfaces[place], title=title, magnification=times)
+        )
     handles = [
         handle for handle in shape_handles(shape, structure, ORANGE, 2.0) if not (strain and isinstance(handle, Patch))
     ]
     with figure_style():
-        figure, grid = _draw_panels(panels, handles, width)
+        figure, grid = _draw_panels(panels, handles, width, structure, view)
         if strain:
             scaled = ScalarMappable(Normalize(0, 100 * float(norm.vmax or 0)), STRAIN_COLOURS)
             bar = figure.colorbar(scaled, ax=grid, fraction=0.04, pad=0.02, aspect=30)
@@ -134,10 +142,13 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *,
         titles = "; ".join(texts[moment].replace("\n", ", ") for moment in moments)
         count = f"{len(moments)}" if len(moments) == len(all_moments) else f"{len(moments)} of {len(all_moments)}"
         what = f"The {structure.appearance.whole} {record.design.name} in 3-D at {count} moments of a run"
-        return describe(figure, f"{what}, each with the time since its stage began. {titles}.{strain_text}")
+        room = surroundings_text(structure)
+        return describe(figure, f"{what}, each with the time since its stage began. {titles}.{strain_text}{room}")
 
 
-def _draw_panels(panels: Sequence[_Panel], handles: Sequence[Artist], width: float) -> tuple[Figure, list[Axes]]:
+def _draw_panels(
+    panels: Sequence[_Panel], handles: Sequence[Artist], width: float, structure: Structure, view: Viewpoint
+) -> tuple[Figure, list[Axes]]:
     """Draw pictures in rows that are as high as their contents, with the legend in an empty place if there is one."""
     columns = _columns(len(panels), width)
     rows = [panels[start : start + columns] for start in range(0, len(panels), columns)]
@@ -172,9 +183,12 @@ def _draw_panels(panels: Sequence[_Panel], handles: Sequence[Artist], width: flo
                 centre, size = panel.painted.corners.mean(axis=0), np.array([across, high - low])
                 window = centre + size / panel.magnification * np.array([[-0.5], [0.5]])
             show_painted(axes, panel.painted, window, width / columns)
+            draw_table(axes, structure, panel.surface, view)
             axes.set_title(panel.title, pad=2)
     row, place = barred or (0, 0)
     _scale_bar(grid[row, place], across)
+    left, foot = grid[row, place].get_xlim()[0], grid[row, place].get_ylim()[0]
+    draw_gravity(grid[row, place], structure, view, (left + 0.6 * across, foot + room / 2), 0.4 * room)
     if beside:
         fit_legend(grid[-1, -1], handles, 1, room=width / columns, loc="center").set_in_layout(False)
     else:

@@ -321,7 +321,7 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
     ties = any(coupling.rigid for coupling in structure.couplings)
     stops, contacts = ["stops", *["guard tendons"] * bool(structure.limits)], ["contacts"]
     # the engine separates only stops and limits from other constraints
-    (stops if structure.contact is None else contacts).extend(["rigid couplings"] * ties)
+    (contacts if structure.has_contacts else stops).extend(["rigid couplings"] * ties)
     terms = (
         (f"work of the {acting(structure)}", balance.work, True),
         ("= change of tendon energy", balance.tendon, tendons),
@@ -341,6 +341,8 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
         ("+ dissipated by the Maxwell branches", balance.branch_damping, True),
         ("+ dissipated by yielding", balance.yielding, True),
         ("+ dissipated by yielding creases", balance.crease_yielding, True),
+        ("+ dissipated by the Maxwell branches of creases", balance.crease_branches, True),
+        ("+ dissipated by wear of creases", balance.crease_damage, True),
         ("+ stored by branches that gave way, without work", balance.letting_go, True),
         ("+ missing", balance.missing, True),
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from forficula.analysis.strength import fold_peak, permanent_fold, strain_peaks
+from forficula.analysis.strength import fold_peak, permanent_fold, strain_peaks, worn_crease
 from forficula.dynamics import Record
 from forficula.quantities import show_value
 from forficula.show.structure.labels import stress_text
@@ -13,12 +13,14 @@ STRENGTH_HEADINGS = ("", "strain", "stress", "where", "at")
 def strength_rows(record: Record) -> list[list[str]]:
     """Return the largest strains of bars, membranes and tendons and the largest folds, with `STRENGTH_HEADINGS`.
 
-    Empty for a structure without facets that bend and without creases that yield.
+    Empty for a structure without facets that bend and without creases that yield or wear.
     """
     lasting = permanent_fold(record)
     kept = []
     if lasting is not None:
         kept = [[f"permanent fold: {show_value(lasting.angle, 'rad')}", "", "", lasting.crease, "the end"]]
+    if (worn := worn_crease(record)) is not None:
+        kept.append([f"moment left after wear: {100 * worn.left:.3g} %", "", "", worn.crease, "the end"])
     if not record.structure.facets:
         return kept
     rows = [

@@ -30,7 +30,7 @@ class Expansion:
 
     Attributes:
         shape: point of the expansion.
-        stored: stored energy, including that of the weight (0 at z = 0), J.
+        stored: stored energy, including that of the weight (0 at the origin), J.
         energy: stored energy minus the work of the load from the shape as built, J.
         slope: gradient of the potential by the nodes' coordinates, N, (node, 3); for held coordinates, the forces that
             supports exert.
@@ -139,11 +139,17 @@ def _expanded(
     if net.gravity:
         stored -= float(np.sum(layout.weight * shape.positions))
         forces -= layout.weight
+    blocks = layout.gather @ np.concatenate([piece[2] for piece in pieces], axis=1).T
+    if net.table is not None:
+        up, table = -np.array(net.down), net.table
+        sunk = np.maximum(table.least - shape.positions @ up, 0.0)
+        stored += table.stiffness / 2 * float(np.sum(sunk**2))
+        forces -= table.stiffness * sunk[:, None] * up
+        blocks[layout.diagonal[sunk > 0]] += table.stiffness * np.outer(up, up).ravel()
     energy = stored
     if load is not None:
         forces -= factor * load.forces
         energy = stored - factor * _work(net, shape, load)
-    blocks = layout.gather @ np.concatenate([piece[2] for piece in pieces], axis=1).T
     free, pressed = layout.free_part(blocks), None
     if net.contact is not None:
         terms = contact_terms(net.contact, shape.positions, shape.pressing)
@@ -164,7 +170,7 @@ def _expanded(
 
 
 def stored_by_part(net: Net, shape: NetShape, further: Array | float = 0.0) -> tuple[float, Array, float, float, float]:
-    """Return energies, J: of bars, of each crease, (crease,), of tendons, of membranes, of the weight (0 at z = 0).
+    """Return energies, J: of bars, of each crease, (crease,), of tendons, of membranes, of weight (0 at the origin).
 
     Args:
         net: the net with its laws.
@@ -259,7 +265,7 @@ def _crease_energies(net: Net, shape: NetShape, further: Array | float) -> Array
         return np.asarray(law.energy(shape.angles, further))
     before = np.zeros_like(shape.angles) if shape.sets is None else shape.sets
     sets = law.next_set(shape.angles, further, before)
-    return np.asarray(law.energy(shape.angles, further + law.rest_shift(sets)) + law.set_energy(sets))
+    return np.asarray(law.energy(shape.angles, further, law.rest_shift(sets)) + law.set_energy(sets))
 
 
 def _folds(net: Net, frames: _Frames, shares: Array, slope: Array, shape: NetShape, torques: Array | None) -> Piece:

@@ -35,6 +35,7 @@ class Layout:
         free_rows: rows of these entries, (entry,).
         free_starts: index at which each column of the free part begins, (coordinate + 1,).
         weight: forces of gravity, N, (node, 3).
+        diagonal: index of the block of each node with itself, (node,).
     """
 
     sides: csr_array | Array
@@ -47,6 +48,7 @@ class Layout:
     free_rows: Indices
     free_starts: Indices
     weight: Array
+    diagonal: Indices
 
     @cached_property
     def on_nodes(self) -> csr_array | Array:
@@ -107,8 +109,7 @@ def layout_of(net: Net) -> Layout:
     numbered = bsr_array((1 + np.arange(9.0 * len(columns)).reshape(-1, 3, 3), columns, rows), shape=(size, size))
     part = csc_array(numbered.tocsc()[:, free].tocsr()[free].tocsc())
     part.sort_indices()
-    weight = np.zeros_like(net.nodes)
-    weight[:, 2] = -net.gravity * np.asarray(net.mass_matrix.sum(axis=1)).ravel()
+    weight = net.gravity * np.outer(np.asarray(net.mass_matrix.sum(axis=1)).ravel(), net.down)
     return Layout(
         sides=_dense_if_small(sides),
         counts=counts,
@@ -120,6 +121,7 @@ def layout_of(net: Net) -> Layout:
         free_rows=part.indices,
         free_starts=part.indptr,
         weight=weight,
+        diagonal=np.flatnonzero(columns == np.repeat(np.arange(len(net.nodes)), np.diff(rows))),
     )
 
 

@@ -35,7 +35,7 @@ class NetRest:
 
     Attributes:
         shape: shape of the net.
-        energy: stored energy, including that of the weight (0 at z = 0), J.
+        energy: stored energy, including that of the weight (0 at the origin), J.
         slope: largest residual force on a free coordinate, N.
         index: number of directions in which the energy falls: 0 at a minimum, 1 at a saddle between two minima.
         neutral: number of further directions without stiffness.

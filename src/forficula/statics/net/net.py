@@ -83,6 +83,20 @@ class Triangles:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class NetTable:
+    """A table under a net: a stiff spring pushes each node back that sinks into it.
+
+    Attributes:
+        least: height of each node above the origin at which it touches the table, m, (node,); -inf for one that never
+            does.
+        stiffness: of the spring of a node, N/m.
+    """
+
+    least: Array
+    stiffness: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Net:
     """Nodes with coordinates, and elastic parts between points that are weighted sums of nodes.
 
@@ -95,7 +109,9 @@ class Net:
         creases: between panels.
         tendons: that only pull.
         membranes: None for none.
-        gravity: acceleration along -z, m/s^2.
+        gravity: acceleration along `down`, m/s^2.
+        down: unit vector along gravity.
+        table: normal to gravity; None without a table.
         contact: of its triangles; None if they pass through each other.
 
     Raises:
@@ -111,6 +127,8 @@ class Net:
     tendons: Tendons = field(default_factory=Tendons)
     membranes: Triangles | None = None
     gravity: float = 0.0
+    down: tuple[float, float, float] = (0.0, 0.0, -1.0)
+    table: NetTable | None = None
     contact: NetContact | None = None
 
     def __post_init__(self) -> None:

@@ -11,6 +11,7 @@ from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 
 from forficula.design import Design
 from forficula.errors import InputError
+from forficula.statics.friction import friction_remarks
 from forficula.statics.landscape import EnergyLandscape, NetSurvey, Pass, Rest
 from forficula.statics.net.contact.contact_of import contact_remarks
 from forficula.statics.net.driven.driven_net import short_of
@@ -280,6 +281,9 @@ def _unconnected_states(count: int, passes: Sequence[Pass]) -> list[int]:
     return np.flatnonzero(part != part[0]).tolist()
 
 
+_TABLE_REMARKS = ("the landscape ignores friction on the table, which holds the sheet in further shapes",)
+
+
 def _remarks(
     structure: Structure,
     search: StableStates,
@@ -290,8 +294,10 @@ def _remarks(
     """Return remarks on the extent of the results and on missing ones."""
     whole, count = structure.appearance.whole, len(search.states)
     remarks = [
+        *friction_remarks(structure),
+        *_TABLE_REMARKS[: structure.table is not None and structure.table.friction > 0],
         f"the search for stable states of the {whole} started from the states of the protocol and from {search.tries}"
-        f" random pushes (seed {search.seed}): there may be more than the {count} found"
+        f" random pushes (seed {search.seed}): there may be more than the {count} found",
     ]
     if len(states) < count:
         remarks.append(

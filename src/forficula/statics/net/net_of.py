@@ -17,12 +17,23 @@ from forficula.material.law.tendon_law import stacked_laws
 from forficula.statics.net.contact.contact_of import with_contact
 from forficula.statics.net.energy import kept_folds, shape_at
 from forficula.statics.net.load import Load, no_load, point_forces
-from forficula.statics.net.net import Net, NetCreases, NetShape, Springs, Tendons, Triangles
+from forficula.statics.net.net import Net, NetCreases, NetShape, NetTable, Springs, Tendons, Triangles
 from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, stiffness_of
-from forficula.structure import GROUND, Structure, built_points, crease_flaps, crease_law, facet_triangles
+from forficula.statics.path_dependence import refuse_rest_angles
+from forficula.structure import (
+    GROUND,
+    Structure,
+    built_points,
+    crease_flaps,
+    crease_law,
+    facet_triangles,
+    touching_points,
+)
 from forficula.structure.sheets.facets import BEND
 
 Flags = NDArray[np.bool_]
+# depth to which a net sinks into a table under its weight, as a share of its size
+_SUNK = 1e-6
 
 
 def is_net(structure: Structure) -> bool:
@@ -72,8 +83,23 @@ def net_of(structure: Structure) -> Net:
         ),
         membranes=_membranes(structure),
         gravity=structure.gravity,
+        down=structure.down,
+        table=_table(structure),
     )
     return with_contact(structure, net)
+
+
+def _table(structure: Structure) -> NetTable | None:
+    """Return the table under sliding points, whose springs yield by a millionth of the structure under its weight."""
+    if structure.table is None or structure.plates:
+        return None
+    node = {point.body: number for number, point in enumerate(structure.points)}
+    least = np.full(len(structure.points), -np.inf)
+    for point in touching_points(structure):
+        least[node[point.body]] = structure.table.height + point.radius
+    weight = abs(structure.gravity) * sum(body.mass for body in structure.bodies)
+    stiffest = max((spring.stiffness for spring in structure.springs), default=0.0)
+    return NetTable(least=least, stiffness=max(weight / (_SUNK * structure.span), stiffest))
 
 
 def point_positions(net: Net, shape: NetShape) -> Array:
@@ -127,13 +153,15 @@ def valley_law(structure: Structure) -> CreaseLaw:
         lock_above=np.where(back, -below, above),
         lower=np.where(back, -upper, lower),
         upper=np.where(back, -lower, upper),
+        # an even term changes its sign with the sense
+        quadratic=_senses(structure) * np.asarray(law.quadratic),
     )
 
 
 def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> Load:
     """Return the load of motors at given settings: N m, N, m of held points, or rad of changed rest angles.
 
-    A change of a spring's rest angle is equivalent to the torque stiffness x angle, wherever the spring locks.
+    A change of a linear spring's rest angle is equivalent to the torque stiffness x angle, wherever the spring locks.
 
     Args:
         structure: the structure with the motors.
@@ -142,6 +170,7 @@ def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> L
     """
     load, senses = no_load(net), _senses(structure)
     stiffness = np.asarray(net.creases.law.stiffness)
+    refuse_rest_angles(structure)
     for motor, setting in zip(structure.motors, settings, strict=True):
         if motor.direction is not None:
             vectors = np.tile(setting * motor.direction, (len(motor.points), 1))

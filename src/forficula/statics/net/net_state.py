@@ -69,7 +69,7 @@ class NetState:
     Attributes:
         name: name in the protocol; otherwise a number by energy, such as "state 2".
         rest: the equilibrium.
-        energy: stored energy, including that of the weight (0 at z = 0), J.
+        energy: stored energy, including that of the weight (0 at the origin), J.
         stored: energy by the part that stores it, J; parts that the structure does not have are left out.
         readings: of the measures, rad or m, by name, each (coordinate,).
         frequencies: of the slowest modes that are not rigid-body motions, Hz, (mode,).

@@ -17,6 +17,7 @@ from forficula.arrays import Array, Flags, Indices
 from forficula.design import Design, key_value
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
+from forficula.statics.path_dependence import refuse_rest_angles
 from forficula.statics.tree.couplings import Ties, Twists, ties_of, twist_energy, twists_of
 from forficula.statics.tree.elements import Expansion
 from forficula.statics.tree.equilibrium import Cases, Enough, Equilibria, Follow, descend
@@ -67,6 +68,8 @@ class Ensemble:
             (case, tendon), or (1, tendon) if all cases have the same tendons.
         stiffness: of the hinges' springs, N m/rad, (hinge,).
         rest_angles: of the hinges' springs, rad, (hinge,).
+        quadratic: quadratic terms of their moments over the angle from rest, N m/rad^2, (hinge,).
+        cubic: cubic terms, N m/rad^3, (hinge,).
         motors: numbers of the joints of every motor.
         gains: torque on each of these joints per setting of every motor, (joint,); None if all are 1.
         drives: weights with which settings of motors add up to torques on joints, (motor, hinge).
@@ -91,6 +94,8 @@ class Ensemble:
     tendons: TendonHinge
     stiffness: Array
     rest_angles: Array
+    quadratic: Array
+    cubic: Array
     motors: tuple[Span, ...]
     gains: tuple[Array | None, ...]
     drives: Array
@@ -168,6 +173,8 @@ def ensemble(structures: Sequence[Structure]) -> Ensemble:
         tendons=stacked_hinges([hinges_in_own_senses(structure) for structure in structures]),
         stiffness=np.array([hinge.stiffness for hinge in joints]),
         rest_angles=np.array([hinge.rest_angle for hinge in joints]),
+        quadratic=np.array([hinge.quadratic for hinge in joints]),
+        cubic=np.array([hinge.cubic for hinge in joints]),
         motors=tuple(span([hinge for hinge in motor.hinges if hinge < size]) for motor in first.motors),
         gains=tuple(_gains(motor, weights, size) for motor, weights in zip(first.motors, drives, strict=True)),
         drives=drives[:, :size],
@@ -196,12 +203,13 @@ def _check_bodies(structure: Structure) -> None:
 def _drive_weights(structure: Structure) -> Array:
     """Return weights with which settings of motors add up to torques on hinges, (motor, hinge).
 
-    A change of a spring's rest angle is equivalent to the torque stiffness x angle. A force at points has the weight 0,
-    because its torques depend on the shape: see `forficula.statics.tree.forces`. A displacement of points has the
-    weight 0, too: `forficula.statics.tree.quasi_static.check_drive` refuses it.
+    A change of a linear spring's rest angle is equivalent to the torque stiffness x angle. A force at points has the
+    weight 0, because its torques depend on the shape: see `forficula.statics.tree.forces`. A displacement of points has
+    the weight 0, too: `forficula.statics.tree.quasi_static.check_drive` refuses it.
     """
     weights = np.zeros((len(structure.motors), len(structure.hinges)))
     stiffness = np.array([hinge.stiffness for hinge in structure.hinges])
+    refuse_rest_angles(structure)
     for row, motor in zip(weights, structure.motors, strict=True):
         hinges = list(motor.hinges)
         per_setting = stiffness[hinges] if motor.kind == "rest-angle" else np.ones(len(hinges))
@@ -270,6 +278,11 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
         energy += np.sum(turned * (angles - structures.rest_angles), axis=1) / 2
         slope += turned
         diagonal += structures.stiffness
+    if structures.quadratic.any() or structures.cubic.any():
+        x, quadratic, cubic = angles - structures.rest_angles, structures.quadratic, structures.cubic
+        energy += np.sum(x**3 * (quadratic / 3 + x * cubic / 4), axis=1)
+        slope += x**2 * (quadratic + x * cubic)
+        diagonal += x * (2 * quadratic + 3 * x * cubic)
     return energy, slope, curvature
 
 
@@ -284,7 +297,7 @@ def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0)
     Returns:
         Energies, J, (case,), of "tendons", "springs" of joints, "creases" between flaps, springs between points by the
         name of `springs_name`, elastic "couplings", "closures", which are stretched slightly, "membranes" with length
-        limits, and "weight", which is 0 if all centres are at z = 0.
+        limits, and "weight", which is 0 if all centres are at the height of the origin.
     """
     parts: dict[str, Array] = {}
     angles = angles[:, : structures.size]
@@ -296,6 +309,10 @@ def stored_energy(structures: Ensemble, angles: Array, further: ArrayLike = 0.0)
     if structures.stiffness.any():
         turned = angles - structures.rest_angles - changes[:, : structures.size]
         parts["springs"] = np.sum(structures.stiffness * turned**2, axis=1) / 2
+        if structures.quadratic.any() or structures.cubic.any():
+            x = angles - structures.rest_angles
+            terms = x**3 * (structures.quadratic / 3 + x * structures.cubic / 4)
+            parts["springs"] = parts["springs"] + np.sum(terms, axis=1)
     if structures.flaps is not None and structures.flaps.sprung:
         parts["creases"] = folded_energy(structures.flaps, angles, changes[:, structures.size :])
     if structures.springs is not None:
@@ -477,12 +494,14 @@ class Weight:
     Attributes:
         tree: of bodies.
         centres: of mass.
-        forces: weights along -z, N, (centre,).
+        forces: weights, N, (centre,).
+        down: unit vector along them, (3,).
     """
 
     tree: Tree
     centres: Carried
     forces: Array
+    down: Array
 
 
 def weight_of(structure: Structure, tree: Tree) -> Weight | None:
@@ -496,11 +515,12 @@ def weight_of(structure: Structure, tree: Tree) -> Weight | None:
         tree=tree,
         centres=carried_points(tree, solid, np.array([masses[number][1] for number in solid])),
         forces=structure.gravity * np.array([masses[number][0] for number in solid]),
+        down=np.array(structure.down),
     )
 
 
 def weight_energy(weight: Weight, angles: Array) -> Expansion:
-    """Compute the energy of the weight, 0 if all centres are at z = 0.
+    """Compute the energy of the weight, 0 if all centres are at the height of the origin.
 
     Args:
         weight: of the bodies.
@@ -511,6 +531,6 @@ def weight_energy(weight: Weight, angles: Array) -> Expansion:
     """
     at = pose(weight.tree, angles)
     places = places_of(weight.centres, at)
-    forces = np.zeros_like(places)
-    forces[2] = weight.forces
-    return places[2] @ weight.forces, *pulled(weight.tree, weight.centres, at, places, forces)
+    up = -weight.down
+    forces = np.multiply.outer(up, np.broadcast_to(weight.forces, places.shape[1:]))
+    return np.tensordot(up, places, 1) @ weight.forces, *pulled(weight.tree, weight.centres, at, places, forces)

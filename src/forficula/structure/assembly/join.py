@@ -51,6 +51,7 @@ def assembly_structure(design: AssemblyDesign, build: Callable[[Design], Structu
         contact=_common_contact(design, parts),
         stops=Stops(time_constant=design.stops.time_constant, damping_ratio=design.stops.damping_ratio),
         gravity=design.protocol.gravity,
+        down=design.protocol.down,
         span=parts[0].structure.span,
         mass=max(part.structure.mass for part in parts),
         strength=min((part.structure.strength for part in parts if part.structure.strength), default=None),

@@ -78,6 +78,7 @@ def bare_veins(
         span=_longest_vein(design),
         mass=_bar_mass(design),
         gravity=design.protocol.gravity,
+        down=design.protocol.down,
     )
 
 

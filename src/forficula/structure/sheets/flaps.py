@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from forficula.arrays import Array, Indices
@@ -14,6 +16,9 @@ from forficula.structure.tree import built_points
 # no spring: in runs and in statics. With the spring 1 rad from rest, a stop deflects by 0.06 deg in runs and by
 # 6e-5 deg in statics.
 _STOP, _RIGID = 1e3, 1e6
+# [chosen] angle by which a crease with dry friction turns elastically before it slides, rad
+_SLIDING = 5e-3
+_NEVER = 1e30  # s, relaxation time of a branch that does not relax
 
 
 def crease_numbers(structure: Structure) -> Indices:
@@ -59,6 +64,9 @@ def crease_law(structure: Structure, creases: Indices, *, rigid_stops: bool = Fa
         rigid_stops: whether stops without a given stiffness are practically rigid, for statics.
     """
     hinges = [structure.hinges[number] for number in creases]
+    damages = [hinge.damage for hinge in hinges]
+    # the engine computes the friction of joints
+    rubbing = [[hinge.friction] if hinge.flaps is not None and hinge.friction else [] for hinge in hinges]
     stiffness = np.array([hinge.stiffness for hinge in hinges])
     defaults = (_RIGID if rigid_stops else _STOP) * np.where(stiffness > 0, stiffness, stiffness.max(initial=0.0))
     stops = [
@@ -75,4 +83,33 @@ def crease_law(structure: Structure, creases: Indices, *, rigid_stops: bool = Fa
         stop_stiffness=np.array(stops),
         yield_angle=np.array([hinge.yield_angle for hinge in hinges]),
         hardening=np.array([hinge.hardening for hinge in hinges]),
+        quadratic=np.array([hinge.quadratic for hinge in hinges]),
+        cubic=np.array([hinge.cubic for hinge in hinges]),
+        branch_stiffness=_padded(
+            [
+                [*(branch.stiffness for branch in hinge.branches), *(limit / _SLIDING for limit in limits)]
+                for hinge, limits in zip(hinges, rubbing, strict=True)
+            ],
+            0.0,
+        ),
+        branch_time=_padded(
+            [
+                [*(branch.time for branch in hinge.branches), *(_NEVER for _ in limits)]
+                for hinge, limits in zip(hinges, rubbing, strict=True)
+            ],
+            1.0,
+        ),
+        branch_limit=_padded(
+            [[*(math.inf for _ in hinge.branches), *limits] for hinge, limits in zip(hinges, rubbing, strict=True)],
+            math.inf,
+        ),
+        damage_loss=np.array([damage.loss if damage else 0.0 for damage in damages]),
+        damage_turn=np.array([damage.turn if damage else 1.0 for damage in damages]),
+        damage_by_set=np.array([damage is not None and damage.by_set for damage in damages], dtype=np.bool_),
     )
+
+
+def _padded(rows: list[list[float]], absent: float) -> Array:
+    """Return rows of numbers as an array, (row, number), with a value for absent numbers."""
+    most = max((len(row) for row in rows), default=0)
+    return np.array([[*row, *[absent] * (most - len(row))] for row in rows]).reshape(len(rows), most)

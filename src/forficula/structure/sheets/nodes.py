@@ -92,6 +92,7 @@ def node_structure(design: SheetDesign) -> Structure:
         mass=max(body.mass for body in bodies),
         contact=contact_of(design, thickness),
         gravity=design.protocol.gravity,
+        down=design.protocol.down,
         appearance=Appearance(whole="sheet", bodies="one for every vertex", pattern=sheet),
     )
     panels = facet_panels(sheet, triangles, nodes.parts, None)

@@ -48,8 +48,12 @@ def plate_structure(design: SheetDesign) -> Structure:
     number = {link.facet: body for body, link in enumerate(links) if not link.closes}
     built = _built(pattern)
     origins = [_origin(pattern, link, free=link.parent is None and link.facet not in held) for link in links]
+    for facet, edge in design.turning_facets.items():
+        origins[number[facet]] = pattern.vertices_coords[pattern.edges_vertices[edge, 0]]
     points, plates = facet_plates(design, pattern, [(number[facet], facet) for facet in number], origins)
     hinges = _hinges(design, pattern, links, built)
+    turning = [_ground_hinge(pattern, number[facet], edge) for facet, edge in design.turning_facets.items()]
+    hinges = tuple(sorted((*turning, *hinges), key=lambda hinge: hinge.body))
 
     def add(name: str, role: str, place: SheetPlace) -> int:
         """Add a point at a place and return its number."""
@@ -79,6 +83,7 @@ def plate_structure(design: SheetDesign) -> Structure:
         mass=1.0,
         contact=contact_of(design, design.facet.thickness or 0.0),
         gravity=design.protocol.gravity,
+        down=design.protocol.down,
         appearance=Appearance(pattern=pattern),
     )
     if not structure.closures and not opening:
@@ -170,6 +175,13 @@ def _hinges(design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLi
         hinge = sheet_hinge(design, crease, pattern, link.edge, length=length, folded=folded)
         hinges.append(replace(hinge, body=body, axis=along / length, built=folded, start=crease.start or folded))
     return tuple(hinges)
+
+
+def _ground_hinge(pattern: CreasePattern, body: int, edge: int) -> Hinge:
+    """Return the hinge on the ground of a plate that turns about one of its edges, as built at the angle 0."""
+    tail, head = pattern.vertices_coords[pattern.edges_vertices[edge]]
+    axis = (head - tail) / np.linalg.norm(head - tail)
+    return Hinge(name=f"support{edge}", role="support", body=body, axis=axis, label=f"support at edge {edge}")
 
 
 def opening_creases(design: SheetDesign) -> frozenset[int]:

@@ -8,6 +8,7 @@ from forficula.design import SheetDesign
 from forficula.design.sheets.crease_values import rest_angle, stops, yield_angle
 from forficula.design.sheets.sheet_creases import crease_role, crease_sense
 from forficula.design.sheets.sheet_sections import Crease
+from forficula.material.law.crease_law import CreaseBranch, CreaseDamage
 from forficula.pattern import CreasePattern
 from forficula.structure.parts import Hinge
 
@@ -40,7 +41,16 @@ def sheet_hinge(
         stop_stiffness=None if crease.stop_stiffness is None else crease.stop_stiffness * length,
         yield_angle=yield_angle(crease),
         hardening=(crease.hardening or 0.0) * length,
+        quadratic=(crease.quadratic_stiffness or 0.0) * length,
+        cubic=(crease.cubic_stiffness or 0.0) * length,
+        branches=tuple(
+            CreaseBranch(stiffness=branch.stiffness * length, time=branch.time) for branch in crease.branches
+        ),
+        damage=None
+        if crease.damage is None
+        else CreaseDamage(loss=crease.damage.loss, turn=crease.damage.turn, by_set=crease.damage.of == "set"),
         damping=(crease.damping or 0.0) * length,
+        friction=(crease.friction or 0.0) * length,
         start=folded,
         assignment=pattern.edges_assignment[edge],
         edge=edge,

@@ -9,11 +9,22 @@ import numpy as np
 from forficula.arrays import Flags, Indices
 from forficula.design import SheetDesign
 from forficula.design.sheets.sheet_drives import places_of
-from forficula.design.sheets.sheet_places import GROUND_PLACE, as_place, facet_of, is_vertex, place_on, vertex_of
+from forficula.design.sheets.sheet_places import (
+    GROUND_PLACE,
+    as_place,
+    edge_of,
+    facet_of,
+    is_vertex,
+    place_on,
+    vertex_of,
+)
 from forficula.pattern import CreasePattern, triangulated
 from forficula.pattern.added_vertices import with_vertices
 from forficula.pattern.crease_pattern import face_sides
 from forficula.pattern.cut_open import cut_open
+
+# largest distance of a node from an edge on which it lies, as a share of the edge's length: rounding
+_BESIDE = 1e-9
 
 
 class SheetNodes(NamedTuple):
@@ -118,4 +129,15 @@ def held_axes(sheet: CreasePattern, nodes: SheetNodes, text: str, axes: str | No
     written = {"xyz".index(axis) for axis in axes or "xyz"}
     if text.strip().startswith("facet"):
         return dict.fromkeys(_corners(nodes.triangles, nodes.parts == facet_of(sheet, text)), written)
+    if not is_vertex(text):
+        return dict.fromkeys(_along(sheet, nodes, *edge_of(sheet, text)), written)
     return {node_of(sheet, nodes, text): written}
+
+
+def _along(sheet: CreasePattern, nodes: SheetNodes, edge: int, facet: int) -> list[int]:
+    """Return the nodes of a facet that lie on one of its edges."""
+    tail, head = sheet.vertices_coords[sheet.edges_vertices[edge]]
+    around = list(nodes.facets[facet])
+    away, along = nodes.triangles.vertices_coords[around] - tail, head - tail
+    beside = np.linalg.norm(np.cross(away, along / np.linalg.norm(along)), axis=1)
+    return [around[place] for place in np.flatnonzero(beside <= _BESIDE * np.linalg.norm(along)).tolist()]

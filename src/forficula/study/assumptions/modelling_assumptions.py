@@ -230,12 +230,14 @@ def _medium(design: Design) -> Variant | str:
 def _weight(design: Design) -> Variant | str:
     if design.protocol.gravity:
         return Variant(label="no gravity", design=design.with_values({"protocol.gravity": 0.0}))
-    return Variant(label="gravity across the sheet", design=design.with_values({"protocol.gravity": _GRAVITY}))
+    direction = design.protocol.gravity_direction
+    label = "gravity across the sheet" if direction == "-z" else f"gravity along {direction}"
+    return Variant(label=label, design=design.with_values({"protocol.gravity": _GRAVITY}))
 
 
 def _dry_friction(design: Design) -> Variant | str:
     if not _has(design, "hinge.friction"):
-        return "creases have no key for dry friction"
+        return "dry friction is only added to the hinges of fans and joints"
     if _value(design, "hinge.friction"):
         return Variant(label="no dry friction", design=design.with_values({"hinge.friction": 0.0}))
     torques = [value for key, value in _values(design.si_tables()) if re.fullmatch(r"protocol\.\w+_torque", key)]

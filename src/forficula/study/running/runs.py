@@ -227,7 +227,8 @@ def topology(model: Model) -> tuple[int | str, ...]:
     driven = tuple(hinge for motor in model.structure.motors for hinge in motor.hinges)
     medium = model.drag is not None
     others = (engine.neq, engine.nactuator, engine.na, engine.nplastic, model.followed, medium, batch_key(model))
-    return (*sizes, *others, *driven)
+    creases = () if model.creases is None else (model.creases.law.slots, *model.creases.hinges.tolist())
+    return (*sizes, *others, len(driven), *driven, *creases)
 
 
 def _results(

@@ -43,7 +43,7 @@ _PAIRS = 6  # lines of contact forces, with the largest forces
 # keys of a clip that do not depend on the motion, which the page takes from the clip of a run
 _MESH = (
     *("span_m", "pointCount", "between", "share", "triangles", "regions", "solid", "tubes", "built", "faces", "base"),
-    *("joints", "jointRadius"),
+    *("joints", "jointRadius", "gravity", "table_m"),
 )
 
 
@@ -263,11 +263,18 @@ def _drive_plot(path: QuasiStaticPath, rows: Indices) -> Plot:
     values, si = (path.force, "N") if forced else (path.strength, path.unit)
     unit, factor = reading_unit(si, float(np.abs(values).max(initial=0.0)))
     largest = readable(float(values[np.argmax(np.abs(values))]), si)
+    lines = [Line(name=path.drive.name, clip=0, values=factor * values[rows])]
+    text = f"{word.capitalize()} at which the {path.structure.appearance.whole} is at rest; largest value {largest}."
+    if not forced and path.friction.any():
+        most = readable(float(np.nanmax(path.friction)), si)
+        for name, side in (("growing", 1.0), ("falling", -1.0)):
+            lines.append(Line(name=name, clip=0, values=factor * (values + side * np.nan_to_num(path.friction))[rows]))
+        text += f" Dry friction adds up to {most} while the drive grows and takes as much away while it falls."
     return Plot(
         title=f'{word} of the drive "{path.drive.name}"',
         unit=unit,
-        lines=(Line(name=path.drive.name, clip=0, values=factor * values[rows]),),
-        text=f"{word.capitalize()} at which the {path.structure.appearance.whole} is at rest; largest value {largest}.",
+        lines=tuple(lines),
+        text=text,
     )
 
 

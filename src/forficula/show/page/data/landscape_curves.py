@@ -140,14 +140,16 @@ def posed_travel(structure: Structure, angles: Array, positions: Array, energy: 
         positions: of its points, m, (pose, point, 3).
         energy: stored energy of all parts, J, (pose,).
     """
-    stiffness, rest = (
-        np.array([getattr(hinge, key) for hinge in structure.hinges]) for key in ("stiffness", "rest_angle")
+    stiffness, rest, quadratic, cubic = (
+        np.array([getattr(hinge, key) for hinge in structure.hinges])
+        for key in ("stiffness", "rest_angle", "quadratic", "cubic")
     )
+    turned = angles - rest
     return Travel(
         noun="fold",
         angles=angles,
         tendon_energy=tendon_energies(structure, positions),
-        hinge_energy=stiffness / 2 * (angles - rest) ** 2,
+        hinge_energy=stiffness / 2 * turned**2 + turned**3 * (quadratic / 3 + turned * cubic / 4),
         energy=energy,
     )
 

@@ -1,0 +1,163 @@
+"""Gravity, table, supports and dry friction of designs: keys, structures, and what is refused."""
+
+import mujoco
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.design import load_design
+from forficula.design.files.design_file import design_from_text
+from forficula.dynamics import compile_model
+from forficula.errors import InputError
+from forficula.show.structure.surroundings import surroundings_text
+from forficula.structure import structure_of, touching_points
+
+SHEET = """
+name = "two panels"
+source = "a test"
+[pattern]
+kind = "pleats"
+panels = 2
+panel_lengths = ["5 cm"]
+width = "5 cm"
+assignment = "V"
+[facet]
+kind = "{kind}"
+thickness = "1 mm"
+density = "1.27 g/cm^3"
+{more}
+[protocol]
+timestep = "0.1 ms"
+[[protocol.stages]]
+name = "free"
+drive = "none"
+until = "time"
+time_limit = "0.1 s"
+"""
+WEIGHT = {"protocol.gravity": "9.81 m/s^2"}
+
+
+def sheet(more="", kind="bars"):
+    return design_from_text(SHEET.format(kind=kind, more=more))
+
+
+@pytest.mark.parametrize(
+    ("written", "down"),
+    [("-y", (0, -1, 0)), ("x", (1, 0, 0)), ([0, 3, -4], (0, 0.6, -0.8)), ([0, 0, -2], (0, 0, -1))],
+)
+def test_gravity_acts_along_an_axis_or_a_vector_of_any_length(written, down):
+    design = load_design("binder2025-joint", WEIGHT | {"protocol.gravity_direction": written})
+    assert structure_of(design).down == pytest.approx(down)
+    gravity = compile_model(design).engine.opt.gravity
+    np.testing.assert_allclose(gravity / np.linalg.norm(gravity), down)
+
+
+def test_the_same_direction_in_other_words_is_the_same_design():
+    name = load_design("binder2025")
+    vector = load_design("binder2025", {"protocol.gravity_direction": [0, 0, -5]})
+    assert vector.hash == name.hash
+    assert vector.protocol.gravity_direction == "-z"
+
+
+@pytest.mark.parametrize("direction", ["down", [0, 0, 0], [1, 2], "", [1, 2, "z"]])
+def test_a_direction_that_is_none_is_refused(direction):
+    with pytest.raises(InputError, match=r"protocol\.gravity_direction: need .*\"-z\""):
+        load_design("binder2025", {"protocol.gravity_direction": direction})
+
+
+def test_a_part_takes_gravity_and_table_from_its_assembly():
+    values = WEIGHT | {"protocol.gravity_direction": "x", "table.height": "-1 m"}
+    design = load_design("two-clasps", values)
+    assert structure_of(design).down == (1, 0, 0)
+    assert all(structure_of(part).down == (1, 0, 0) for part in design.designs.values())
+    name = next(iter(design.designs))
+    with pytest.raises(InputError, match=r"has no effect in a part; set table\.height of the assembly"):
+        load_design("two-clasps", {f"{name}.table.height": "-1 m"})
+
+
+@pytest.mark.parametrize(
+    ("name", "count"), [("binder2025-joint", 4), ("binder2025", None), ("letter-fold", 12), ("bistable-miura", None)]
+)
+def test_bars_plates_panels_and_facets_touch_a_table_at_spheres_of_their_half_thickness(name, count):
+    points = touching_points(structure_of(load_design(name)))
+    assert count is None or len(points) == count
+    assert all(point.radius > 0 for point in points)
+
+
+def test_a_start_below_the_table_is_refused_with_the_largest_height():
+    with pytest.raises(
+        InputError, match=r"table\.height: the structure starts below the table: need <= -0\.\d+ cm, .*got 0 cm"
+    ):
+        compile_model(load_design("binder2025", {"table.height": "0 cm"}))
+    compile_model(sheet('[table]\nheight = "-0.5 mm"'))
+    with pytest.raises(InputError, match=r"need <= -0\.05 cm"):
+        compile_model(sheet('[table]\nheight = "-0.4 mm"'))
+
+
+def test_a_table_is_normal_to_gravity():
+    design = load_design("binder2025-joint", {"table.height": "-4 cm", "protocol.gravity_direction": "-y"})
+    engine = compile_model(design).engine
+    plane = engine.geom("table")
+    turned = np.zeros(9)
+    mujoco.mju_quat2Mat(turned, plane.quat)
+    np.testing.assert_allclose(turned.reshape(3, 3)[:, 2], (0, 1, 0), atol=1e-12)
+
+
+@pytest.mark.parametrize("result", [ff.landscape, ff.quasi_static_path])
+def test_statics_refuses_a_table(result):
+    with pytest.raises(
+        InputError, match=r"statics ignores the table under bodies that turn; a run includes it, and table = \"none\""
+    ):
+        result(load_design("binder2025-on-table"))
+
+
+def test_a_closed_loop_of_rigid_facets_has_no_table():
+    pattern = (
+        'kind = "miura-ori"\ncolumns = 2\nrows = 2\nlong_side = "5 cm"\nshort_side = "5 cm"\nacute_angle = "60 deg"'
+    )
+    text = SHEET.format(kind="rigid", more='[table]\nheight = "-1 m"')
+    begin, end = text.index('kind = "pleats"'), text.index("[facet]")
+    with pytest.raises(InputError, match=r"table: need a sheet without closed loops of rigid facets"):
+        compile_model(design_from_text(text[:begin] + pattern + "\n" + text[end:]))
+
+
+def test_a_rigid_sheet_turns_about_an_edge_on_the_ground():
+    structure = structure_of(sheet('[[support]]\nof = "edge 1"', "rigid"))
+    assert [hinge.role for hinge in structure.hinges] == ["support", "crease"]
+    np.testing.assert_allclose(structure.hinges[0].axis, (0, 1, 0))
+
+
+def test_facets_that_bend_are_held_along_an_edge():
+    structure = structure_of(sheet('[[support]]\nof = "edge 1"\naxes = "xz"'))
+    assert [body.slides for body in structure.bodies].count((1,)) == 2
+
+
+@pytest.mark.parametrize(
+    ("more", "kind", "message"),
+    [
+        ('[[support]]\nof = "edge 99"', "rigid", "support.0.of: need an edge from 0 to 6, got 99"),
+        ('[[support]]\nof = "edge 1"\naxes = "x"', "rigid", "support.0.axes: is for facets that bend"),
+        (
+            '[crease]\nfriction = "1e-3 N m/m"\ndamage = { loss = 0.5, turn = "10 rad" }',
+            "bars",
+            "crease.friction: need 0 for a crease that wears out",
+        ),
+        ('[crease]\nfriction = "-1e-3 N m/m"', "rigid", "crease.friction: need >= 0"),
+        ('[table]\nheight = "-1 cm"\nfriction = -0.1', "bars", "table.friction"),
+    ],
+)
+def test_supports_friction_and_tables_that_cannot_be_are_refused(more, kind, message):
+    with pytest.raises(InputError) as error:
+        sheet(more, kind)
+    assert message in str(error.value)
+
+
+@pytest.mark.parametrize("kind", ["rigid", "bars"])
+def test_creases_have_dry_friction_in_proportion_to_their_length(kind):
+    structure = structure_of(sheet('[crease]\nfriction = "0.02 N m/m"', kind))
+    assert structure.hinges[0].friction == pytest.approx(0.02 * 0.05)
+
+
+def test_the_description_of_a_picture_has_gravity_and_table():
+    text = surroundings_text(structure_of(load_design("binder2025-on-table")))
+    assert text == " Gravity of 9.81 m/s^2 acts along (0, 0, -1). A table is at the height -10 mm."

@@ -1,0 +1,252 @@
+"""Structures in a room agree with closed forms: gravity in any direction, tables, supports and dry friction."""
+
+import math
+
+import numpy as np
+import pytest
+import scipy.optimize
+
+import forficula as ff
+from forficula.design.files.design_file import design_from_text, with_values
+from forficula.dynamics import energy_balance
+
+G = 9.81
+SIDE, THICK, DENSITY = 0.05, 1e-3, 1270.0
+SHEET = """
+name = "two panels"
+source = "two square panels of 5 cm"
+
+[pattern]
+kind = "pleats"
+panels = 2
+panel_lengths = ["5 cm"]
+width = "5 cm"
+assignment = "V"
+
+[facet]
+thickness = "1 mm"
+density = "1270 kg/m^3"
+
+[protocol]
+timestep = "0.1 ms"
+gravity = "9.81 m/s^2"
+sample_interval = "1 ms"
+
+[[protocol.stages]]
+name = "free"
+drive = "none"
+until = "time"
+time_limit = "0.3 s"
+"""
+RIGID = {"facet.kind": "rigid", "crease.stiffness": "0 N m/rad/m", "crease.damping": "0 N m s/rad/m"}
+SOFT = {
+    **{"facet.kind": "bars", "facet.youngs_modulus": "5 MPa", "facet.bend_stiffness": "0.1 N m/rad/m"},
+    **{"crease.stiffness": "0.1 N m/rad/m", "crease.damping": "1e-4 N m s/rad/m"},
+}
+PANEL = SIDE**2 * THICK * DENSITY  # kg
+
+
+def sheet(values, more=""):
+    return with_values(design_from_text(SHEET + more), values)
+
+
+def simulated(values, more=""):
+    return ff.run(sheet(values, more), confirm=False).record
+
+
+def test_a_sheet_falls_onto_a_table_in_the_root_of_two_heights_over_gravity_and_rests_on_its_half_thickness(
+    agree, holds
+):
+    height = 0.1
+    record = simulated(SOFT | {"table.height": f"{-height} m", "protocol.sample_interval": "0.1 ms"})
+    lowest = record.series["point_position"][..., 2].min(axis=1)
+    falling = slice(int(np.argmin(lowest)) + 1)
+    met = float(np.interp(height - THICK / 2, -lowest[falling], record.time[falling]))
+    agree("time of fall", met, math.sqrt(2 * (height - THICK / 2) / G), unit="s", by="sqrt(2 h / g)", abs=1e-4)
+    agree("height at rest", lowest[-1], THICK / 2 - height, unit="m", by="half of the thickness", abs=1e-5)
+    balance = energy_balance(record)
+    fallen = 2 * PANEL * G * (height - THICK / 2)
+    agree(
+        "energy dissipated by the table and the sheet", -balance.gravitational, fallen, unit="J", by="m g h", rel=1e-3
+    )
+    holds("residual of the energy balance", balance.residual, below=0.005, by="the energy balance")
+
+
+PUSH = """
+[[drive]]
+name = "push"
+kind = "force"
+of = ["vertex 0", "vertex 1", "vertex 2", "vertex 3", "vertex 4", "vertex 5"]
+direction = [1, 0, 0]
+value = "0.01 N"
+
+[[protocol.stages]]
+name = "slide"
+drive = "none"
+until = "time"
+time_limit = "0.3 s"
+"""
+
+
+@pytest.mark.parametrize("friction", [0.2, 0.5])
+def test_a_sheet_slides_on_a_table_until_friction_has_taken_its_kinetic_energy(friction, agree, holds):
+    pushed = 0.05
+    values = SOFT | {"table.height": f"{-THICK / 2} m", "table.friction": friction}
+    values |= {"protocol.stages.free.drive": "push", "protocol.stages.free.time_limit": f"{pushed} s"}
+    record = simulated(values, PUSH)
+    place = record.series["point_position"][..., 0].mean(axis=1)
+    speed = np.gradient(place, record.time)
+    # shortly after the push, when the sheet slides as a whole
+    after = int(np.searchsorted(record.time, pushed + 0.01))
+    way = place[-1] - place[after]
+    agree("sliding distance", way, speed[after] ** 2 / (2 * friction * G), unit="m", by="v^2 / (2 mu g)", rel=5e-3)
+    balance = energy_balance(record)
+    agree("energy taken by the table", balance.contacts, balance.work, unit="J", by="work of the push", rel=0.03)
+    holds("residual of the energy balance", balance.residual, below=0.005, by="the energy balance")
+
+
+def swings(moment, start):
+    """Return the angles at which a plate that hangs from a crease with dry friction reverses, rad."""
+    values = RIGID | {
+        **{"protocol.gravity_direction": "x", "crease.start": f"{start} rad", "crease.back_limit": "90 deg"},
+        **{"crease.friction": f"{moment / SIDE} N m/m", "protocol.stages.free.time_limit": "1 s"},
+    }
+    record = simulated(values)
+    angle = record.series["hinge_angle"][:, 0]
+    turns = np.flatnonzero(np.diff(angle[:-1]) * np.diff(angle[1:]) < 0) + 1
+    return record, np.abs(angle[[0, *turns]])
+
+
+def test_dry_friction_reduces_the_amplitude_of_a_pendulum_at_every_half_swing(agree, holds):
+    moment, arm = 1e-5, PANEL * G * SIDE / 2
+    record, amplitude = swings(moment, 0.2)
+    agree(
+        "loss of amplitude per half swing",
+        -np.diff(amplitude[:5]),
+        2 * moment / arm,
+        unit="rad",
+        by="2 M / (m g l), small angles",
+        rel=0.01,
+    )
+    before, after = amplitude[:4], amplitude[1:5]
+    lost = arm * (np.cos(after) - np.cos(before))
+    agree("energy lost per half swing", lost, moment * (before + after), unit="J", by="M times turn", rel=2e-3)
+    balance = energy_balance(record)
+    turned = np.abs(np.diff(record.series["hinge_angle"][:, 0])).sum()
+    agree("work of friction", balance.friction, moment * turned, unit="J", by="M times turn", rel=2e-3)
+    holds("residual of the energy balance", balance.residual, below=0.005, by="the energy balance")
+
+
+def test_dry_friction_of_a_crease_between_facets_that_bend_takes_the_same_energy(agree, holds):
+    moment = 2e-5
+    values = SOFT | {
+        **{"crease.stiffness": "0 N m/rad/m", "crease.damping": "0 N m s/rad/m", "facet.bend_stiffness": "1 N m/rad/m"},
+        **{"crease.friction": f"{moment / SIDE} N m/m", "protocol.gravity_direction": [1, 0, -0.3]},
+        **{"protocol.timestep": "0.2 ms", "protocol.stages.free.time_limit": "0.4 s"},
+    }
+    record = simulated(values, HELD)
+    angle = record.series["hinge_angle"][:, 0] + math.atan(0.3)
+    turns = np.flatnonzero(np.diff(angle[:-1]) * np.diff(angle[1:]) < 0) + 1
+    lost = np.abs(angle[0]) - np.abs(angle[turns[0]])
+    loss = 2 * moment / (PANEL * G * SIDE / 2)
+    agree("loss of amplitude in a half swing", lost, loss, unit="rad", by="2 M / (m g l), small angles", rel=0.02)
+    balance = energy_balance(record)
+    # before it slides, the crease turns elastically by 5 mrad to each side
+    slid = np.abs(np.diff(angle)).sum() - 0.01 * len(turns) - 0.005
+    agree("work of friction", balance.friction, moment * slid, unit="J", by="M times turn", rel=0.01)
+    holds("residual of the energy balance", balance.residual, below=0.005, by="the energy balance")
+
+
+@pytest.mark.parametrize("direction", [(1, 0, -1), (1, 0, 0.5), (2, 3, -1)])
+def test_a_hinged_plate_rests_along_tilted_gravity(direction, agree):
+    values = RIGID | {"protocol.gravity_direction": list(direction), "crease.back_limit": "180 deg"}
+    landscape = ff.landscape(sheet(values), points=11)
+    down = np.array(direction) / np.linalg.norm(direction)
+    # a fold raises the panel along z
+    angle = math.atan2(down[2], down[0])
+    agree("angle at rest", landscape.rests[0].angles[0], angle, unit="rad", by="direction of gravity", abs=1e-6)
+    energy = -PANEL * G * (down[0] * SIDE + down[1] * SIDE / 2 + math.hypot(down[0], down[2]) * SIDE / 2)
+    weight = landscape.rests[0].stored["weight"]
+    agree("energy of the weight of the turned panel", weight, energy, unit="J", by="-m g.r", rel=1e-9)
+
+
+def test_the_gravitational_energy_of_a_run_is_minus_weight_times_position_of_all_masses(agree):
+    direction = np.array([1.0, -2.0, 0.5])
+    values = {"protocol.gravity_direction": direction.tolist(), "protocol.stages.free.time_limit": "0.02 s"}
+    record = simulated(SOFT | values, HELD)
+    masses = np.array([body.mass for body in record.structure.bodies])
+    moved = record.series["point_position"] - record.series["point_position"][0]
+    gained = -G * (moved @ (direction / np.linalg.norm(direction))) @ masses
+    energy = record.series["gravitational_energy"]
+    agree("gravitational energy gained", energy - energy[0], gained, unit="J", by="-m g.r", abs=1e-15)
+
+
+HELD = """
+[[support]]
+of = "facet 0"
+"""
+ON_TWO_EDGES = """
+[[support]]
+of = "edge 1"
+axes = "xyz"
+
+[[support]]
+of = "edge 2"
+axes = "yz"
+"""
+
+
+def test_a_strip_on_two_edges_sags_under_its_weight_until_its_crease_carries_it(agree):
+    stiffness = 0.2  # N m/rad/m
+    values = SOFT | {
+        **{"facet.youngs_modulus": "1000 MPa", "facet.bend_stiffness": "1000 N m/rad/m"},
+        **{"crease.stiffness": f"{stiffness} N m/rad/m"},
+    }
+    landscape = ff.landscape(sheet(values, ON_TWO_EDGES))
+    fold = landscape.states[0].rest.shape.angles[0]
+    # with the slope a of both panels the energy is k w (2 a)^2 / 2 - m g L sin a
+    slope = scipy.optimize.brentq(lambda a: 4 * stiffness * SIDE * a - PANEL * G * SIDE * math.cos(a), 0, math.pi / 2)
+    agree("fold angle of the crease", fold, 2 * slope, unit="rad", by="4 k a = m g L cos a", rel=2e-3)
+
+
+def test_dry_friction_holds_a_fold_within_its_moment_over_its_stiffness(agree):
+    values = {
+        **{"facet.kind": "rigid", "crease.stiffness": "0.1 N m/rad/m", "crease.rest_angle": "40 deg"},
+        **{"crease.friction": "0.02 N m/m", "protocol.gravity": "0 m/s^2"},
+    }
+    bands = ff.landscape(sheet(values), points=11).friction_bands
+    rest, half = math.radians(40), 0.02 / 0.1
+    agree("lower end of the band", bands[0].lower, rest - half, unit="rad", by="rest - M / k", abs=1e-8)
+    agree("upper end of the band", bands[0].upper, rest + half, unit="rad", by="rest + M / k", abs=1e-8)
+
+
+def test_a_slow_drive_needs_the_moment_of_friction_in_addition(agree):
+    path = ff.quasi_static_path(ff.load_design("binder2025-joint", {"hinge.friction": "0.5 N cm"}))
+    agree("half width of the range of the drive", path.friction, 5e-3, unit="N m", by="M", rel=1e-9)
+
+
+LIFT = """
+[[drive]]
+name = "lift"
+kind = "force"
+of = ["vertex 2", "vertex 5"]
+direction = [0, 0, 1]
+value = "0.01 N"
+"""
+
+
+def test_a_sheet_leans_on_a_table_in_statics_until_a_force_takes_its_weight_off(agree):
+    height, stiffness = 0.005, 0.005  # m, N m/rad/m
+    values = SOFT | {
+        **{"facet.youngs_modulus": "100 MPa", "facet.bend_stiffness": "10 N m/rad/m"},
+        **{"crease.stiffness": f"{stiffness} N m/rad/m", "table.height": f"{-height} m"},
+        **{"protocol.stages.free.drive": "lift"},
+    }
+    path = ff.quasi_static_path(sheet(values, LIFT + HELD))
+    angle = math.asin((height - THICK / 2) / SIDE)
+    agree("fold angle on the table", path.angles[0, 0], -angle, unit="rad", by="asin(h / L)", abs=1e-5)
+    depth = THICK / 2 - height - path.positions[:, :6, 2].min()
+    agree("depth to which the sheet sinks in", depth, 0, unit="m", by="a table", abs=1e-7)
+    raised = path.strength[np.argmax(path.positions[:, 2, 2] > THICK / 2 - height + 1e-6)]
+    carried = PANEL * G / 2 - stiffness * angle / math.cos(angle)
+    agree("force on each corner at lift-off", raised, carried / 2, unit="N", by="m g / 2 - k a / (L cos a)", rel=1e-3)
