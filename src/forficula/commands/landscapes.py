@@ -133,8 +133,6 @@ def _survey(design: Design, *, simulation: bool) -> tuple[EnergyLandscape, Recor
     whole = structure.appearance.whole
     for warning in structure_warnings(design, structure):
         warn(warning)
-    if structure.contact is not None:
-        warn("the static analysis ignores contact: parts pass through each other; only runs have contact")
     if simulation:
         with waiting("computing the timestep limit"):
             warnings = timestep_warnings(design)

@@ -308,11 +308,6 @@ def _check_quasi_static(protocol: Protocol, number: int) -> None:
                 f"{key}.{name}: need 0 s in a quasi-static stage, because the structure rests at every moment of it,"
                 f" got {show_quantity(value, TIME)}"
             )
-    if protocol.contact:
-        raise InputError(
-            f'{key}.motion: need "dynamic" with protocol.contact = true, because statics ignores contact, got'
-            ' "quasi-static"'
-        )
 
 
 def check_states(protocol: Protocol, states: Sequence[str]) -> None:

@@ -13,6 +13,8 @@ from forficula.quantities import show_value
 from forficula.statics.quasi_static_path import EventKind, PathMark, QuasiStaticPath, QuasiStaticPoint
 from forficula.structure import Drive, Structure, drive_unit
 
+_STILL = 1e-12  # of the length of a path: displacement between two equal shapes
+_NAMED = 4  # pairs of touching parts that a sentence names
 _MORE = 1.25  # ratio of the numbers of points from one display of a growing path to the next
 
 
@@ -87,6 +89,7 @@ class NumberedEvent:
         last: number of the first equilibrium after a snap; `first` for other events.
         strength: of the drive, in its SI unit, with the sign of the drive.
         released: energy that a snap releases, J.
+        parts: pairs of parts that touch for the first time, each by the names of both.
     """
 
     kind: EventKind
@@ -94,6 +97,20 @@ class NumberedEvent:
     last: int
     strength: float
     released: float = 0.0
+    parts: tuple[str, ...] = ()
+
+
+def contact_events(points: Sequence[QuasiStaticPoint]) -> list[NumberedEvent]:
+    """Return the points of a path at which parts touch for the first time."""
+    known, events = set[str](), list[NumberedEvent]()
+    for number, point in enumerate(points):
+        parts = tuple(name for name, force in point.contacts.items() if force > 0 and name not in known)
+        if parts and point.resting:
+            known.update(parts)
+            events.append(
+                NumberedEvent(kind="contact", first=number, last=number, strength=point.strength, parts=parts)
+            )
+    return events
 
 
 def last_event(points: Sequence[QuasiStaticPoint], *, reached: bool) -> NumberedEvent:
@@ -168,6 +185,10 @@ def path_of(
         error=error,
         at=None if at is None else float(share[at]),
         remarks=remarks,
+        contacts={
+            name: np.array([point.contacts.get(name, 0.0) for point in points])
+            for name in sorted({name for point in points for name in point.contacts})
+        },
     )
     if not path.friction.any():
         return path
@@ -187,6 +208,13 @@ def _sentence(structure: Structure, drive: Drive, event: NumberedEvent, strength
         return f'The {whole} snaps when the drive "{drive.name}" reaches {strength}; the snap releases {released}.'
     if event.kind == "branch":
         return f"The path branches at {strength}; imperfections decide which branch the {whole} takes."
+    if event.kind == "contact":
+        named = ", ".join(event.parts[:_NAMED])
+        more = f" and {len(event.parts) - _NAMED} further pairs" if len(event.parts) > _NAMED else ""
+        pairs = f"{named[:1].upper()}{named[1:]}{more}"
+        if not event.first:
+            return f"{pairs} touch at the start."
+        return f'{pairs} begin to touch when the drive "{drive.name}" is {strength}.'
     if event.kind == "goal":
         return f'The goal is reached when the drive "{drive.name}" is {strength}.'
     return f"The path could not be followed beyond {strength}."
@@ -218,7 +246,9 @@ def interval_errors(positions: Array) -> Array:
     moved = np.diff(positions, axis=0)
     if len(moved) < 2:
         return np.asarray(np.linalg.norm(moved, axis=2).max(axis=1))
-    steps = np.maximum(np.diff(lengths_along(positions)), 1e-300)
+    along = lengths_along(positions)
+    # shapes that a contact or a stop blocks are equal
+    steps = np.maximum(np.diff(along), max(_STILL * along[-1], 1e-300))
     rates = moved / steps[:, None, None]
     curvature = 2 * np.linalg.norm(np.diff(rates, axis=0), axis=2).max(axis=1) / (steps[1:] + steps[:-1])
     at_ends = np.concatenate([curvature[:1], curvature, curvature[-1:]])

@@ -323,6 +323,7 @@ def _net_state(structure: Structure, net: Net, state: NetState) -> dict[str, Any
             for withstood in state.withstands
         ],
         "panels_pass_through": state.passing,
+        **({} if structure.contact is None else {"contacts": WithUnit(state.contacts, "N")}),
         "found": state.hits,
         "positions": _points(structure, net, state.rest.shape),
     }
@@ -359,6 +360,9 @@ def _course(structure: Structure, net: Net, course: Course) -> dict[str, Any]:
             "ways_downhill": [point.index for point in points],
         }
 
+    touches = [
+        {"parts": list(touch.parts), "drive": WithUnit(size * touch.point.factor, shown)} for touch in course.touches
+    ]
     return {
         "name": course.name,
         "drive": drive.name,
@@ -370,6 +374,7 @@ def _course(structure: Structure, net: Net, course: Course) -> dict[str, Any]:
             {"kind": snap.kind, "drive": WithUnit(size * snap.factor, shown), "released": WithUnit(snap.released, "J")}
             for snap in course.slow.snaps
         ],
+        **({} if structure.contact is None else {"touches": touches}),
         "equilibria": None if course.through is None else path(course.through.points),
         "rests_at": WithUnit(course.rest.energy, "J"),
     }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
@@ -20,7 +20,7 @@ from forficula.structure.membrane_stress import principal_strains
 if TYPE_CHECKING:
     from forficula.results import DataFrame
 
-EventKind = Literal["snap", "branch", "goal", "lost"]
+EventKind = Literal["snap", "branch", "contact", "goal", "lost"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -37,6 +37,7 @@ class QuasiStaticPoint:
         energy: stored by part, J; parts that the structure does not have are left out.
         force: total force along the displacement of the drive, N; 0 for other drives.
         sets: permanent folds of all hinges in their own senses, rad, (hinge,); None if no hinge folds permanently.
+        contacts: force between every pair of parts that touch, N, by the names of both.
     """
 
     strength: float
@@ -47,6 +48,7 @@ class QuasiStaticPoint:
     energy: Mapping[str, float]
     force: float = 0.0
     sets: Array | None = None
+    contacts: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,7 +57,8 @@ class PathMark:
 
     Attributes:
         kind: "snap", a jump at a constant drive; "branch", where the path turns into one of several possible paths;
-            "goal", where the goal of the transition is reached; "lost", where the path could not be followed further.
+            "contact", where parts touch for the first time; "goal", where the goal of the transition is reached;
+            "lost", where the path could not be followed further.
         share: position on the path.
         end: position at which a snap ends; equal to `share` for other events.
         strength: of the drive, in its SI unit, with the sign of the drive.
@@ -94,6 +97,8 @@ class QuasiStaticPath:
         energy: stored energy by part, J, (point,) each.
         force: total force along the displacement of the drive, N, (point,); 0 for other drives.
         sets: permanent folds of creases that yield, rad, (point, hinge); 0 for others.
+        contacts: force between every pair of parts that touch anywhere on the path, N, (point,), by the names of both
+            parts; 0 where they are apart. Statics ignores friction.
         length: distance along the path in the measure of `share`, m.
         marks: events, by share.
         reached: whether the path reaches the goal of its transition, or the full strength of the drive without a goal.
@@ -123,6 +128,7 @@ class QuasiStaticPath:
     error: float
     at: float | None = None
     remarks: tuple[str, ...] = ()
+    contacts: Mapping[str, Array] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         """Name, number of points and events."""
@@ -187,11 +193,12 @@ class QuasiStaticPath:
         return result
 
     def to_dataframe(self) -> DataFrame:
-        """Return a pandas table with share, strength of the drive, its friction, energies and rest of every point."""
+        """Return a pandas table of every point: share, drive and its friction, energies, contact forces and rest."""
         pandas = pandas_module()
         unit = self.unit.replace(" ", "_")
         columns: dict[str, object] = {"share": self.share, f"drive_{unit}": self.strength}
         columns |= {f"{part.replace(' ', '_')}_J": values for part, values in self.energy.items()}
+        columns |= {f"contact_{parts.replace(' ', '_')}_N": forces for parts, forces in self.contacts.items()}
         if self.friction.any():
             columns[f"friction_{unit}"] = self.friction
         return pandas.DataFrame(columns | {"resting": self.resting})
@@ -228,6 +235,7 @@ class QuasiStaticPath:
             energy={part: float(between(values)) for part, values in self.energy.items()},
             force=float(between(self.force)),
             sets=between(self.sets) if path_dependence(self.structure) else None,
+            contacts={parts: float(between(forces)) for parts, forces in self.contacts.items()},
         )
 
     def _lengths(self, pairs: Sequence[tuple[int, int]]) -> Array:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from forficula.design import AnyDesign, Protocol, as_design, stage_drives
 from forficula.errors import InputError
@@ -31,6 +31,7 @@ from forficula.statics.tree.tree_drag import tree_drag
 from forficula.statics.tree.tree_path import tree_path
 from forficula.statics.tree.tree_rest import tree_rest_path
 from forficula.statics.tree_landscape import tree_landscape
+from forficula.statics.tree_remarks import ignored_contact_remarks
 from forficula.structure import (
     Drive,
     GrowingLoad,
@@ -115,8 +116,20 @@ def quasi_static_path(
     drive, made = _driven_transition(structure, transition)
     _check_rest_angles(structure, drive, "quasi-static path")
     if is_net(structure):
-        return net_path(structure, drive, made, error=error, near=near, follow=follow)
-    return tree_path(structure, drive, made, error=error, near=near, follow=follow)
+        path = net_path(structure, drive, made, error=error, near=near, follow=follow)
+    else:
+        path = tree_path(structure, drive, made, error=error, near=near, follow=follow)
+    return replace(path, remarks=(*path.remarks, *_contact_remarks(structure)))
+
+
+def _contact_remarks(structure: Structure) -> tuple[str, ...]:
+    """Return a remark on what a path ignores of the contact of a structure; none if it ignores nothing."""
+    if structure.contact is None:
+        return ()
+    if not is_net(structure):
+        return ignored_contact_remarks(structure)
+    friction = structure.contact.friction
+    return (f"statics ignores the friction of contact (contact.friction = {friction:g})",) if friction else ()
 
 
 def stage_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) -> RestPath:
@@ -163,8 +176,10 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
         return "a tendon yields, and statics ignores permanent extensions"
     if (reason := path_dependence(structure)) and any(motor.kind == "rest-angle" for motor in motors):
         return f"a drive changes rest angles, and {reason}"
-    if structure.contact is not None:
-        return "statics ignores contact"
+    if structure.contact is not None and not is_net(structure):
+        return "statics ignores contact of its bars and panels"
+    if structure.contact is not None and structure.contact.friction:
+        return "statics ignores the friction of contact (contact.friction)"
     if structure.table is not None:
         return "stages on a table are simulated only"
     if any(hinge.friction for hinge in structure.hinges):

@@ -48,6 +48,7 @@ from forficula.statics.tree.saddle import level_between, saddle_between
 from forficula.statics.tree.tip_stiffness import tip_stiffness
 from forficula.statics.tree_remarks import (
     coupling_remarks,
+    ignored_contact_remarks,
     is_smallest,
     shared_remarks,
     slow_remarks,
@@ -88,6 +89,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             *tendon_remarks(structure, hinges),
             *shared_remarks(structure),
             *friction_remarks(structure, bands),
+            *ignored_contact_remarks(structure),
             *(() if path is None else path.remarks),
             *start_remarks(structure, start.position[0]),
             *torque_remarks,

@@ -44,6 +44,17 @@ def tendon_remarks(structure: Structure, hinges: Sequence[CrossedHinge]) -> tupl
     )
 
 
+def ignored_contact_remarks(structure: Structure) -> tuple[str, ...]:
+    """Return the remark that statics of bodies on joints ignores contact; none without contact."""
+    if structure.contact is None:
+        return ()
+    whole = structure.appearance.whole
+    return (
+        f"statics ignores contact of the bars and panels of this {whole}: they pass through each other; only runs"
+        " include their contact",
+    )
+
+
 def shared_remarks(structure: Structure) -> tuple[str, ...]:
     """Return remarks on tendons that the landscapes of single hinges leave out."""
     of: dict[int, list[str]] = {}

@@ -95,7 +95,8 @@ def landscape_kinds(landscape: EnergyLandscape) -> tuple[str, ...]:
     structure = landscape.structure
     if landscape.net is not None:
         states = ("states", "modes") if landscape.states else ()
-        return (*states, *["barriers"] * (len(landscape.states) > 1), *["courses"] * bool(landscape.courses))
+        barriers = len(landscape.states) > 1 and structure.contact is None
+        return (*states, *["barriers"] * barriers, *["courses"] * bool(landscape.courses))
     tendon = ("tendon",) if landscape.hinges else ()
     # a single hinge has no intermediate levels, and a figure of its own
     levels = ("levels",) if len(folding_hinges(structure)) > bool(tendon) else ()

@@ -18,7 +18,7 @@ from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape, Rest
 from forficula.statics.landscape import AT_START, LeastTorque
 from forficula.statics.net.driven.net_course import Course
-from forficula.statics.net.net_state import Withstood
+from forficula.statics.net.net_state import NetState, Withstood
 from forficula.structure import (
     Measure,
     Structure,
@@ -37,6 +37,7 @@ _NAMES = {
     "neutral": "stable: range without torque",
 }
 _WIDE: dict[str, Any] = {"color": GREEN, "lw": 6, "alpha": 0.35, "solid_capstyle": "butt"}
+_TOUCHES = 2  # points named in a sentence at which parts begin to touch
 _ROUNDING = 1e-6  # share of a tendon's largest moment
 
 
@@ -190,6 +191,15 @@ def withstood_text(withstood: Withstood) -> str:
     ]
 
 
+def touching_text(state: NetState) -> str:
+    """Return the parts that touch in a state, with the largest force of a pair, as text."""
+    if not state.contacts:
+        return "none"
+    name, force = max(state.contacts.items(), key=lambda entry: entry[1])
+    pairs = name if len(state.contacts) == 1 else f"{len(state.contacts)} pairs, most {name}"
+    return f"{pairs}: {shown_value(force, 'N', 3)}"
+
+
 def slow_path_text(structure: Structure, course: Course) -> str:
     """Return a phrase on the equilibria under a slowly growing drive."""
     size = abs(course.drive.strength)
@@ -197,6 +207,9 @@ def slow_path_text(structure: Structure, course: Course) -> str:
     phrases = [f"snaps at {shown_strength(structure, course, snap.factor * size)}" for snap in snaps]
     if len(phrases) > 3:
         phrases = [*phrases[:2], f"{len(phrases) - 2} more times"]
+    for touch in course.touches[:_TOUCHES]:
+        pairs = touch.parts[0] if len(touch.parts) == 1 else f"{len(touch.parts)} pairs of parts"
+        phrases.append(f"{pairs} touch from {shown_strength(structure, course, touch.point.factor * size)}")
     if course.largest_force is not None:
         phrases.append(f"requires {shown_value(course.largest_force, 'N', 3)}")
     return ", ".join(phrases) or "bends without a snap"

@@ -31,6 +31,7 @@ from forficula.show.landscape.landscape_marks import (
     shown_value,
     slow_path_text,
     torque_location,
+    touching_text,
     withstood_text,
 )
 from forficula.show.structure.labels import shown_angles, stress_text, title_of
@@ -148,6 +149,7 @@ def _net_row(structure: Structure, state: NetState) -> Row:
             titles[name]: reading_words(structure, name, readings.tolist())
             for name, readings in list(state.readings.items())[:_MEASURES]
         },
+        **({} if structure.contact is None else {"touching": touching_text(state)}),
     }
 
 

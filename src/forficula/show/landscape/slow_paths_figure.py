@@ -110,6 +110,8 @@ def _draw_course(
         arrow = {"arrowstyle": "->", "color": colour, "lw": 1.2, "shrinkA": 0, "shrinkB": 0}
         axes.annotate("", ends[1], ends[0], arrowprops=arrow, zorder=4)
         axes.plot(*ends[0], "o", color="white", mec=colour, ms=4, zorder=5)
+    for touch in course.touches:
+        axes.plot(*plot.at(touch.point.factor, touch.point.shape), "D", color="white", mec=BLUE, ms=4, zorder=5)
     last = moments[-2] if len(moments) > 1 else moments[-1]
     ends = [plot.at(last[0], last[1]), plot.at(0.0, course.rest.shape)]
     axes.plot(*zip(*ends, strict=True), ":", color="0.4", lw=1.0, zorder=2)
@@ -221,6 +223,8 @@ def _handles(courses: Sequence[Course]) -> list[Line2D]:
         handles.append(Line2D([], [], color=VERMILION, marker="o", mfc="white", ms=4, lw=1.2, label="snap"))
     if True in kinds:
         handles.append(Line2D([], [], color=GREEN, marker="o", mfc="white", ms=4, lw=1.2, label="bifurcation"))
+    if any(course.touches for course in courses):
+        handles.append(Line2D([], [], color=BLUE, marker="D", mfc="white", ms=4, lw=0, label="parts begin to touch"))
     steps = [step for course in courses for step in pairwise(_near_path(course))]
     stable = {one.index == 0 and other.index == 0 for one, other in steps}
     if True in stable:

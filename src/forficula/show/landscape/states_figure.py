@@ -40,7 +40,9 @@ def draw_states(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
         unit, factor = reading_unit("J", max(abs(state.energy) for state in states))
         for axis, state in zip(axes, states, strict=False):
             words = f"{factor * state.energy + 0.0:.3g} {unit}".replace("-", "−")
-            axis.set_title(f"{state.name}\n{words}", pad=_PAD)
+            touching = f", {len(state.contacts)} touching pairs" if len(state.contacts) > 1 else ""
+            touching = ", one touching pair" if len(state.contacts) == 1 else touching
+            axis.set_title(f"{state.name}\n{words}{touching}", pad=_PAD)
         letter_panels(axes[: len(states)].tolist())
         fit_legend(figure, pictures.handles, 4, loc="outside lower center")
         energies = "; ".join(f"{state.name} with {shown_value(state.energy, 'J', 3)}" for state in states)

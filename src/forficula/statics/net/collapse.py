@@ -10,6 +10,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
+from forficula.statics.net.contact.stable_path import stable_path
 from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.load import Load, crease_torques
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
@@ -65,7 +66,10 @@ def collapse(
     """
     if not state.stable:
         raise InputError(f"state: need a stable one, got one with {state.index} ways downhill")
-    path = load_path(net, state.shape, load, step=step, increments=increments, target=most, stop=stop, events=1)
+    if net.contact is None:
+        path = load_path(net, state.shape, load, step=step, increments=increments, target=most, stop=stop, events=1)
+    else:
+        path = stable_path(net, state.shape, load, step=step, increments=increments, target=most, stop=stop)
     if path.events:
         event = path.events[0]
         return Collapse(kind=event.kind, factor=event.point.factor, point=event.point, mode=event.mode, path=path)

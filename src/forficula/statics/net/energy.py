@@ -7,9 +7,10 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from scipy.sparse import bsr_array
+from scipy.sparse import bsr_array, csc_array
 
 from forficula.arrays import Array
+from forficula.statics.net.contact.contact_energy import contact_terms
 from forficula.statics.net.factor import Matrix
 from forficula.statics.net.layout import Layout, layout_of
 from forficula.statics.net.load import Load
@@ -37,6 +38,7 @@ class Expansion:
         free: Hessian by the free coordinates, N/m.
         turning: gradient of the angles by the sides of their creases, 1/m, (3, side, crease).
         layout: of the net.
+        pressed: Hessian of the contact by all coordinates, N/m; None without contact.
     """
 
     shape: NetShape
@@ -47,11 +49,13 @@ class Expansion:
     free: Matrix
     turning: Array
     layout: Layout
+    pressed: csc_array | None = None
 
     @cached_property
     def curvature(self) -> bsr_array:
         """Return the Hessian by all coordinates, N/m."""
-        return self.layout.whole(self.blocks)
+        whole = self.layout.whole(self.blocks)
+        return whole if self.pressed is None else bsr_array(whole + self.pressed)
 
 
 def shape_at(net: Net, positions: Array, near: Array | None = None, sets: Array | None = None) -> NetShape:
@@ -69,8 +73,8 @@ def shape_at(net: Net, positions: Array, near: Array | None = None, sets: Array 
 
 
 def moved_shape(net: Net, shape: NetShape, positions: Array) -> NetShape:
-    """Return the shape of a net that moves from a shape, with its permanent folds, to positions, m, (node, 3)."""
-    return shape_at(net, positions, shape.angles, shape.sets)
+    """Return the shape of a net that moves from a shape, with its permanent folds and contacts, to positions, m."""
+    return replace(shape_at(net, positions, shape.angles, shape.sets), pressing=shape.pressing)
 
 
 def kept_folds(net: Net, shape: NetShape) -> NetShape:
@@ -107,7 +111,7 @@ def expand_at(net: Net, positions: Array, near: NetShape, load: Load | None = No
     """Compute the expansion about a shape that is given as for `moved_shape`, in less time than both together."""
     sides = sides_of(net, positions)
     frames = _frames(sides[2])
-    shape = NetShape(positions=positions, angles=_turned(frames, near.angles), sets=near.sets)
+    shape = replace(near, positions=positions, angles=_turned(frames, near.angles))
     return _expanded(net, shape, sides, frames, load, factor)
 
 
@@ -146,15 +150,22 @@ def _expanded(
     if load is not None:
         forces -= factor * load.forces
         energy = stored - factor * _work(net, shape, load)
+    free, pressed = layout.free_part(blocks), None
+    if net.contact is not None:
+        terms = contact_terms(net.contact, shape.positions, shape.pressing)
+        energy, forces, pressed = energy + terms.energy, forces + terms.slope, terms.curvature
+        further = pressed[layout.free][:, layout.free]
+        free = free + (further.toarray() if isinstance(free, np.ndarray) else csc_array(further))
     return Expansion(
         shape=shape,
         stored=stored,
         energy=energy,
         slope=forces,
         blocks=blocks,
-        free=layout.free_part(blocks),
+        free=free,
         turning=turning,
         layout=layout,
+        pressed=pressed,
     )
 
 

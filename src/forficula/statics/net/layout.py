@@ -74,6 +74,12 @@ class Layout:
         entries = blocks.reshape(-1)[self.taken]
         return np.asarray(entries / entries.max(initial=1.0))
 
+    @cached_property
+    def damping(self) -> csc_array:
+        """Return the damping matrix of `dampers` by the free coordinates."""
+        size = len(self.free)
+        return csc_array((self.dampers, self.free_rows, self.free_starts), shape=(size, size))
+
     def whole(self, blocks: Array) -> bsr_array:
         """Return the Hessian by all coordinates from its blocks, (block, 9)."""
         size = 3 * (len(self.rows) - 1)

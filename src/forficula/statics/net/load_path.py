@@ -139,10 +139,12 @@ def load_path(
         watch: called with every point before the first event.
 
     Raises:
-        InputError: the load does not fit, is zero or would move the net as a rigid body; or there is no equilibrium
-            near the start.
+        InputError: the load does not fit, is zero or would move the net as a rigid body; there is no equilibrium near
+            the start; or the net has contact.
     """
     check_load(net, load)
+    if net.contact is not None:
+        raise InputError("net.contact: need None for a path through unstable equilibria, got a net with contact")
     if not any(np.any(part) for part in (load.forces, load.torques, load.displacements)):
         raise InputError("load: need one that acts, got none")
     net, pins = supported(net, load)

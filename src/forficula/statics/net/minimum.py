@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.sparse import csc_array
 
 from forficula.arrays import Array
+from forficula.statics.net.contact.contact_energy import passes_through, with_contact_forces
 from forficula.statics.net.energy import Expansion, expand, expand_at, kept_folds
 from forficula.statics.net.factor import Factorisation, Matrix, definite, factored, largest_entry
 from forficula.statics.net.load import Load, check_load
@@ -21,6 +22,7 @@ _SMALLEST_SHIFT, _LARGEST_SHIFT = 1e-9, 1e3  # of the largest stiffness
 _DRAG = 1e-4  # dampers on all coordinates of a large net, relative to those between nodes
 _SHARE = 0.8  # of the longest step that a large net shall take
 _HOME = 1e-9  # step that ends the search, of the net's size
+_EXACT = 1e-12  # the same with contact
 _PUSH = 1e-3
 _ROUNDING = 1e-13
 # stiffness below this share of the largest one counts as zero
@@ -93,7 +95,7 @@ def minimum(
     longest = longest_step if longest_step is not None else net.size / 10
     current, shift, steps, settled = expand(net, start, load, factor), 0.0, 0, False
     dampers = current.layout.dampers if between_nodes and not isinstance(current.free, np.ndarray) else None
-    parts, most = definite(current.free), 0.0
+    parts, most, before = definite(current.free), 0.0, np.inf
     while steps < _MOST_STEPS and not settled and not (stop is not None and stop(current.shape)):
         steps += 1
         stiffest = float(current.free.diagonal().max(initial=0.0)) or 1.0
@@ -111,7 +113,11 @@ def minimum(
             shift = _raised(shift, stiffest)
         else:
             moved = float(np.abs(taken.shape.positions - current.shape.positions).max())
-            near, current = moved <= _HOME * net.size, taken
+            near = moved <= _HOME * net.size
+            if net.contact is not None:
+                # contact forces are as exact as the shape; rounding may keep steps from getting shorter
+                near = near and (moved <= _EXACT * net.size or 2 * moved > before)
+            before, current = moved, taken
             # while a shift remains, the shape is a minimum only if no force is left
             pushed = np.abs(current.slope[net.free]).max(initial=0.0) > _PUSH * _HOME * net.size * stiffest
             settled = near and (shift <= _SMALLEST_SHIFT * stiffest or not pushed)
@@ -119,6 +125,8 @@ def minimum(
             divisor = 10.0 if dampers is None else min(10.0, max(1.0, _SHARE * longest / max(moved, 1e-300)))
             shift = shift / divisor if corrections <= 2 else shift / 2 if corrections <= 3 else shift
             shift = 0.0 if shift < _SMALLEST_SHIFT * stiffest else shift
+            if settled:
+                current, settled = _with_contact_forces(net, current, load, factor)
         parts = definite(*_damped(current, dampers, shift))
     return _rest(net, current, pins, steps, settled)
 
@@ -139,8 +147,18 @@ def stationary(net: Net, start: NetShape, load: Load | None = None, factor: floa
         most = np.abs(step).max(initial=0.0)
         settled = bool(most <= _HOME * net.size)
         current = _moved(net, current.shape, step * min(1.0, 0.05 * net.size / max(most, 1e-300)), load, factor)
+        if settled:
+            current, settled = _with_contact_forces(net, current, load, factor)
         steps += 1
     return _rest(net, current, pins, steps, settled)
+
+
+def _with_contact_forces(net: Net, current: Expansion, load: Load | None, factor: float) -> tuple[Expansion, bool]:
+    """Return an expansion with updated contact forces, and whether they had already converged."""
+    if net.contact is None:
+        return current, True
+    shape, converged = with_contact_forces(net, current.shape, factored(current.free))
+    return (replace(current, shape=shape), True) if converged else (expand(net, shape, load, factor), False)
 
 
 def _rest(net: Net, current: Expansion, pins: tuple[tuple[int, int], ...], steps: int, settled: bool) -> NetRest:
@@ -166,6 +184,8 @@ def _damped(current: Expansion, dampers: Array | None, shift: float) -> tuple[Ma
     """Return the Hessian with dampers of a size, as a matrix and a multiple of the identity to add."""
     if dampers is None or isinstance(current.free, np.ndarray):
         return current.free, shift
+    if current.pressed is not None:
+        return csc_array(current.free + shift * current.layout.damping), _DRAG * shift
     return _like(current.free, current.free.data + shift * dampers), _DRAG * shift
 
 
@@ -173,7 +193,7 @@ def _resistance(current: Expansion, dampers: Array | None, step: Array) -> Array
     """Return the forces of dampers of size 1 for a step, (coordinate,)."""
     if dampers is None or isinstance(current.free, np.ndarray):
         return step
-    return np.asarray(_like(current.free, dampers) @ step + _DRAG * step)
+    return np.asarray(current.layout.damping @ step + _DRAG * step)
 
 
 def _like(matrix: csc_array, entries: Array) -> csc_array:
@@ -210,7 +230,8 @@ def _proximal_step(
         gain = current.energy - following.energy - shift / 2 * float(step @ resisting)
         rounded = abs(gain) <= _rounding(net, current) and np.abs(slope).max(initial=0.0) <= 2 * steepest
         if gain >= 0.1 * promise or rounded:
-            return following, corrections
+            crossed = passes_through(net, current.shape.positions, following.shape.positions)
+            return None if crossed else following, corrections
         if not np.all(np.isfinite(slope)):
             return None, corrections
         step = step - factored(*_damped(following, dampers, shift)).solve(slope + shift * resisting)

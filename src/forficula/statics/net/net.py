@@ -13,6 +13,7 @@ from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.tendon_law import ElasticLaw
+from forficula.statics.net.contact.net_contact import NetContact, Pressing
 
 Flags = NDArray[np.bool_]
 
@@ -111,6 +112,7 @@ class Net:
         gravity: acceleration along `down`, m/s^2.
         down: unit vector along gravity.
         table: normal to gravity; None without a table.
+        contact: of its triangles; None if they pass through each other.
 
     Raises:
         InputError: arrays do not fit each other, or numbers are out of bounds.
@@ -127,6 +129,7 @@ class Net:
     gravity: float = 0.0
     down: tuple[float, float, float] = (0.0, 0.0, -1.0)
     table: NetTable | None = None
+    contact: NetContact | None = None
 
     def __post_init__(self) -> None:
         count = len(self.nodes)
@@ -177,8 +180,10 @@ class NetShape:
         positions: of the nodes, m, (node, 3).
         angles: of the creases, rad, (crease,); beyond +-pi if one panel went through the other.
         sets: permanent folds of the creases when the motion to this shape began, rad, (crease,); None for none.
+        pressing: forces between elements that touch, at equilibrium; None for none.
     """
 
     positions: Array
     angles: Array
     sets: Array | None = None
+    pressing: Pressing | None = None

@@ -13,6 +13,7 @@ from forficula.design import Design
 from forficula.errors import InputError
 from forficula.statics.friction import friction_remarks
 from forficula.statics.landscape import EnergyLandscape, NetSurvey, Pass, Rest
+from forficula.statics.net.contact.contact_of import contact_remarks
 from forficula.statics.net.driven.driven_net import short_of
 from forficula.statics.net.driven.net_course import Course, drive_course, released
 from forficula.statics.net.minimum import NetRest as NetRest
@@ -53,8 +54,10 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
     progress("stable states")
     search = find_stable_states(net, [rest.shape for _, rest, _ in rests], tries=_TRIES)
     states = _states(structure, net, search, rests, progress)
-    progress("saddles between states")
-    search, states, passes = _joined(structure, net, search, states)
+    passes: tuple[Pass, ...] = ()
+    if net.contact is None:
+        progress("saddles between states")
+        search, states, passes = _joined(structure, net, search, states)
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -62,7 +65,7 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
         states=tuple(states),
         passes=passes,
         courses=courses,
-        remarks=(*left, *refused, *_remarks(structure, search, states, passes, courses)),
+        remarks=(*left, *refused, *_remarks(structure, search, states, passes, courses), *contact_remarks(structure)),
         net=NetSurvey(net=net, built=mobility(structure, net, built), search=search),
     )
 
@@ -302,8 +305,8 @@ def _remarks(
             " others of lowest energy in which no panels pass through one another"
         )
     remarks += [
-        f'in "{state.name}" panels pass through one another, because their contact is not modelled: a locking law'
-        ' (crease.law = "locking") or stops (crease.fold_limit) prevent it'
+        f'in "{state.name}" panels pass through one another, because contact is off: contact (protocol.contact = true),'
+        ' a locking law (crease.law = "locking") or stops (crease.fold_limit) prevent it'
         for state in states
         if state.passing
     ]
@@ -311,9 +314,9 @@ def _remarks(
         remarks.append(f"{search.failed} of the tries ended in no stable state")
     if not count:
         remarks.append("a part can move without any force: a crease has no spring, or a support is missing")
+    unconnected = _unconnected_states(len(states), passes) if structure.contact is None else []
     remarks += [
-        f'no saddles were found that connect "{states[number].name}" to the first state'
-        for number in _unconnected_states(len(states), passes)
+        f'no saddles were found that connect "{states[number].name}" to the first state' for number in unconnected
     ]
     for course in courses:
         if any(snap.kind != "limit" for snap in course.slow.snaps):

@@ -14,6 +14,7 @@ from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.tendon_law import stacked_laws
+from forficula.statics.net.contact.contact_of import with_contact
 from forficula.statics.net.energy import kept_folds, shape_at
 from forficula.statics.net.load import Load, no_load, point_forces
 from forficula.statics.net.net import Net, NetCreases, NetShape, NetTable, Springs, Tendons, Triangles
@@ -36,7 +37,7 @@ _SUNK = 1e-6
 
 
 def is_net(structure: Structure) -> bool:
-    """Return whether all moving parts are sliding points, or plates that are in loops or free.
+    """Return whether all moving parts are sliding points, or plates that are in loops, free or touch each other.
 
     Springs along creases that open close loops, too.
     """
@@ -46,6 +47,8 @@ def is_net(structure: Structure) -> bool:
     if structure.plates:
         joints = [hinge.body for hinge in structure.hinges if hinge.flaps is None]
         loose = bool(structure.closures or structure.springs) or any(body.turns for body in structure.bodies)
+        # the solver for trees has no contact
+        loose = loose or structure.contact is not None
         return loose and len(joints) == len(set(joints)) and not structure.membranes
     return any(body.slides for body in structure.bodies) and not jointed
 
@@ -63,7 +66,7 @@ def net_of(structure: Structure) -> Net:
         raise InputError(f"{structure.name}: need points that slide and springs between them, got joints")
     laid = _plates(structure) if structure.plates else _nodes(structure)
     stiffness, rest = laid.stiff
-    return Net(
+    net = Net(
         nodes=laid.nodes,
         free=laid.free,
         points=laid.points,
@@ -83,6 +86,7 @@ def net_of(structure: Structure) -> Net:
         down=structure.down,
         table=_table(structure),
     )
+    return with_contact(structure, net)
 
 
 def _table(structure: Structure) -> NetTable | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
@@ -12,6 +12,7 @@ from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.quantities import show_value
 from forficula.statics.net.collapse import Collapse, collapse
+from forficula.statics.net.contact.contact_energy import contact_forces
 from forficula.statics.net.energy import membrane_stresses, sides_of, stored_by_part
 from forficula.statics.net.load import Load, acceleration, pressure, same_load
 from forficula.statics.net.load_path import PathPoint
@@ -80,6 +81,7 @@ class NetState:
         withstands: largest loads, for states that a protocol names.
         passing: whether panels pass through one another.
         hits: how often the search reached this state.
+        contacts: force between every pair of parts that touch, N, by the names of both.
     """
 
     name: str
@@ -96,6 +98,7 @@ class NetState:
     withstands: tuple[Withstood, ...]
     passing: bool
     hits: int
+    contacts: Mapping[str, float] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         """Name and energy."""
@@ -133,6 +136,7 @@ def net_state(structure: Structure, net: Net, rest: NetRest, name: str, hits: in
         withstands=tuple(_tried_loads(structure, net, rest)) if loads else (),
         passing=panels_cross(net, rest.shape, panels(structure)),
         hits=hits,
+        contacts=contact_forces(net, rest.shape),
     )
 
 

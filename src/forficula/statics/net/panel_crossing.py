@@ -1,4 +1,4 @@
-"""Panels that pass through one another in a shape, because their contact is not modelled."""
+"""Panels that pass through one another in a shape, because contact is off."""
 
 from __future__ import annotations
 

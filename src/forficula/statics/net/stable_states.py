@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.statics.net.contact.contact_energy import passes_through
 from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.factor import softest
 from forficula.statics.net.minimum import NetRest, minimum
@@ -46,7 +47,8 @@ def find_stable_states(net: Net, starts: Sequence[NetShape], *, tries: int = 40,
     """Search for stable states by descending from given shapes, then from pushed copies of the states found.
 
     Two kinds of pushes alternate: a random combination of the softest modes, with larger shares of softer modes; and a
-    temporary rest with stiffer creases, whose rest angles are the present angles times random numbers.
+    temporary rest with stiffer creases, whose rest angles are the present angles times random numbers. With contact, a
+    push is halved until no parts pass through each other.
 
     Args:
         net: as for `minimum`.
@@ -121,6 +123,8 @@ def _random_push(net: Net, shape: NetShape, random: np.random.Generator) -> NetS
     push = np.zeros_like(net.nodes)
     push[held.free] = modes @ shares
     push *= random.uniform(*_PUSH) * net.size / np.abs(push).max()
+    while passes_through(net, shape.positions, shape.positions + push):
+        push /= 2
     return moved_shape(net, shape, shape.positions + push)
 
 

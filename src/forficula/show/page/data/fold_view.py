@@ -31,12 +31,15 @@ from forficula.show.page.playback import (
 from forficula.show.run.state_names import state_letters
 from forficula.show.structure.labels import condensed, reading_labels
 from forficula.statics import QuasiStaticPath
+from forficula.statics.net.net_of import is_net
 from forficula.structure import Measure, Structure, first_state, read_angles, state_of
 
 _SECONDS = 6.0  # duration of a path that is played
 _PERCENT = 100.0
 _ROUNDING = 1e-9  # a moment below this share of the largest one is a rounding error
-_LETTERS = {"snap": "S", "branch": "B", "goal": "G", "lost": "L"}
+_LETTERS = {"snap": "S", "branch": "B", "contact": "T", "goal": "G", "lost": "L"}
+_NAMES = {"contact": "touch"}  # names of marks that differ from the kinds of events
+_PAIRS = 6  # lines of contact forces, with the largest forces
 # keys of a clip that do not depend on the motion, which the page takes from the clip of a run
 _MESH = (
     *("span_m", "pointCount", "between", "share", "triangles", "regions", "solid", "tubes", "built", "faces", "base"),
@@ -200,7 +203,8 @@ def _marks(path: QuasiStaticPath) -> list[dict[str, Any]]:
     numbers = dict.fromkeys(_LETTERS, 0)
     for mark in path.marks:
         numbers[mark.kind] += 1
-        name = mark.kind if numbers[mark.kind] == 1 else f"{mark.kind} {numbers[mark.kind]}"
+        kind = _NAMES.get(mark.kind, mark.kind)
+        name = kind if numbers[mark.kind] == 1 else f"{kind} {numbers[mark.kind]}"
         marks.append({"letter": _LETTERS[mark.kind], "name": name, "time": _PERCENT * mark.share})
     return [mark | {"readings": {}, "tendonEnergy_J": None} for mark in marks]
 
@@ -232,7 +236,8 @@ def _along_data(name: str, values: Array, si: str) -> dict[str, Any]:
 def _plots(path: QuasiStaticPath, clip: Clip, rows: Indices) -> list[dict[str, Any]]:
     """Return the plots of a path over the fold: energies, drive, readings and strains; the first two have a ball."""
     others = [reading_plot(readings) for readings in clip.readings]
-    return balled_plots([*energies_plot(clip), _drive_plot(path, rows)], [*others, *_strain_plot(path, rows)])
+    others += [*_contact_plot(path, rows), *_strain_plot(path, rows)]
+    return balled_plots([*energies_plot(clip), _drive_plot(path, rows)], others)
 
 
 def balled_plots(balls: Sequence[Plot], others: Sequence[Plot]) -> list[dict[str, Any]]:
@@ -288,6 +293,25 @@ def reading_plot(readings: Readings) -> Plot:
     )
 
 
+def _contact_plot(path: QuasiStaticPath, rows: Indices) -> list[Plot]:
+    """Return the contact forces of the pairs of parts that press on each other most; none without contact."""
+    largest = {name: float(forces.max()) for name, forces in path.contacts.items()}
+    shown = sorted(largest, key=lambda name: -largest[name])[:_PAIRS]
+    if not shown:
+        return []
+    unit, factor = reading_unit("N", largest[shown[0]])
+    words = ", ".join(f"{name} {readable(largest[name], 'N')}" for name in shown)
+    more = f" {len(largest) - len(shown)} further pairs touch with smaller forces." if len(largest) > len(shown) else ""
+    return [
+        Plot(
+            title="contact forces",
+            unit=unit,
+            lines=tuple(Line(name=name, clip=0, values=factor * path.contacts[name][rows]) for name in shown),
+            text=f"Contact forces between parts, without friction. Largest values: {words}.{more}",
+        )
+    ]
+
+
 def _strain_plot(path: QuasiStaticPath, rows: Indices) -> list[Plot]:
     """Return the largest strain of each kind of elastic part, %."""
     lines, texts = [], []
@@ -306,7 +330,15 @@ def _notes(path: QuasiStaticPath) -> list[str]:
     whole, word = path.structure.appearance.whole, effort_word(path.structure, path.drive)
     first = (
         f'The {word} of the drive "{path.drive.name}" grows so slowly that the {whole} is at rest at every position'
-        " outside snaps. Statics compute the shapes, without inertia, damping and contact between bodies."
+        " outside snaps. Statics compute the shapes, without inertia and damping, and"
+        f" {_contact_words(path.structure)}."
     )
     remarks = [f"{remark[:1].upper()}{remark[1:].removesuffix('.')}." for remark in path.remarks]
     return [first, *(mark.text for mark in path.marks), *remarks]
+
+
+def _contact_words(structure: Structure) -> str:
+    """Return a phrase on the contact that the path includes."""
+    if structure.contact is None or not is_net(structure):
+        return "without contact between bodies"
+    return "with contact between facets, but without friction"

@@ -84,7 +84,7 @@ def without_crossing(path: QuasiStaticPath) -> QuasiStaticPath:
     where = "at the goal, because beyond it" if at_goal else "short of the goal, because from there on"
     remark = f"The path ends {where} panels of the {whole} pass through each other, which statics do not prevent."
     rows, end = slice(0, last + 1), float(path.share[last])
-    kept = [mark for mark in path.marks if mark.share < end and mark.kind in ("snap", "branch")]
+    kept = [mark for mark in path.marks if mark.share < end and mark.kind in ("snap", "branch", "contact")]
     marks = [
         replace(
             mark,
@@ -108,6 +108,7 @@ def without_crossing(path: QuasiStaticPath) -> QuasiStaticPath:
         coordinates=path.coordinates[rows],
         energy={name: values[rows] for name, values in path.energy.items()},
         force=path.force[rows],
+        contacts={name: forces[rows] for name, forces in path.contacts.items()},
         length=path.length * end,
         marks=tuple(marks),
         reached=bool(at_goal),

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from forficula.statics.net.contact.stable_path import Touch, first_touches
 from forficula.statics.net.driven.driven_net import (
     FINE,
     INCREMENTS,
@@ -46,12 +47,13 @@ class Course:
         load: of the drive.
         start: equilibrium at the start.
         slow: path of the net, up to the goal or as far as it was followed.
-        through: the equilibria on and beyond the first path, stable or not; None if the net does not snap, or if they
-            were not requested.
+        through: the equilibria on and beyond the first path, stable or not; None if the net does not snap, if they
+            were not requested, or with contact.
         least: size of the drive at which the goal is first reached, in its SI unit; None if it is never reached, or
             without a goal.
         largest_force: largest total force along a displacement up to the goal, N; None for other drives.
         rest: where the net comes to rest when released at the end.
+        touches: points of the slow path at which parts touch for the first time.
     """
 
     name: str
@@ -63,6 +65,7 @@ class Course:
     least: float | None
     largest_force: float | None
     rest: NetRest
+    touches: tuple[Touch, ...] = ()
 
 
 def released(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
@@ -114,7 +117,7 @@ def drive_course(
     shape = slow.snaps[-1].after.shape if last is None else last.shape
     factor = slow.snaps[-1].factor if last is None else last.factor
     through = None
-    if slow.snaps and through_snaps:
+    if slow.snaps and through_snaps and net.contact is None:
         through = load_path(
             net,
             start.shape,
@@ -137,6 +140,7 @@ def drive_course(
         least=None if reached is None else reached * abs(drive.strength),
         largest_force=_largest_force(structure, net, drive, slow.points),
         rest=minimum(free, shape),
+        touches=first_touches(net, slow.points),
     )
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse import block_array, csr_array
+from scipy.sparse import block_array, csr_array, hstack
 
 from forficula.arrays import Array
 from forficula.errors import InputError
@@ -20,6 +20,7 @@ from forficula.statics.drag import (
     dragged_shape,
     least_force,
 )
+from forficula.statics.net.contact.contact_energy import contact_forces
 from forficula.statics.net.driven.driven_net import DrivenNet, driven_net
 from forficula.statics.net.driven.net_course import released
 from forficula.statics.net.driven.net_path import net_point
@@ -117,6 +118,9 @@ def _pulled_net(driven: DrivenNet, places: Mapping[int, float], start: QuasiStat
             rest_length=np.concatenate([net.springs.rest_length, [0.0]]),
         ),
     )
+    if net.contact is not None:
+        corners = csr_array(hstack([net.contact.points, csr_array((net.contact.points.shape[0], 1))]))
+        extended = replace(extended, contact=replace(net.contact, points=corners))
     none = np.zeros((1, 3))
     load = Load(
         forces=np.concatenate([driven.load.forces, none]),
@@ -154,11 +158,11 @@ def _held(pulled: _PulledNet, shape: NetShape, aim: Array, factor: float) -> Hel
 
     The permanent folds of the returned shape are those at the beginning of the move.
     """
-    start = NetShape(positions=np.concatenate([shape.positions, aim[None]]), angles=shape.angles, sets=shape.sets)
+    start = replace(shape, positions=np.concatenate([shape.positions, aim[None]]))
     rest = minimum(pulled.net, start, pulled.load, factor)
     position = pulled.weights @ rest.shape.positions[:-1]
     return Held(
-        shape=NetShape(positions=rest.shape.positions[:-1], angles=rest.shape.angles, sets=shape.sets),
+        shape=replace(rest.shape, positions=rest.shape.positions[:-1], sets=shape.sets),
         position=position,
         force=pulled.spring * (aim - position),
         stable=rest.stable,
@@ -188,5 +192,6 @@ def _pulled(pulled: _PulledNet, near: QuasiStaticPoint, target: Array) -> Dragge
             held = _held(pulled, held.shape, held.position, factor)
         compliance = _compliance(driven, pulled.supported, pulled.weights, held.shape, factor)[0]
         held = held._replace(force=least_force(held.force, compliance))
-    point = net_point(driven, held.shape, factor, resting=False)
+    contacts = contact_forces(driven.net, held.shape)
+    point = replace(net_point(driven, held.shape, factor, resting=False), contacts=contacts)
     return dragged_shape(driven.structure, point, target, held, reached=reached)

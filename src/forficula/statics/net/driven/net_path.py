@@ -15,12 +15,15 @@ from forficula.kept_frames import kept_frames
 from forficula.statics.growing_path import (
     GrowingPath,
     NumberedEvent,
+    contact_events,
     interval_errors,
     last_event,
     lengths_along,
     nearest_point,
     path_of,
 )
+from forficula.statics.net.contact.contact_energy import contact_forces
+from forficula.statics.net.contact.stable_path import stable_point_between
 from forficula.statics.net.driven.driven_net import DrivenNet, driven_net, follow_drive, prescribes_displacement
 from forficula.statics.net.driven.net_course import drive_course, reaction, released
 from forficula.statics.net.driven.slow_path import SlowPath, Snap
@@ -68,8 +71,9 @@ def net_path(
         points = [net_point(driven, start.shape, 0.0)]
         lost = [last_event(points, reached=False)]
         return path_of(structure, driven.name, drive, points, lost, reached=False, remarks=(*remarks, _LOOSE))
-    if driven.net.creases.law.yields:
-        near = None  # the path depends on what happened before this shape
+    if driven.net.creases.law.yields or driven.net.contact is not None:
+        # the path depends on what happened before this shape, or may not lead back to the start
+        near = None
     near_rest = None if near is None else _near_rest(driven, near)
     growing = GrowingPath(structure, driven.name, drive, follow, continued=near_rest is not None)
     slow = None if near is None or near_rest is None else _continued(driven, start, near, near_rest, growing)
@@ -83,6 +87,7 @@ def net_path(
         points = stretches.points(bound)[0]
         growing.show(points, at=_nearest(driven, points, near_rest))
     points, events = stretches.points(bound)
+    events += contact_events(points)
     reached = slow.ended == ("target" if driven.goal is None else "stop") and not growing.stopped
     events.append(last_event(points, reached=reached))
     if reached and not points[-1].resting:
@@ -252,7 +257,7 @@ class _Stretches:
             share = float(np.clip(low / (low - high), 0.05, 1 - 1e-6))
             positions = (1 - share) * before.shape.positions + share * after.shape.positions
             factor = (1 - share) * before.factor + share * after.factor
-            middle = intermediate_point(driven.net, driven.load, before, after, positions, factor)
+            middle = _between(driven, before, after, positions, factor)
             if middle is None:
                 break
             value = driven.short_of_goal(middle.shape)
@@ -282,6 +287,11 @@ class _Stretches:
 
     def _middle(self, points: Sequence[PathPoint], place: int) -> PathPoint | None:
         """Find the equilibrium in the middle of an interval, from the cubic through its neighbours."""
+        if self._driven.net.contact is not None:
+            # where parts begin to touch, the path has a kink
+            before, after = points[place : place + 2]
+            positions = (before.shape.positions + after.shape.positions) / 2
+            return _between(self._driven, before, after, positions, (before.factor + after.factor) / 2)
         first = max(0, min(place - 1, len(points) - 4))
         near = points[first : first + 4]
         shapes = _positions(near)
@@ -293,7 +303,7 @@ class _Stretches:
         factor = float(weights @ [point.factor for point in near])
         positions = np.tensordot(weights, shapes, axes=1)
         driven, (before, after) = self._driven, points[place : place + 2]
-        return intermediate_point(driven.net, driven.load, before, after, positions, factor)
+        return _between(driven, before, after, positions, factor)
 
     def error(self) -> float:
         """Return the largest estimated error of linear interpolation between equilibria, m."""
@@ -327,6 +337,14 @@ class _Stretches:
         if id(shape) not in self._known:
             self._known[id(shape)] = shape, net_point(self._driven, shape, factor, resting=resting)
         return self._known[id(shape)][1]
+
+
+def _between(
+    driven: DrivenNet, before: PathPoint, after: PathPoint, positions: Array, factor: float
+) -> PathPoint | None:
+    """Find the equilibrium between two points of a path near a guess; None without one."""
+    find = intermediate_point if driven.net.contact is None else stable_point_between
+    return find(driven.net, driven.load, before, after, positions, factor)
 
 
 def _positions(points: Sequence[PathPoint]) -> Array:
@@ -381,6 +399,7 @@ def net_point(driven: DrivenNet, shape: NetShape, factor: float, *, resting: boo
         energy=stored_parts(structure, driven.net, shape, further),
         force=reaction(structure, driven.net, drive, shape) if displaced else 0.0,
         sets=own_sets(structure, kept_folds(driven.net, shape)),
+        contacts=contact_forces(driven.net, shape) if resting else {},
     )
 
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Literal
 
 import numpy as np
 
+from forficula.statics.net.contact.stable_path import stable_path, with_contact_begins
 from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathEvent, PathPoint, load_path
@@ -104,7 +106,8 @@ def slow_path(
     paths, snaps, factor = list[LoadPath](), list[Snap](), begin
     ended: Literal["target", "stop", "lost"] = "lost"
     while len(snaps) <= _MOST_SNAPS:
-        path = load_path(
+        follow = partial(load_path, events=1) if net.contact is None else stable_path
+        path = follow(
             net,
             start,
             load,
@@ -113,12 +116,13 @@ def slow_path(
             factor=factor,
             target=end,
             stop=None if stop is None else (lambda point: stops(point.shape)),
-            events=1,
             rising=end > begin,
             watch=lambda point: watch(point.shape, point.factor, True),
         )
         stopped = stops(path.points[-1].shape)
         path = path if stopped or not path.events else _up_to_event(path)
+        if net.contact is not None:
+            path = replace(path, points=tuple(with_contact_begins(net, load, path.points)))
         paths.append(path)
         if stopped or not path.events:
             ended = "stop" if stopped else "target" if path.ended == "target" else "lost"
