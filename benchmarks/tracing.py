@@ -14,6 +14,7 @@ import platform
 import sys
 import time
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from forficula.design import design_pattern, load_design
 from forficula.dynamics import versions
 from forficula.errors import InputError
+from forficula.make.flat.unfolding import unfolded
 from forficula.pattern import (
     CreasePattern,
     miura_pattern,
@@ -60,6 +62,7 @@ def patterns() -> dict[str, CreasePattern]:
         "waterbomb base": waterbomb_base(0.1),
         "waterbomb 3 x 3": waterbomb_pattern(3, 3, 0.04),
         "yoshimura 4 x 4": yoshimura_pattern(4, 4, 0.03, 0.02),
+        "kresling net": _net(design_pattern(load_design("kresling-cell"))),
         "pleats": pleat_pattern([0.03, 0.02, 0.04, 0.02], 0.1, "MVM"),
         "vertex of 4": vertex_pattern([degrees(angle) for angle in (60, 100, 120, 80)], 0.06, "MMMV"),
         "vertex of 6": vertex_pattern([degrees(60)] * 6, [0.06, 0.05, 0.06, 0.05, 0.06, 0.05], "MVMVMV"),
@@ -67,6 +70,12 @@ def patterns() -> dict[str, CreasePattern]:
         "fan": design_pattern(load_design("binder2025")),
         "graded fan": design_pattern(load_design("graded-fan")),
     }
+
+
+def _net(pattern: CreasePattern) -> CreasePattern:
+    """Return a pattern laid flat, with a border where it was opened."""
+    laid = unfolded(pattern).pattern
+    return replace(laid, edges_assignment=tuple("B" if letter == "C" else letter for letter in laid.edges_assignment))
 
 
 def traced(photograph: Photograph) -> Trace:

@@ -2,8 +2,10 @@ import json
 import math
 from functools import cache
 
+import jsonschema
 import numpy as np
 import pytest
+from PIL import ImageDraw
 
 import forficula as ff
 from forficula import InputError
@@ -112,6 +114,16 @@ def test_a_missing_piece_of_the_border_is_no_border():
     assert {edge.letter for edge in rim} == {"U"}
 
 
+def test_words_beside_the_pattern_are_reported_and_not_part_of_it():
+    page, places, size = drawn_page(PATTERNS["waterbomb"], 600)
+    ImageDraw.Draw(page).text((30, 30), "Waterbomb base, 10 cm", fill=(0, 0, 0), font_size=24)
+    scan = scanned(page, places, size)
+    trace = ff.trace(scan.pixels, "10 cm", corners="none")
+    assert compared(PATTERNS["waterbomb"], scan, trace).complete
+    assert trace.free_ends
+    assert "not part of the pattern" in " ".join(trace.doubts)
+
+
 def test_lines_that_merge_at_the_hub_of_a_fan_are_doubtful():
     fan = design_pattern(load_design("binder2025"))
     picture = photographed(*drawn_page(fan, 900), Distortion(size=(800, 560)), seed=3)
@@ -213,6 +225,7 @@ def test_the_command_writes_a_fold_file_that_designs_accept_and_a_report(tmp_pat
     out = tmp_path / "found.fold"
     main(["trace", str(tmp_path / "sheet.png"), "--size", size, "--straighten", "1 mm", "--out", str(out), "--json"])
     written = json.loads(capsys.readouterr().out)
+    jsonschema.validate(written, ff.results.json_schema("trace"))
     assert written["name"] == "sheet.png"
     assert written["straightening"]["largest_m"] < 1e-3
     assert len(written["vertices"]) == 16

@@ -112,3 +112,8 @@ def _line_width(strength: Array, noise: float) -> float:
     if width > _WIDEST * max(strength.shape) + 10:
         raise InputError(f"need thin lines on bright paper, got dark areas about {width:.0f} pixels wide")
     return max(1.5, width)
+
+
+def full_places(places: Array, reduced: int) -> Array:
+    """Return positions in a whole picture, pixels, of positions in one that is reduced by a whole number."""
+    return np.asarray(reduced * (places + 0.5) - 0.5)

@@ -42,7 +42,7 @@ _SOLID = 0.97  # [chosen] share of a solid line that is inked
 _BROKEN = 0.7  # [chosen] share of a line that is inked, below which it is broken where its dashes are not recognised
 _SPARSE = 0.3  # [chosen] share of a dashed line that is inked, below which it is no line
 _PERIODS = 2  # [chosen] least number of dashes and gaps by which dashes are recognised
-_MERGED = 0.6  # [chosen] share of an edge in which lines merge, above which its colour is doubtful
+MERGED = 0.6  # [chosen] share of an edge in which lines merge, above which its colour is doubtful
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,8 +84,8 @@ def ink_along_edge(ink: Ink, start: Array, end: Array, merged: float = 0.0) -> I
     across = np.array([-along[1], along[0]])
     margin = min(max(_CLEAR * ink.line_width + 1, merged * length / 2), 0.35 * length)
     positions = np.arange(margin, length - margin, 0.5)
-    if len(positions) < _FEWEST or merged > _MERGED:
-        why = "lines merge along most of the edge" if merged > _MERGED else "the edge is too short to see its colour"
+    if len(positions) < _FEWEST or merged > MERGED:
+        why = "lines merge along most of the edge" if merged > MERGED else "the edge is too short to see its colour"
         return InkOfEdge(
             ground="", dashes="short", doubt=why, share=0.0, hue=0.0, saturation=0.0, darkness=0.0, width=0.0
         )
@@ -105,6 +105,7 @@ def ink_along_edge(ink: Ink, start: Array, end: Array, merged: float = 0.0) -> I
     # the middle half, because other lines begin beside the ends
     quarter = len(smooth) // 4
     inked = smooth > 0.5 * float(np.percentile(smooth[quarter : len(smooth) - quarter], 85))
+    inked = inked if inked.any() else np.ones(len(smooth), dtype=bool)
     dashes = _dashes(inked, ink.line_width)
     used = ndimage.binary_erosion(inked, iterations=1, border_value=1)
     used = used if used.sum() >= _FEWEST else inked

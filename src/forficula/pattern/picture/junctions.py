@@ -17,6 +17,7 @@ from forficula.pattern.picture.drawn_segments import DrawnSegment
 _CROSSING = np.radians(3.0)  # [chosen] least angle between lines whose crossing is computed
 _BEYOND = 2.5  # [chosen] line widths by which segments are extended to a crossing
 _GAPS = 1.5  # [chosen] gaps between dashes by which dashed segments are extended in addition
+_SHORT = 0.6  # [chosen] share of its length by which a segment is extended, at most
 _LEAST_BEYOND = 6.0  # pixels
 _TOGETHER = 2.0  # [chosen] line widths within which crossings are one junction
 _LEAST_TOGETHER = 5.0  # pixels
@@ -35,7 +36,7 @@ class Junctions:
         edges: the two junctions of every edge, shape (E, 2).
         lines: segments without those that are blots at junctions.
         segments: number in `lines` of the segment of every edge, shape (E,).
-        free_ends: ends of segments that reach no junction, pixels, shape (F, 2).
+        free_ends: ends of segments that reach no junction, and middles of segments without any, pixels, shape (F, 2).
     """
 
     places: Array
@@ -112,7 +113,10 @@ def _crossings(segments: Sequence[DrawnSegment], beyond: float) -> list[tuple[Ar
     """Return the crossings of pairs of segments, with the numbers of both."""
     middles = np.array([segment.middle for segment in segments]).reshape(-1, 2)
     along = np.array([segment.along for segment in segments]).reshape(-1, 2)
-    reach = np.array([beyond + min(_GAPS * segment.longest_gap, 3 * beyond) for segment in segments])
+    # the strokes of text are short, and do not reach far
+    reach = np.array(
+        [min(beyond + min(_GAPS * segment.longest_gap, 3 * beyond), _SHORT * segment.length) for segment in segments]
+    )
     low = np.array([segment.ink_start for segment in segments]) - reach
     high = np.array([segment.ink_end for segment in segments]) + reach
     crossings: list[tuple[Array, int, int]] = []
@@ -211,10 +215,13 @@ def _edges(
     free_ends = []
     for number, (segment, at) in enumerate(zip(segments, on, strict=True)):
         positions = sorted((float((places[junction] - segment.middle) @ segment.along), junction) for junction in at)
+        if not at:
+            free_ends.append(segment.place((segment.start + segment.end) / 2))
+            continue
         reach = beyond + _GAPS * segment.longest_gap
-        if not positions or positions[0][0] > segment.start + reach:
+        if positions[0][0] > segment.start + reach:
             free_ends.append(segment.place(segment.start))
-        if not positions or positions[-1][0] < segment.end - reach:
+        if positions[-1][0] < segment.end - reach:
             free_ends.append(segment.place(segment.end))
         for (_, one), (_, other) in itertools.pairwise(positions):
             if one != other:

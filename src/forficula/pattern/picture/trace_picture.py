@@ -8,13 +8,10 @@ from dataclasses import replace
 from typing import Literal
 
 import numpy as np
-from scipy import ndimage
-from scipy.spatial import cKDTree
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
-from forficula.pattern.drawings.flat_faces import parts_of
 from forficula.pattern.facts.flat_folding import VertexCheck, vertex_checks
 from forficula.pattern.picture.drawn_segments import drawn_segments
 from forficula.pattern.picture.homography import (
@@ -24,15 +21,21 @@ from forficula.pattern.picture.homography import (
     metres_per_pixel,
     side_ratio,
 )
-from forficula.pattern.picture.ink import Ink, ink_of
-from forficula.pattern.picture.ink_letters import InkOfEdge, ink_along_edge, letters_of_ink
+from forficula.pattern.picture.ink import Ink, full_places, ink_of
+from forficula.pattern.picture.ink_letters import MERGED, InkOfEdge, ink_along_edge, letters_of_ink
 from forficula.pattern.picture.junctions import Junctions, junctions, snapped_points
 from forficula.pattern.picture.picture_file import Picture
 from forficula.pattern.picture.ridge_points import RidgePoints, ridge_points
 from forficula.pattern.picture.sheet_corners import SheetCorners, find_corners
 from forficula.pattern.picture.straighten import straightened
 from forficula.pattern.picture.trace import PicturePoint, Trace, TracedEdge, TracedVertex
-from forficula.pattern.picture.traced_pattern import EnclosedFaces, enclosed_faces, pattern_of_edges
+from forficula.pattern.picture.traced_pattern import (
+    EnclosedFaces,
+    enclosed_faces,
+    pattern_of_edges,
+    without_straight_vertices,
+)
+from forficula.pattern.picture.unexplained_ink import free_ends_of, left_over_ink, unexplained_sentences
 from forficula.quantities import show_value
 
 CornerSource = Literal["sheet", "given", "none"]
@@ -44,9 +47,6 @@ _RIM = 0.006  # [chosen] of the sheet's diagonal beside its edge that is not sea
 _AROUND = 0.04  # [chosen] of the diagonal around given corners that is searched for lines
 _MERGING = math.radians(12)  # [chosen] angle below which lines at a vertex merge
 _UNCERTAIN = 0.002  # [chosen] standard error of a vertex, as a share of the pattern's size, that is doubtful
-_LEFT_OVER = 4.0  # [chosen] line widths, length of ink without a line that is reported
-_APART = 8.0  # [chosen] line widths between pieces of ink that are reported as one
-_DARK = 0.35  # [chosen] ink relative to that of the edges, above which it is reported
 _NO_SHEET = (
     "No edge of a sheet was found, so perspective is not corrected. Give the corners of the sheet if the picture was"
     " not taken exactly from above."
@@ -82,7 +82,7 @@ def trace_picture(
     network = junctions(segments, ink.line_width)
     if not len(network.edges):
         raise InputError("need lines that meet, got none")
-    places = _full(network.places, reduced)
+    places = full_places(network.places, reduced)
     doubts: list[str] = []
     frame = _frame(size, corners, sheet, places, (width, height), doubts)
     if frame is None and rectify:
@@ -161,11 +161,6 @@ def _reduced(pixels: Array, inside: Flags, step: int) -> tuple[Array, Flags]:
     return cut.mean(axis=(1, 3)), np.asarray(mask.all(axis=(1, 3)))
 
 
-def _full(places: Array, reduced: int) -> Array:
-    """Return positions in the whole picture, of positions in a reduced one."""
-    return np.asarray(reduced * (places + 0.5) - 0.5)
-
-
 def _frame(
     size: tuple[float, float | None],
     corners: Array | None,
@@ -235,7 +230,7 @@ def _trace_of(
     doubts: list[str],
 ) -> Trace:
     """Collect the trace of a network of lines."""
-    edges = network.edges[enclosed.edges]
+    enclosed, edges = without_straight_vertices(enclosed, network.edges, network.segments)
     merged, narrow = _merging(network.places, edges, ink.line_width)
     inks = [
         ink_along_edge(ink, network.places[one], network.places[other], share)
@@ -247,12 +242,12 @@ def _trace_of(
     lower_left = points[used].min(axis=0)
     matrix = np.array([[1, 0, -lower_left[0]], [0, 1, -lower_left[1]], [0, 0, 1]]) @ matrix
     matrix = matrix / matrix[2, 2]
-    places = _full(network.places[used], reduced)
+    places = full_places(network.places[used], reduced)
     scale = metres_per_pixel(matrix, places)
     errors = network.errors[used] * reduced * scale
     vertices = _vertices(pattern, places, errors, narrow[used])
-    free_ends = _free_ends(network, enclosed, reduced)
-    left_over = _left_over(ridges, left, network.places, edges, ink, reduced)
+    free_ends = free_ends_of(network, enclosed, reduced)
+    left_over = left_over_ink(ridges, left, network.places, edges, ink, reduced)
     width, height = np.ptp(pattern.vertices_coords[:, :2], axis=0).tolist()
     return Trace(
         name=picture.name,
@@ -273,7 +268,7 @@ def _trace_of(
         edges=_traced_edges(pattern, inks, letters, reasons, np.asarray(narrow[edges].any(axis=1))),
         free_ends=free_ends,
         left_over=left_over,
-        doubts=(*doubts, *_doubts(free_ends, left_over)),
+        doubts=(*doubts, *unexplained_sentences(free_ends, left_over)),
     )
 
 
@@ -292,6 +287,7 @@ def _merging(places: Array, edges: Indices, line_width: float) -> tuple[Array, F
         along = line_width / (2 * np.sin(np.minimum(least, np.pi) / 2))
         merged[at] += along / lengths[at]
         narrow[vertex] = bool((least < _MERGING).any())
+    narrow[edges[merged > MERGED]] = True
     return merged, narrow
 
 
@@ -305,7 +301,7 @@ def _vertices(pattern: CreasePattern, places: Array, errors: Array, narrow: Flag
         check = checks.get(number)
         doubt = ""
         if narrow[number]:
-            doubt = f"lines merge: they meet at less than {math.degrees(_MERGING):.0f} deg"
+            doubt = "lines merge, because they meet at a small angle or close to other vertices"
         elif error > _UNCERTAIN * size:
             doubt = f"the position is uncertain, by {show_value(error, 'm')}"
         vertices.append(
@@ -343,65 +339,6 @@ def _traced_edges(
             zip(pattern.edges_vertices.tolist(), inks, letters, reasons, merging.tolist(), strict=True)
         )
     )
-
-
-def _free_ends(network: Junctions, enclosed: EnclosedFaces, reduced: int) -> tuple[PicturePoint, ...]:
-    """Return the ends of lines that lead nowhere."""
-    ends = [(place, "end of a line") for place in network.free_ends]
-    for edge in enclosed.left_out.tolist():
-        one, other = network.edges[edge].tolist()
-        ends.append(((network.places[one] + network.places[other]) / 2, "line that encloses no face, left out"))
-    return tuple(PicturePoint(x=float(x), y=float(y), what=what) for (x, y), what in _placed(ends, reduced))
-
-
-def _placed(ends: Sequence[tuple[Array, str]], reduced: int) -> list[tuple[Array, str]]:
-    return [(_full(place, reduced), what) for place, what in ends]
-
-
-def _left_over(
-    ridges: RidgePoints, left: Indices, places: Array, edges: Indices, ink: Ink, reduced: int
-) -> tuple[PicturePoint, ...]:
-    """Return longer pieces of ink that no edge explains."""
-    points = ridges.places[left]
-    if not len(points):
-        return ()
-    near = np.full(len(points), np.inf)
-    for one, other in edges.tolist():
-        along = places[other] - places[one]
-        share = np.clip((points - places[one]) @ along / (along @ along), 0, 1)
-        np.minimum(near, np.linalg.norm(places[one] + share[:, np.newaxis] * along - points, axis=1), out=near)
-    x, y = np.rint(points).astype(np.int64).T
-    inked = ink.strength[y, x] > _DARK * float(np.median(_ink_of_edges(ink, places, edges)))
-    points = points[(near > 1.5 * ink.line_width + 1) & inked]
-    if not len(points):
-        return ()
-    # dots and letters that are not far from each other are one piece
-    pairs = cKDTree(points).query_pairs(_APART * ink.line_width, output_type="ndarray")
-    parts = parts_of(len(points), pairs)
-    pieces = []
-    for part in np.flatnonzero(np.bincount(parts) >= _LEFT_OVER * ink.line_width + 2).tolist():
-        x, y = _full(points[parts == part].mean(axis=0), reduced).tolist()
-        pieces.append(PicturePoint(x=x, y=y, what="ink that is no line of the pattern"))
-    return tuple(pieces)
-
-
-def _ink_of_edges(ink: Ink, places: Array, edges: Indices) -> Array:
-    """Return the strength of the ink in the middle of every edge."""
-    middles = places[edges].mean(axis=1)
-    grid = [middles[:, 1], middles[:, 0]]
-    return np.asarray(ndimage.map_coordinates(ndimage.maximum_filter(ink.strength, 5), grid, order=1))
-
-
-def _doubts(free_ends: Sequence[PicturePoint], left_over: Sequence[PicturePoint]) -> list[str]:
-    """Return sentences on lines and ink that are not part of the pattern."""
-    sentences = []
-    if free_ends:
-        count = "1 line or end of a line leads" if len(free_ends) == 1 else f"{len(free_ends)} lines or ends lead"
-        sentences.append(f"{count} nowhere and is not part of the pattern; marked in the picture.")
-    if left_over:
-        count = "1 piece" if len(left_over) == 1 else f"{len(left_over)} pieces"
-        sentences.append(f"{count} of other ink, such as text or curves; marked in the picture.")
-    return sentences
 
 
 def straightened_trace(trace: Trace, tolerance: float) -> Trace:

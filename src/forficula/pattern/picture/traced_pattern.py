@@ -85,6 +85,42 @@ def _bridges(edges: Indices, faces: Sequence[Sequence[int]]) -> Flags:
     return same
 
 
+def without_straight_vertices(enclosed: EnclosedFaces, edges: Indices, lines: Indices) -> tuple[EnclosedFaces, Indices]:
+    """Join edges of one line at vertices at which no other edge ends, such as those of lines that are left out.
+
+    Args:
+        enclosed: faces and the edges beside them.
+        edges: vertices of all edges, shape (E, 2).
+        lines: number of the line of every edge, shape (E,).
+
+    Returns:
+        The faces with the first edge of every joined pair, and the vertices of these edges, shape (K, 2).
+    """
+    ends = {edge: edges[edge].tolist() for edge in enclosed.edges.tolist()}
+    at: dict[int, list[int]] = {}
+    for edge, pair in ends.items():
+        for vertex in pair:
+            at.setdefault(vertex, []).append(edge)
+    dropped = set()
+    for vertex, beside in at.items():
+        if len(beside) != 2 or lines[beside[0]] != lines[beside[1]]:
+            continue
+        first, second = sorted(beside)
+        far = sum(ends[second]) - vertex
+        ends[first] = [sum(ends[first]) - vertex, far]
+        at[far] = [first if edge == second else edge for edge in at[far]]
+        del ends[second]
+        dropped.add(vertex)
+    kept = np.isin(enclosed.edges, list(ends))
+    joined = EnclosedFaces(
+        edges=enclosed.edges[kept],
+        faces=tuple(tuple(vertex for vertex in face if vertex not in dropped) for face in enclosed.faces),
+        counts=enclosed.counts[kept],
+        left_out=enclosed.left_out,
+    )
+    return joined, np.array([ends[edge] for edge in joined.edges.tolist()], dtype=np.int64)
+
+
 def pattern_of_edges(
     points: Array, edges: Indices, letters: Sequence[str], faces: Sequence[Sequence[int]], title: str
 ) -> tuple[CreasePattern, Indices]:
