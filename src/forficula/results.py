@@ -248,6 +248,16 @@ KINDS: tuple[ResultKind, ...] = (
         marker="trace.json",
         named_by="name",
     ),
+    ResultKind(
+        name="fan fit",
+        module="fan_fit_folder",
+        classes=("FanFit",),
+        data="fan.json",
+        json="fan",
+        shape="forficula.goals.clicks.fan_fit:FanFit",
+        marker="fan.json",
+        named_by="name",
+    ),
     ResultKind(name="bill of parts", module="parts_folder", classes=("PartSet",), data="bill.json", marker="bill.json"),
     ResultKind(
         name="optimisation",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -106,10 +107,10 @@ def fitted_fan(clicks: FanClicks) -> FanFit:
     fit = fit_fan(clicks)
     units = max((fit.vein_count) // 2, 1)
     values = {
-        "pattern.proximal_length": fit.proximal_length.value,
-        "pattern.distal_length": fit.distal_length.value,
-        "pattern.hub_radius": fit.hub_radius.value,
-        "pattern.sector_angle": fit.sector_angle.value,
+        "pattern.proximal_length": _rounded(fit.proximal_length.value),
+        "pattern.distal_length": _rounded(fit.distal_length.value),
+        "pattern.hub_radius": _rounded(fit.hub_radius.value),
+        "pattern.sector_angle": math.radians(_rounded(math.degrees(fit.sector_angle.value))),
         "pattern.units": units,
         "pattern.tangent": fit.tangent,
     }
@@ -122,6 +123,11 @@ def fitted_fan(clicks: FanClicks) -> FanFit:
     return replace(fit, design=design, different=_with_design(fit.different, values, name), doubts=tuple(doubts))
 
 
+def _rounded(value: float) -> float:
+    """Return a value with six significant digits, more than clicks determine."""
+    return float(f"{value:.6g}")
+
+
 def _with_design(different: DifferentVeins | None, common: Mapping[str, object], name: str) -> DifferentVeins | None:
     if different is None:
         return None
@@ -132,9 +138,9 @@ def _with_design(different: DifferentVeins | None, common: Mapping[str, object],
         ("sector_angle", different.sector_angles),
     ):
         mean = float(np.mean(sizes))
-        values[f"pattern.{key}"] = mean
+        values[f"pattern.{key}"] = _rounded(mean)
         values[f"pattern.{key.split('_')[0]}_shares"] = [round(size / mean, 6) for size in sizes]
-    values["pattern.hub_radius"] = different.hub_radius
+    values["pattern.hub_radius"] = _rounded(different.hub_radius)
     try:
         design = _design(values, f"{name}-different-veins", "veins fitted one by one to clicked points of a picture")
     except InputError:

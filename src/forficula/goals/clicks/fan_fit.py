@@ -26,6 +26,7 @@ _STARTS = 3  # [chosen] largest number of minima of the scan that are refined
 _WORST_START = 25.0  # [chosen] ratio to the least sum of squares above which a minimum is not refined
 _CONFIDENCE = 0.95
 _CLEARLY = 4.0  # [chosen] ratio of the sums of squares above which veins count as not clicked
+_ARC = 60  # points of the drawn arc of the hub
 _LEAST_RANK = 1e-8  # [chosen] ratio of singular values below which points do not determine all numbers
 _FEWEST_DIFFERENT = 5  # veins, from which on a fan with different veins has fewer unknowns than coordinates
 
@@ -349,6 +350,21 @@ def _model(unknowns: Array, numbers: Array) -> Array:
     ring = math.hypot(proximal, hub) * ray
     points = np.stack([base, ring, ring + distal * ray * np.exp(-1j * epsilon)], axis=1) + (x + 1j * y)
     return np.stack([points.real, points.imag], axis=-1)
+
+
+def fitted_lines(fit: FanFit) -> dict[str, list[Array]]:
+    """Return the lines of a fitted fan, m, shape (points, 2): "veins", "ring" and "hub", the arc that veins touch."""
+    side = 1 if fit.tangent == "right" else -1
+    sense = -1 if fit.clockwise else 1
+    unknowns = np.array(
+        [
+            *(side * fit.hub_radius.value, fit.proximal_length.value, fit.distal_length.value),
+            *(sense * fit.sector_angle.value, fit.centre_x, fit.centre_y, fit.turn),
+        ]
+    )
+    veins = _model(unknowns, np.arange(fit.vein_count))
+    arc = _model(unknowns, np.linspace(0, fit.vein_count - 1, _ARC))
+    return {"veins": list(veins), "ring": [veins[:, 1]], "hub": [arc[:, 0]]}
 
 
 def _apart(unknowns: Array, clicks: FanClicks, numbers: Array) -> Array:
