@@ -258,6 +258,16 @@ KINDS: tuple[ResultKind, ...] = (
         marker="fan.json",
         named_by="name",
     ),
+    ResultKind(
+        name="observed motion",
+        module="motion_folder",
+        classes=("ObservedMotion",),
+        data="motion.json",
+        json="motion",
+        shape="forficula.goals.clicks.motion:ObservedMotion",
+        marker="motion.json",
+        named_by="name",
+    ),
     ResultKind(name="bill of parts", module="parts_folder", classes=("PartSet",), data="bill.json", marker="bill.json"),
     ResultKind(
         name="optimisation",
