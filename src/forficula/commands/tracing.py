@@ -15,8 +15,8 @@ def trace(
     picture: Annotated[
         str,
         Parameter(
-            help="Photograph, scan or drawing of a crease pattern (.png, .jpg); or a file of clicked points (.toml): of a"
-            " wing, to which a fan is fitted, or of a film, for angles over time."
+            help="Photograph, scan or drawing of a crease pattern (.png, .jpg); or a file of clicked points (.toml) of"
+            " a wing, to which a fan is fitted, or of a film, for angles over time."
         ),
     ],
     /,
@@ -98,7 +98,7 @@ def _trace_clicks(clicks: str, out: Path, *, open_report: bool) -> None:
         print_fan_fit(result)
         write_fan_fit_folder(result, out)
         if result.design is not None:
-            print(f"fold it with: forficula run {out / DESIGN_FILE}")
+            print(f"analyse it with: forficula pattern {out / DESIGN_FILE}")
         finish_folder(out, "fan fit", show=open_report)
         return
     check_folder(out, "observed motion")

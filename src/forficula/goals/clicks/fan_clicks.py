@@ -157,6 +157,8 @@ def _design(values: Mapping[str, object], name: str, source: str) -> Design:
     )
     scaled = scale_design(reference, factor, natural=True)
     about = f"pattern {source}; other values are those of {_REFERENCE}, scaled to {factor:.4g} times its size"
-    design = scaled.with_values({**values, "name": name, "source": about, "shows": "", "reproduces": None})
+    design = scaled.with_values(
+        {**values, "name": name, "source": about, "shows": "", "reproduces": None, "protocol.timestep": "auto"}
+    )
     structure_of(design)
     return design

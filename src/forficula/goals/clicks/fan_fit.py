@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -251,20 +252,15 @@ def fit_fan(clicks: FanClicks) -> FanFit:
             " more vein."
         )
     tangent: Tangent = "right" if hub >= 0 else "left"
-    lengths = {
-        "proximal_length": FittedLength(value=proximal, low=max(proximal - half[1], 0.0), high=proximal + half[1]),
-        "distal_length": FittedLength(value=distal, low=max(distal - half[2], 0.0), high=distal + half[2]),
-        "hub_radius": FittedLength(
-            value=abs(hub), low=max(abs(hub) - float(half[0]), 0.0), high=abs(hub) + float(half[0])
-        ),
-    }
     fitted = _model(unknowns, numbers)
     different = _fit_different(clicks, numbers, unknowns)
     apart = clicks.points - fitted
     rms = _rms(apart, clicks, unknowns)
     return FanFit(
         name=clicks.name,
-        **lengths,
+        proximal_length=_length(proximal, half[1]),
+        distal_length=_length(distal, half[2]),
+        hub_radius=_length(abs(hub), half[0]),
         sector_angle=FittedAngle(
             value=abs(sector), low=max(abs(sector) - float(half[3]), 0.0), high=abs(sector) + float(half[3])
         ),
@@ -288,13 +284,17 @@ def fit_fan(clicks: FanClicks) -> FanFit:
     )
 
 
+def _length(value: float, half: float) -> FittedLength:
+    return FittedLength(value=value, low=max(value - float(half), 0.0), high=value + float(half))
+
+
 def _check_enough(clicks: FanClicks) -> None:
     """Refuse fewer points than the unknowns need."""
     known = ~np.isnan(clicks.points[:, :, 0])
     count, hub = int(known.sum()), clicks.hub is not None
     if count + hub < FEWEST:
         raise InputError(
-            f"need at least {FEWEST} clicked points, because a fan has 4 numbers and a placement of 3, got {count + hub}"
+            f"need at least {FEWEST} clicked points, because a fan and its placement have 7 numbers, got {count + hub}"
         )
     for role, name in ((1, "ring fold"), (2, "tip")):
         if not known[:, role].any():
@@ -335,12 +335,12 @@ def _complex(points: Array) -> Array:
     return np.asarray(points[..., 0] + 1j * points[..., 1])
 
 
-def _model(unknowns: Array, numbers: Array) -> Array:
+def _model(unknowns: Array, numbers: Array | Indices) -> Array:
     """Return base, ring vertex and tip of veins, m, shape (veins, 3, 2).
 
     Args:
-        unknowns: signed hub radius, proximal and distal length, signed sector angle, x and y of the centre, direction of
-            the first ring vertex.
+        unknowns: signed hub radius, proximal and distal length, signed sector angle, x and y of the centre, direction
+            of the first ring vertex.
         numbers: numbers of the veins.
     """
     hub, proximal, distal, sector, x, y, turn = unknowns
@@ -362,12 +362,12 @@ def fitted_lines(fit: FanFit) -> dict[str, list[Array]]:
             *(sense * fit.sector_angle.value, fit.centre_x, fit.centre_y, fit.turn),
         ]
     )
-    veins = _model(unknowns, np.arange(fit.vein_count))
+    veins = _model(unknowns, np.arange(fit.vein_count, dtype=np.int64))
     arc = _model(unknowns, np.linspace(0, fit.vein_count - 1, _ARC))
     return {"veins": list(veins), "ring": [veins[:, 1]], "hub": [arc[:, 0]]}
 
 
-def _apart(unknowns: Array, clicks: FanClicks, numbers: Array) -> Array:
+def _apart(unknowns: Array, clicks: FanClicks, numbers: Indices) -> Array:
     """Return the deviations of all clicked coordinates from a fan, m."""
     apart = (clicks.points - _model(unknowns, numbers)).ravel()
     of_hub = np.zeros(0) if clicks.hub is None else clicks.hub - unknowns[4:6]
@@ -377,8 +377,9 @@ def _apart(unknowns: Array, clicks: FanClicks, numbers: Array) -> Array:
 def _fit_numbers(clicks: FanClicks, numbers: Indices) -> tuple[Array, Array, Array]:
     """Return the unknowns of the best fan with these numbers of veins, its residuals, m, and the Jacobian."""
     best = None
+    whole = clicks.points[~np.isnan(clicks.points[:, :, 0])]
+    size = float(np.ptp(whole, axis=0).max())
     for start in _starts(clicks, numbers):
-        size = abs(start[1]) + abs(start[2])
         scales = np.array([size, size, size, 1 / max(int(numbers.max()), 1), size, size, 1.0])
         done = least_squares(
             lambda unknowns: _apart(unknowns, clicks, numbers) / size,
@@ -509,7 +510,7 @@ def _fit_different(clicks: FanClicks, numbers: Indices, unknowns: Array) -> tupl
         fan = fan_of(values)
         drawn = np.stack([_complex(part) for part in (hub_points(fan), ring_vertices(fan), tips(fan))], axis=1)
         placed = drawn * np.exp(1j * values[3]) + size * (values[1] + 1j * values[2])
-        return clicked - np.stack([placed.real, placed.imag], axis=-1)
+        return np.asarray(clicked - np.stack([placed.real, placed.imag], axis=-1))
 
     def residuals(values: Array) -> Array:
         try:
@@ -523,7 +524,7 @@ def _fit_different(clicks: FanClicks, numbers: Indices, unknowns: Array) -> tupl
     middle = float(unknowns[6] + unknowns[3] * (count - 1) / 2)
     common = [unknowns[1] / size, unknowns[2] / size, abs(unknowns[3])]
     sides = [[value] * (count - (position == 2)) for position, value in enumerate(common)]
-    start = np.array([abs(unknowns[0]) / size, *(unknowns[4:6] / size), middle, *(sum(sides, []))])
+    start = np.array([abs(unknowns[0]) / size, *(unknowns[4:6] / size), middle, *itertools.chain(*sides)])
     freedoms = coordinates - len(start)
     if freedoms < 1 or residuals(start)[0] == 10.0:
         return None

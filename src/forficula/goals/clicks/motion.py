@@ -261,6 +261,8 @@ def _transition(design: Design, name: str) -> Transition:
     found = next((transition for transition in transitions if transition.name == name), None)
     if found is None:
         raise InputError(f"transition: need {one_of([transition.name for transition in transitions], name)}")
+    if found.stage is None:
+        raise InputError(f"transition: need one that a stage of the protocol drives, got {name}")
     return found
 
 
@@ -338,8 +340,8 @@ def _level(design: Design, transition: Transition, name: str, table: AngleTable)
     if table.key is None:
         known = "none" if goal is None else f"a bound on {goal.name}"
         raise InputError(
-            f"key: is missing; the transition {transition.name} of {design.name} does not end with a bound on this angle"
-            f' ({known}), so give the key that sets its goal, such as "protocol.folded_angle"'
+            f"key: is missing; the transition {transition.name} of {design.name} does not end with a bound on this"
+            f' angle ({known}), so give the key that sets its goal, such as "protocol.folded_angle"'
         )
     return None
 
@@ -352,7 +354,7 @@ def _passages(angle: ObservedAngle, most: float | None, count: int) -> list[Obse
     chosen, last = [], 0
     for frame in range(1, len(times)):
         apart = _DEVIATIONS * math.hypot(deviations[frame], deviations[last])
-        is_new = sense * (values[frame] - values[: frame].max() if sense > 0 else values[frame] - values[:frame].min())
+        is_new = sense * (values[frame] - values[:frame].max() if sense > 0 else values[frame] - values[:frame].min())
         within = most is None or sense * (most - values[frame]) >= 0
         resolved = abs(rates[frame]) * (times[-1] - times[0]) > deviations[frame]
         if times[frame] > 0 and is_new > apart and within and resolved and sense * rates[frame] > 0:
@@ -374,6 +376,7 @@ def _passages(angle: ObservedAngle, most: float | None, count: int) -> list[Obse
 def _fact(design: Design, transition: Transition, table: AngleTable, passage: ObservedPassage) -> dict[str, Any]:
     """Return a table [[fact]]: the time at which the angle passes a value, as the time of a goal with this value."""
     angle = f"{math.degrees(passage.angle):.5g} deg"
+    assert transition.stage is not None
     stage = design.protocol.stages[transition.stage]
     if table.key is None:
         goal = read_goal(transition.goal)

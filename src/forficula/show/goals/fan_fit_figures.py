@@ -32,7 +32,7 @@ from forficula.show.style import (
 _MARKERS = {"base": ("^", "clicked base"), "ring": ("o", "clicked ring fold"), "tip": ("s", "clicked tip")}
 _MOST_PIXELS = 800  # along the longer side of a drawn picture
 _FADED = 0.45  # opacity of the picture under the lines
-_AROUND = 0.06  # of the fan's size, shown around it
+_AROUND = 0.07  # of the fan's size, shown around it
 _WIDEST = 5.2  # inch
 _TALLEST = 1.3  # largest height by width
 _SHOWN_RESIDUAL = 0.05  # of the fan's size, at least half of which the longest drawn deviation has
@@ -75,9 +75,21 @@ def draw_fan_fit(fit: FanFit, width: float = PAGE_WIDTH) -> Figure:
                 look = {"marker": marker, "ls": "none", "ms": 4.0, "mfc": "white", "mec": BLACK, "mew": 0.7}
                 axes.plot(*clicked[chosen].T, zorder=4, **look)  # type: ignore[arg-type]
                 handles.append(Line2D([], [], label=label, **look))  # type: ignore[arg-type]
-        arrows = [np.array([point, point + factor * (point - other)]) for point, other in zip(clicked, fitted, strict=True)]
+        pairs = zip(clicked, fitted, strict=True)
+        arrows = [np.array([there, there + factor * (point - there)]) for point, there in pairs]
         axes.add_collection(LineCollection(arrows, colors=[ORANGE], linewidths=1.6, zorder=5))
-        handles.append(Line2D([], [], color=ORANGE, lw=1.6, label=f"deviation x {factor:g}"))
+        handles.append(
+            Line2D([], [], color=ORANGE, lw=1.6, label="deviation" if factor == 1 else f"{factor:g} x deviation")
+        )
+        for number, vein in enumerate(lines["veins"]):
+            along = (vein[2] - vein[1]) / np.linalg.norm(vein[2] - vein[1])
+            tips = [
+                float((place - vein[2]) @ along)
+                for place, point in zip(clicked, fit.points, strict=True)
+                if point.vein == number and point.role == "tip"
+            ]
+            beyond = vein[2] + (max(0.0, *tips, 0.0) + 0.035 * size) * along
+            axes.text(*beyond, str(number), ha="center", va="center", color=BLUE, fontsize=7)
         axes.set(xlabel="x (pixels)", ylabel="y (pixels)", xlim=(left, right), ylim=(bottom, top), aspect="equal")
         if in_column(axes):
             axes.locator_params(nbins=5)
@@ -106,7 +118,7 @@ def _draw_scale(fit: FanFit, axes: Axes, to_picture: Array, frame: tuple[float, 
     left, right, bottom, top = frame
     foot = np.array([left + 0.04 * (right - left), bottom - 0.04 * (bottom - top)])
     matrix = np.array(fit.homography)
-    ends = mapped_points(matrix, np.array([foot, foot + [_BAR * (right - left), 0]]))
+    ends = mapped_points(matrix, np.stack([foot, foot + np.array([_BAR * (right - left), 0.0])]))
     length = round_below(float(np.linalg.norm(ends[1] - ends[0])))
     along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
     end = mapped_points(to_picture, ends[:1] + length * along)[0]
@@ -128,7 +140,9 @@ def draw_vein_deviations(fit: FanFit, width: float = PAGE_WIDTH) -> Figure:
         fit: fitted fan.
         width: largest width of the figure, inch.
     """
-    largest = max(distance for vein in fit.veins for distance in (vein.base, vein.ring, vein.tip) if distance is not None)
+    largest = max(
+        distance for vein in fit.veins for distance in (vein.base, vein.ring, vein.tip) if distance is not None
+    )
     unit, factor = reading_unit("m", largest)
     numbers = [vein.vein for vein in fit.veins]
     with figure_style():
@@ -142,7 +156,9 @@ def draw_vein_deviations(fit: FanFit, width: float = PAGE_WIDTH) -> Figure:
                 marker = _MARKERS[role][0]
                 shown = [math.nan if value is None else factor * value for value in values]
                 axes.plot(numbers, shown, marker, color=colour, ms=4)
-                handles.append(Line2D([], [], marker=marker, ls="none", color=colour, ms=4, label=_MARKERS[role][1][8:]))
+                handles.append(
+                    Line2D([], [], marker=marker, ls="none", color=colour, ms=4, label=_MARKERS[role][1][8:])
+                )
         axes.plot(numbers, [factor * vein.rms for vein in fit.veins], color=BLACK, lw=1)
         handles.append(Line2D([], [], color=BLACK, lw=1, label="root mean square of a vein"))
         if fit.different is not None:

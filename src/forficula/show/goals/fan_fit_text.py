@@ -56,8 +56,8 @@ def _sentences(fit: FanFit) -> list[str]:
     if fit.different is not None:
         other = fit.different
         sentences.append(
-            f"With a length of every vein and an angle of every panel of their own ({other.unknowns} unknowns instead of"
-            f" 7), the deviation is {show_value(other.rms, 'm', 3)}; {other.freedoms} degrees of freedom are left."
+            f"With different lengths of all veins and different angles of all panels ({other.unknowns} unknowns instead"
+            f" of 7), the deviation is {show_value(other.rms, 'm', 3)}; {other.freedoms} degrees of freedom are left."
         )
     return [*sentences, *fit.doubts]
 

@@ -33,7 +33,7 @@ def draw_motion(motion: ObservedMotion, width: float = PAGE_WIDTH) -> Figure:
         axes = figure.subplots()
         handles = []
         for number, angle in enumerate(motion.angles):
-            look = {"color": _COLOURS[number % len(_COLOURS)], "marker": "o", "ms": 3.5, "lw": 0.8}
+            look = {"color": _COLOURS[number % len(_COLOURS)], "marker": "o", "ms": 2.0, "lw": 0.8}
             axes.errorbar(
                 [factor * time for time in angle.times],
                 [math.degrees(value) for value in angle.angles],
