@@ -24,9 +24,9 @@ from forficula.design.files.key_table import KeyFact, key_facts
 from forficula.design.files.kinds import KEYED
 from forficula.design.section import Section
 from forficula.errors import InputError
-from forficula.goals.goal_file import GoalFile
 from forficula.goals.clicks.fan_clicks import FanClicksFile
 from forficula.goals.clicks.motion import MotionFile
+from forficula.goals.goal_file import GoalFile
 from forficula.goals.identify.observations_file import ObservationsFile
 from forficula.results import KINDS as RESULTS
 from forficula.results import json_schema

@@ -56,7 +56,7 @@ def test_intervals_of_planted_fans_contain_the_four_numbers_as_often_as_they_sta
         points[:, 0] = np.nan
         fit = fit_fan(FanClicks(points=points, numbers=(0, 1, 2)))
         ranges = [(getattr(fit, name), getattr(fan, name)) for name in NUMBERS]
-        inside += [found.low <= planted <= found.high for found, planted in ranges]
+        inside += [fitted.low <= planted <= fitted.high for fitted, planted in ranges]
     # 95 % of 200 with four standard deviations of a binomial count
     assert (np.abs(inside - 190) <= 4 * math.sqrt(200 * 0.95 * 0.05)).all(), inside
 
@@ -139,6 +139,7 @@ RING, TIP = in_pixels(points_of(FAN))[:, 1].tolist(), in_pixels(points_of(FAN))[
         ({"numbers": [0, 2, 1, 3, 4, 5, 6]}, "numbers: need 7 whole numbers that begin with 0 and rise"),
         ({"rings": []}, "rings: unknown key"),
         ({"ring": [RING[0]] * 3, "tip": [TIP[0]] * 3}, "do not determine hub radius"),
+        ({"ring": [RING[0]] * 3, "tip": [RING[0]] * 3}, "need clicked points at different positions"),
     ],
 )
 def test_clicks_that_determine_no_fan_are_refused(change, message):

@@ -67,8 +67,8 @@ def fan_clicks(file: FanClicksFile, folder: Path) -> FanClicks:
             raise InputError(f"{key}: is missing; give one point for each vein, or [] where it was not clicked")
     counts = {key: len(points) for key, points in lists.items()}
     if len(set(counts.values())) > 1:
-        found = listed([f"{count} in {key}" for key, count in counts.items()])
-        raise InputError(f"{min(counts, key=lambda key: counts[key])}: need the same number of veins, got {found}")
+        per_key = listed([f"{count} in {key}" for key, count in counts.items()])
+        raise InputError(f"{min(counts, key=lambda key: counts[key])}: need the same number of veins, got {per_key}")
     count = counts["ring"]
     points = np.full((count, 3, 2), np.nan)
     for key, places in lists.items():

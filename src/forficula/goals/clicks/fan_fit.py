@@ -229,7 +229,8 @@ def fit_fan(clicks: FanClicks) -> FanFit:
     _check_enough(clicks)
     numbers, doubts = _vein_numbers(clicks)
     unknowns, residuals, jacobian = _fit_numbers(clicks, numbers)
-    singular = np.linalg.svd(jacobian / np.linalg.norm(jacobian, axis=0), compute_uv=False)
+    norms = np.linalg.norm(jacobian, axis=0)
+    singular = np.linalg.svd(jacobian / np.where(norms > 0, norms, 1.0), compute_uv=False)
     if not singular[-1] > _LEAST_RANK * singular[0]:
         raise InputError(
             "the clicked points do not determine hub radius, lengths and sector angle; click the ring fold and the tip"
@@ -314,7 +315,7 @@ def _vein_numbers(clicks: FanClicks) -> tuple[Indices, list[str]]:
     for role in (1, 2):
         azimuths = np.angle((clicks.points[:, role] - centre) @ np.array([1, 1j]))
         apart = np.abs(np.angle(np.exp(1j * np.diff(azimuths))))
-        if not np.isnan(apart).any() and len(apart) > 1:
+        if len(apart) > 1 and not np.isnan(apart).any() and np.median(apart) > 0:
             steps = np.maximum(np.rint(apart / np.median(apart)), 1).astype(np.int64)
             break
     if steps is None or (steps == 1).all():
@@ -379,6 +380,8 @@ def _fit_numbers(clicks: FanClicks, numbers: Indices) -> tuple[Array, Array, Arr
     best = None
     whole = clicks.points[~np.isnan(clicks.points[:, :, 0])]
     size = float(np.ptp(whole, axis=0).max())
+    if size == 0:
+        raise InputError("need clicked points at different positions, got one position")
     for start in _starts(clicks, numbers):
         scales = np.array([size, size, size, 1 / max(int(numbers.max()), 1), size, size, 1.0])
         done = least_squares(

@@ -218,11 +218,11 @@ def observed_motion(tables: Mapping[str, object], folder: Path) -> ObservedMotio
             )
             angles.append(angle)
             most = _level(design, transition, name, table)
-            found = list(_passages(angle, most, file.facts))
-            if not found:
+            new_passages = list(_passages(angle, most, file.facts))
+            if not new_passages:
                 remarks.append(f"{name} passes no value that differs by more than its uncertainty from the first one.")
-            passages += found
-            facts += [_fact(design, transition, table, passage) for passage in found]
+            passages += new_passages
+            facts += [_fact(design, transition, table, passage) for passage in new_passages]
     observations = {
         key: value
         for key, value in {
@@ -258,12 +258,12 @@ def _design_name(file: MotionFile, folder: Path) -> object:
 
 def _transition(design: Design, name: str) -> Transition:
     transitions = structure_of(design).transitions
-    found = next((transition for transition in transitions if transition.name == name), None)
-    if found is None:
+    named = next((transition for transition in transitions if transition.name == name), None)
+    if named is None:
         raise InputError(f"transition: need {one_of([transition.name for transition in transitions], name)}")
-    if found.stage is None:
+    if named.stage is None:
         raise InputError(f"transition: need one that a stage of the protocol drives, got {name}")
-    return found
+    return named
 
 
 def _positive(value: object, key: str) -> float:
@@ -292,7 +292,7 @@ def _frames(file: MotionFile) -> tuple[Array, dict[str, Array]]:
                 places[name].append(clicked_point(frame[name], name))
     if (np.diff(times) <= 0).any():
         raise InputError("frame: need pictures in the order of their times, each later than the previous one")
-    return np.array(times) - file.start, {name: np.array(found) for name, found in places.items()}
+    return np.array(times) - file.start, {name: np.array(shown) for name, shown in places.items()}
 
 
 def _angle(

@@ -35,7 +35,7 @@ _FADED = 0.45  # opacity of the picture under the lines
 _AROUND = 0.07  # of the fan's size, shown around it
 _WIDEST = 5.2  # inch
 _TALLEST = 1.3  # largest height by width
-_SHOWN_RESIDUAL = 0.05  # of the fan's size, at least half of which the longest drawn deviation has
+_SHOWN_RESIDUAL = 0.05  # largest drawn deviation by the fan's size
 _BAR = 0.25  # largest length of the scale bar by the width
 
 
@@ -49,7 +49,7 @@ def draw_fan_fit(fit: FanFit, width: float = PAGE_WIDTH) -> Figure:
     to_picture = np.linalg.inv(np.array(fit.homography))
     clicked = mapped_points(to_picture, np.array([(point.x, point.y) for point in fit.points]))
     fitted = mapped_points(to_picture, np.array([(point.fitted_x, point.fitted_y) for point in fit.points]))
-    lines = {name: [mapped_points(to_picture, line) for line in found] for name, found in fitted_lines(fit).items()}
+    lines = {name: [mapped_points(to_picture, line) for line in group] for name, group in fitted_lines(fit).items()}
     everything = np.concatenate([clicked, fitted, *lines["veins"]])
     size = float(np.ptp(everything, axis=0).max())
     margin = _AROUND * size
@@ -70,13 +70,13 @@ def draw_fan_fit(fit: FanFit, width: float = PAGE_WIDTH) -> Figure:
             handles.append(Line2D([], [], color=colour, lw=line_width, label=label))
         roles = [point.role for point in fit.points]
         for role, (marker, label) in {**_MARKERS, "hub": ("*", "clicked hub")}.items():
-            chosen = [number for number, found in enumerate(roles) if found == role]
+            chosen = [number for number, other in enumerate(roles) if other == role]
             if chosen:
                 look = {"marker": marker, "ls": "none", "ms": 4.0, "mfc": "white", "mec": BLACK, "mew": 0.7}
                 axes.plot(*clicked[chosen].T, zorder=4, **look)  # type: ignore[arg-type]
                 handles.append(Line2D([], [], label=label, **look))  # type: ignore[arg-type]
         pairs = zip(clicked, fitted, strict=True)
-        arrows = [np.array([there, there + factor * (point - there)]) for point, there in pairs]
+        arrows = [np.array([model, model + factor * (point - model)]) for point, model in pairs]
         axes.add_collection(LineCollection(arrows, colors=[ORANGE], linewidths=1.6, zorder=5))
         handles.append(
             Line2D([], [], color=ORANGE, lw=1.6, label="deviation" if factor == 1 else f"{factor:g} x deviation")
@@ -89,7 +89,7 @@ def draw_fan_fit(fit: FanFit, width: float = PAGE_WIDTH) -> Figure:
                 if point.vein == number and point.role == "tip"
             ]
             beyond = vein[2] + (max(0.0, *tips, 0.0) + 0.035 * size) * along
-            axes.text(*beyond, str(number), ha="center", va="center", color=BLUE, fontsize=7)
+            axes.text(float(beyond[0]), float(beyond[1]), str(number), ha="center", va="center", color=BLUE, fontsize=7)
         axes.set(xlabel="x (pixels)", ylabel="y (pixels)", xlim=(left, right), ylim=(bottom, top), aspect="equal")
         if in_column(axes):
             axes.locator_params(nbins=5)
