@@ -116,7 +116,7 @@ def test_a_missing_piece_of_the_border_is_no_border():
 
 def test_words_beside_the_pattern_are_reported_and_not_part_of_it():
     page, places, size = drawn_page(PATTERNS["waterbomb"], 600)
-    ImageDraw.Draw(page).text((30, 30), "Waterbomb base, 10 cm", fill=(0, 0, 0), font_size=24)
+    ImageDraw.Draw(page).text((30, 5), "Waterbomb base, 10 cm", fill=(0, 0, 0), font_size=24)
     scan = scanned(page, places, size)
     trace = ff.trace(scan.pixels, "10 cm", corners="none")
     assert compared(PATTERNS["waterbomb"], scan, trace).complete

@@ -17,7 +17,7 @@ from forficula.pattern.picture.drawn_segments import DrawnSegment
 _CROSSING = np.radians(3.0)  # [chosen] least angle between lines whose crossing is computed
 _BEYOND = 2.5  # [chosen] line widths by which segments are extended to a crossing
 _GAPS = 1.5  # [chosen] gaps between dashes by which dashed segments are extended in addition
-_SHORT = 0.6  # [chosen] share of its length by which a segment is extended, at most
+_SHORT = 0.1  # [chosen] share of its length by which a segment is extended, at most, beyond a third of the others
 _LEAST_BEYOND = 6.0  # pixels
 _TOGETHER = 2.0  # [chosen] line widths within which crossings are one junction
 _LEAST_TOGETHER = 5.0  # pixels
@@ -113,12 +113,15 @@ def _crossings(segments: Sequence[DrawnSegment], beyond: float) -> list[tuple[Ar
     """Return the crossings of pairs of segments, with the numbers of both."""
     middles = np.array([segment.middle for segment in segments]).reshape(-1, 2)
     along = np.array([segment.along for segment in segments]).reshape(-1, 2)
-    # the strokes of text are short, and do not reach far
+    # strokes of text beside the pattern are short, and must not reach it
     reach = np.array(
-        [min(beyond + min(_GAPS * segment.longest_gap, 3 * beyond), _SHORT * segment.length) for segment in segments]
+        [
+            min(beyond + min(_GAPS * segment.longest_gap, 3 * beyond), beyond / 3 + _SHORT * segment.length)
+            for segment in segments
+        ]
     )
-    low = np.array([segment.ink_start for segment in segments]) - reach
-    high = np.array([segment.ink_end for segment in segments]) + reach
+    low = np.array([segment.ink_start for segment in segments])
+    high = np.array([segment.ink_end for segment in segments])
     crossings: list[tuple[Array, int, int]] = []
     for one in range(len(segments)):
         others = np.arange(one + 1, len(segments))
@@ -128,7 +131,13 @@ def _crossings(segments: Sequence[DrawnSegment], beyond: float) -> list[tuple[Ar
             first = (offset[:, 0] * along[others, 1] - offset[:, 1] * along[others, 0]) / sine
             second = (offset[:, 0] * along[one, 1] - offset[:, 1] * along[one, 0]) / sine
         crosses = np.abs(sine) >= np.sin(_CROSSING)
-        crosses &= (first >= low[one]) & (first <= high[one]) & (second >= low[others]) & (second <= high[others])
+        # how far a crossing lies beyond the ends of both segments
+        before, after = (
+            np.maximum(np.maximum(start - position, position - end), 0.0)
+            for position, start, end in ((first, low[one], high[one]), (second, low[others], high[others]))
+        )
+        crosses &= (before <= reach[one]) & (after <= reach[others])
+        crosses &= before + after <= np.maximum(reach[one], reach[others])
         crossings += [
             (segments[one].place(float(first[k])), one, int(others[k])) for k in np.flatnonzero(crosses).tolist()
         ]

@@ -46,6 +46,7 @@ _SNAP = 0.015  # [chosen] of the sheet's diagonal, by which corners move to thos
 _RIM = 0.006  # [chosen] of the sheet's diagonal beside its edge that is not searched for lines
 _AROUND = 0.04  # [chosen] of the diagonal around given corners that is searched for lines
 _MERGING = math.radians(12)  # [chosen] angle below which lines at a vertex merge
+_LEAST_ANGLE = 1e-3  # rad
 _UNCERTAIN = 0.002  # [chosen] standard error of a vertex, as a share of the pattern's size, that is doubtful
 _NO_SHEET = (
     "No edge of a sheet was found, so perspective is not corrected. Give the corners of the sheet if the picture was"
@@ -284,7 +285,7 @@ def _merging(places: Array, edges: Indices, line_width: float) -> tuple[Array, F
         order = np.argsort(angles)
         between = np.diff(angles[order], append=angles[order[0]] + 2 * np.pi)
         least = np.minimum(between, np.roll(between, 1))[np.argsort(order)]
-        along = line_width / (2 * np.sin(np.minimum(least, np.pi) / 2))
+        along = line_width / (2 * np.sin(np.clip(least, _LEAST_ANGLE, np.pi) / 2))
         merged[at] += along / lengths[at]
         narrow[vertex] = bool((least < _MERGING).any())
     narrow[edges[merged > MERGED]] = True

@@ -106,8 +106,10 @@ def without_straight_vertices(enclosed: EnclosedFaces, edges: Indices, lines: In
         if len(beside) != 2 or lines[beside[0]] != lines[beside[1]]:
             continue
         first, second = sorted(beside)
-        far = sum(ends[second]) - vertex
-        ends[first] = [sum(ends[first]) - vertex, far]
+        near, far = sum(ends[first]) - vertex, sum(ends[second]) - vertex
+        if any({near, far} == set(pair) for pair in ends.values()):
+            continue  # a face would be left with two sides
+        ends[first] = [near, far]
         at[far] = [first if edge == second else edge for edge in at[far]]
         del ends[second]
         dropped.add(vertex)
