@@ -97,8 +97,7 @@ class Result(Displayed):
         """Draw a figure of this result.
 
         Args:
-            name: name of the figure, as in its file in the folder that `save` writes; optional if there is only
-                one.
+            name: name of the figure, as in its file in the folder that `save` writes; optional for a single one.
             width: of a journal's column or page, or a number in inches.
 
         Raises:
@@ -266,7 +265,6 @@ KINDS: tuple[ResultKind, ...] = (
         json="motion",
         shape="forficula.goals.clicks.motion:ObservedMotion",
         marker="motion.json",
-        named_by="name",
     ),
     ResultKind(name="bill of parts", module="parts_folder", classes=("PartSet",), data="bill.json", marker="bill.json"),
     ResultKind(
@@ -399,5 +397,4 @@ def _named(name: str) -> ResultKind:
 
 
 def _uncovered(kinds: list[ResultKind]) -> list[ResultKind]:
-    covered = {name for kind in kinds for name in kind.covers}
-    return [kind for kind in kinds if kind.name not in covered]
+    return [kind for kind in kinds if not any(kind.name in other.covers for other in kinds)]

@@ -7,7 +7,8 @@ import pytest
 import forficula as ff
 from forficula import InputError
 from forficula.cli import main
-from forficula.goals.clicks.fan_fit import FanClicks, fit_fan
+from forficula.goals.clicks.fan_fit import fit_fan
+from forficula.goals.clicks.fan_least_squares import FanClicks
 from forficula.pattern import EarwigFan, hub_points, ring_vertices, tips
 
 NUMBERS = ("proximal_length", "distal_length", "hub_radius", "sector_angle")

@@ -15,7 +15,9 @@ from forficula.design.file_fields import FolderName, entry
 from forficula.design.section import Section
 from forficula.errors import InputError
 from forficula.goals.clicks.clicked_scale import clicked_point, clicked_points, picture_matrix, to_metres
-from forficula.goals.clicks.fan_fit import ROLES, DifferentVeins, FanClicks, FanFit, fit_fan
+from forficula.goals.clicks.different_veins import DifferentVeins
+from forficula.goals.clicks.fan_fit import ROLES, FanFit, fit_fan
+from forficula.goals.clicks.fan_least_squares import FanClicks
 from forficula.names import listed
 from forficula.pattern.picture.picture_file import read_picture
 from forficula.quantities import as_written

@@ -2,56 +2,30 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
-from scipy.optimize import least_squares
 from scipy.stats import t as student
 
 from forficula.arrays import Array, Indices
 from forficula.design import Design
 from forficula.errors import InputError
-from forficula.pattern import EarwigFan, Picture, Tangent, hub_points, ring_vertices, tips
+from forficula.goals.clicks.different_veins import DifferentVeins, fit_different_veins
+from forficula.goals.clicks.fan_least_squares import FanClicks, fan_points, least_squares_fan
+from forficula.pattern import Picture, Tangent
 from forficula.quantities import show_value
 from forficula.results import Result
 from forficula.serial import Metres, Radians, Written
 
 ROLES = ("base", "ring", "tip")
 FEWEST = 4  # points: 8 coordinates for 4 numbers of the fan and 3 of its placement
-_ANGLES = 360  # [chosen] sector angles of the scan, between which the last vein turns by 2 deg
-_STARTS = 3  # [chosen] largest number of minima of the scan that are refined
-_WORST_START = 25.0  # [chosen] ratio to the least sum of squares above which a minimum is not refined
 _CONFIDENCE = 0.95
 _CLEARLY = 4.0  # [chosen] ratio of the sums of squares above which veins count as not clicked
 _ARC = 60  # points of the drawn arc of the hub
 _LEAST_RANK = 1e-8  # [chosen] ratio of singular values below which points do not determine all numbers
-_FEWEST_DIFFERENT = 5  # veins, from which on a fan with different veins has fewer unknowns than coordinates
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class FanClicks:
-    """Clicked points of a fan.
-
-    Attributes:
-        points: position of the base, the ring vertex and the tip of every vein, m, y upwards, shape (veins, 3, 2); nan
-            where a point was not clicked.
-        hub: centre of the hub, m; None if it was not clicked.
-        numbers: numbers of the veins; None to find out which veins were not clicked.
-        matrix: homography from pixels to m, shape (3, 3).
-        picture: the picture; None without one.
-        name: name of the picture or of the file.
-    """
-
-    points: Array
-    hub: Array | None = None
-    numbers: tuple[int, ...] | None = None
-    matrix: Array = field(default_factory=lambda: np.diag([1.0, -1.0, 1.0]))
-    picture: Picture | None = None
-    name: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -124,31 +98,6 @@ class FittedPoint:
     y: Metres
     fitted_x: Metres
     fitted_y: Metres
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class DifferentVeins:
-    """Fit of a fan whose veins differ: a length of every part of a vein and a sector angle of every panel.
-
-    Attributes:
-        rms: root mean square distance of the clicked points, m.
-        freedoms: number of coordinates minus the number of unknowns.
-        unknowns: number of unknowns, with the placement.
-        hub_radius: hub radius, m.
-        proximal_lengths: length of every vein up to the ring fold, counterclockwise, m.
-        distal_lengths: length of every vein beyond the ring fold, counterclockwise, m.
-        sector_angles: angle from every vein to the next one, counterclockwise, rad.
-        design: design with these veins; None where the fan family does not allow them.
-    """
-
-    rms: Metres
-    freedoms: int
-    unknowns: int
-    hub_radius: Metres
-    proximal_lengths: tuple[Metres, ...]
-    distal_lengths: tuple[Metres, ...]
-    sector_angles: tuple[Radians, ...]
-    design: Annotated[Design | None, Written.NEVER] = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -228,7 +177,7 @@ def fit_fan(clicks: FanClicks) -> FanFit:
     """
     _check_enough(clicks)
     numbers, doubts = _vein_numbers(clicks)
-    unknowns, residuals, jacobian = _fit_numbers(clicks, numbers)
+    unknowns, residuals, jacobian = least_squares_fan(clicks, numbers)
     norms = np.linalg.norm(jacobian, axis=0)
     singular = np.linalg.svd(jacobian / np.where(norms > 0, norms, 1.0), compute_uv=False)
     if not singular[-1] > _LEAST_RANK * singular[0]:
@@ -253,8 +202,8 @@ def fit_fan(clicks: FanClicks) -> FanFit:
             " more vein."
         )
     tangent: Tangent = "right" if hub >= 0 else "left"
-    fitted = _model(unknowns, numbers)
-    different = _fit_different(clicks, numbers, unknowns)
+    fitted = fan_points(unknowns, numbers)
+    different = fit_different_veins(clicks, numbers, unknowns)
     apart = clicks.points - fitted
     rms = _rms(apart, clicks, unknowns)
     return FanFit(
@@ -309,7 +258,7 @@ def _vein_numbers(clicks: FanClicks) -> tuple[Indices, list[str]]:
     if clicks.numbers is not None:
         return np.array(clicks.numbers, dtype=np.int64), []
     plain = np.arange(len(clicks.points), dtype=np.int64)
-    unknowns, residuals, _ = _fit_numbers(clicks, plain)
+    unknowns, residuals, _ = least_squares_fan(clicks, plain)
     centre = unknowns[4:6]
     steps = None
     for role in (1, 2):
@@ -321,7 +270,7 @@ def _vein_numbers(clicks: FanClicks) -> tuple[Indices, list[str]]:
     if steps is None or (steps == 1).all():
         return plain, []
     numbers = np.concatenate([[0], np.cumsum(steps)])
-    _, other, _ = _fit_numbers(clicks, numbers)
+    _, other, _ = least_squares_fan(clicks, numbers)
     if _CLEARLY * float(other @ other) > float(residuals @ residuals):
         return plain, []
     missing = sorted(set(range(int(numbers[-1]))) - set(numbers.tolist()))
@@ -330,27 +279,6 @@ def _vein_numbers(clicks: FanClicks) -> tuple[Indices, list[str]]:
         f"The angles between the clicked veins show that {veins} {'were' if len(missing) > 1 else 'was'} not clicked;"
         " set numbers if this is wrong."
     ]
-
-
-def _complex(points: Array) -> Array:
-    return np.asarray(points[..., 0] + 1j * points[..., 1])
-
-
-def _model(unknowns: Array, numbers: Array | Indices) -> Array:
-    """Return base, ring vertex and tip of veins, m, shape (veins, 3, 2).
-
-    Args:
-        unknowns: signed hub radius, proximal and distal length, signed sector angle, x and y of the centre, direction
-            of the first ring vertex.
-        numbers: numbers of the veins.
-    """
-    hub, proximal, distal, sector, x, y, turn = unknowns
-    epsilon = math.atan2(hub, proximal)
-    ray = np.exp(1j * (turn + sector * numbers))
-    base = hub * ray * np.exp(1j * (epsilon - math.pi / 2))
-    ring = math.hypot(proximal, hub) * ray
-    points = np.stack([base, ring, ring + distal * ray * np.exp(-1j * epsilon)], axis=1) + (x + 1j * y)
-    return np.stack([points.real, points.imag], axis=-1)
 
 
 def fitted_lines(fit: FanFit) -> dict[str, list[Array]]:
@@ -363,81 +291,9 @@ def fitted_lines(fit: FanFit) -> dict[str, list[Array]]:
             *(sense * fit.sector_angle.value, fit.centre_x, fit.centre_y, fit.turn),
         ]
     )
-    veins = _model(unknowns, np.arange(fit.vein_count, dtype=np.int64))
-    arc = _model(unknowns, np.linspace(0, fit.vein_count - 1, _ARC))
+    veins = fan_points(unknowns, np.arange(fit.vein_count, dtype=np.int64))
+    arc = fan_points(unknowns, np.linspace(0, fit.vein_count - 1, _ARC))
     return {"veins": list(veins), "ring": [veins[:, 1]], "hub": [arc[:, 0]]}
-
-
-def _apart(unknowns: Array, clicks: FanClicks, numbers: Indices) -> Array:
-    """Return the deviations of all clicked coordinates from a fan, m."""
-    apart = (clicks.points - _model(unknowns, numbers)).ravel()
-    of_hub = np.zeros(0) if clicks.hub is None else clicks.hub - unknowns[4:6]
-    return np.concatenate([apart[~np.isnan(apart)], of_hub])
-
-
-def _fit_numbers(clicks: FanClicks, numbers: Indices) -> tuple[Array, Array, Array]:
-    """Return the unknowns of the best fan with these numbers of veins, its residuals, m, and the Jacobian."""
-    best = None
-    whole = clicks.points[~np.isnan(clicks.points[:, :, 0])]
-    size = float(np.ptp(whole, axis=0).max())
-    if size == 0:
-        raise InputError("need clicked points at different positions, got one position")
-    for start in _starts(clicks, numbers):
-        scales = np.array([size, size, size, 1 / max(int(numbers.max()), 1), size, size, 1.0])
-        done = least_squares(
-            lambda unknowns: _apart(unknowns, clicks, numbers) / size,
-            start,
-            x_scale=scales,
-            method="lm",
-            max_nfev=2000,
-        )
-        if best is None or done.cost * size**2 < best[0]:
-            best = done.cost * size**2, done.x, size * done.fun, size * done.jac
-    assert best is not None
-    unknowns = best[1]
-    if unknowns[1] < 0:  # the same fan with the veins on the other side of the centre
-        unknowns = unknowns * np.array([-1, -1, 1, 1, 1, 1, 1]) + np.array([0, 0, 0, 0, 0, 0, math.pi])
-        best = best[0], unknowns, best[2], best[3] * np.array([-1, -1, 1, 1, 1, 1, 1])
-    return unknowns, best[2], best[3]
-
-
-def _starts(clicks: FanClicks, numbers: Indices) -> Iterator[Array]:
-    """Yield starts: the minima of linear least squares over sector angles."""
-    known = ~np.isnan(clicks.points[:, :, 0])
-    vein, role = np.nonzero(known)
-    places = _complex(clicks.points[vein, role])
-    most = min(2 * math.pi / max(int(numbers.max()), 1), math.pi)
-    angles = most * (np.arange(_ANGLES) + 0.5 - _ANGLES / 2) / (_ANGLES / 2)
-    rays = np.exp(1j * angles[:, None] * numbers[vein])
-    columns = [np.ones_like(rays), rays * (role >= 1), rays * (role == 2)]
-    if (role == 0).any():
-        columns.append(rays * (role == 0))
-    matrix = np.stack(columns, axis=-1)
-    if clicks.hub is not None:
-        row = np.zeros((_ANGLES, 1, matrix.shape[-1]))
-        row[..., 0] = 1
-        matrix, places = np.concatenate([matrix, row], axis=1), np.append(places, _complex(clicks.hub))
-    solved = np.linalg.pinv(matrix) @ places
-    costs = np.sum(np.abs((matrix @ solved[..., None])[..., 0] - places) ** 2, axis=1)
-    around = np.concatenate([[np.inf], costs, [np.inf]])
-    minima = np.flatnonzero((costs <= around[:-2]) & (costs <= around[2:]))
-    minima = minima[np.argsort(costs[minima])][:_STARTS]
-    for index in minima[costs[minima] <= _WORST_START * costs[minima[0]]]:
-        centre, radius, distal = solved[index, :3].tolist()
-        epsilon = -float(np.angle(distal / radius)) if radius and distal else 0.0
-        # a hub whose tangents point outwards
-        epsilon = min(max(epsilon, -1.4), 1.4)
-        yield np.array(
-            [
-                abs(radius) * math.sin(epsilon),
-                abs(radius) * math.cos(epsilon),
-                abs(distal),
-                angles[index],
-                centre.real,
-                centre.imag,
-                float(np.angle(radius)),
-            ]
-        )
 
 
 def _rms(apart: Array, clicks: FanClicks, unknowns: Array) -> float:
@@ -478,78 +334,3 @@ def _points(clicks: FanClicks, numbers: Indices, fitted: Array, unknowns: Array)
     if clicks.hub is not None:
         (x, y), (u, v) = clicks.hub.tolist(), unknowns[4:6].tolist()
         yield FittedPoint(vein=None, role="hub", x=x, y=y, fitted_x=u, fitted_y=v)
-
-
-def _fit_different(clicks: FanClicks, numbers: Indices, unknowns: Array) -> tuple[DifferentVeins, Array] | None:
-    """Fit a fan whose veins differ; return it with the deviations of all points, m, shape (veins, 3, 2).
-
-    Returns None where a vein lacks its ring vertex or its tip, for an even number of veins or fewer than 5, and where
-    the family of fans allows no such fan near the common one.
-    """
-    count = len(numbers)
-    whole = not np.isnan(clicks.points[:, 1:]).any() and (np.diff(numbers) == 1).all()
-    if not whole or count % 2 == 0 or count < _FEWEST_DIFFERENT:
-        return None
-    order = np.arange(count) if unknowns[3] > 0 else np.arange(count)[::-1]
-    clicked = clicks.points[order]
-    size = float(unknowns[1] + unknowns[2])
-    tangent: Tangent = "right" if unknowns[0] >= 0 else "left"
-
-    def fan_of(values: Array) -> EarwigFan:
-        proximal, distal, sectors = np.split(values[4:], [count, 2 * count])
-        return EarwigFan(
-            proximal_length=float(proximal.mean()) * size,
-            distal_length=float(distal.mean()) * size,
-            hub_radius=float(values[0]) * size,
-            sector_angle=float(sectors.mean()),
-            units=(count - 1) // 2,
-            tangent=tangent,
-            proximal_shares=tuple((proximal / proximal.mean()).tolist()),
-            distal_shares=tuple((distal / distal.mean()).tolist()),
-            sector_shares=tuple((sectors / sectors.mean()).tolist()),
-        )
-
-    def apart_of(values: Array) -> Array:
-        fan = fan_of(values)
-        drawn = np.stack([_complex(part) for part in (hub_points(fan), ring_vertices(fan), tips(fan))], axis=1)
-        placed = drawn * np.exp(1j * values[3]) + size * (values[1] + 1j * values[2])
-        return np.asarray(clicked - np.stack([placed.real, placed.imag], axis=-1))
-
-    def residuals(values: Array) -> Array:
-        try:
-            apart = apart_of(values).ravel()
-        except InputError:
-            return np.full(coordinates, 10.0)
-        of_hub = np.zeros(0) if clicks.hub is None else clicks.hub - size * values[1:3]
-        return np.concatenate([apart[~np.isnan(apart)], of_hub]) / size
-
-    coordinates = int((~np.isnan(clicked)).sum()) + (0 if clicks.hub is None else 2)
-    middle = float(unknowns[6] + unknowns[3] * (count - 1) / 2)
-    common = [unknowns[1] / size, unknowns[2] / size, abs(unknowns[3])]
-    sides = [[value] * (count - (position == 2)) for position, value in enumerate(common)]
-    start = np.array([abs(unknowns[0]) / size, *(unknowns[4:6] / size), middle, *itertools.chain(*sides)])
-    freedoms = coordinates - len(start)
-    if freedoms < 1 or residuals(start)[0] == 10.0:
-        return None
-    low = np.full(len(start), -np.inf)
-    low[0], low[4:] = 0.0, 1e-3
-    done = least_squares(residuals, np.maximum(start, low + 1e-9), bounds=(low, np.inf), x_scale="jac", max_nfev=60)
-    best = done.x
-    if done.fun[0] == 10.0:
-        return None
-    apart = apart_of(best)
-    squares = (apart**2).sum(axis=-1)
-    distances = squares[~np.isnan(squares)].tolist()
-    if clicks.hub is not None:
-        distances.append(float(((clicks.hub - size * best[1:3]) ** 2).sum()))
-    proximal, distal, sectors = np.split(best[4:], [count, 2 * count])
-    fit = DifferentVeins(
-        rms=math.sqrt(float(np.mean(distances))),
-        freedoms=freedoms,
-        unknowns=len(best),
-        hub_radius=float(best[0]) * size,
-        proximal_lengths=tuple((size * proximal).tolist()),
-        distal_lengths=tuple((size * distal).tolist()),
-        sector_angles=tuple(sectors.tolist()),
-    )
-    return fit, apart[np.argsort(order)]
