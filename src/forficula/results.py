@@ -63,6 +63,8 @@ _CLASSES = {
     "ToleranceTable": "forficula.goals.tolerance.tolerance_table",
     "IdentificationTable": "forficula.goals.identify.result",
     "Optimum": "forficula.goals.optimise",
+    "FanFit": "forficula.goals.clicks.fan_fit",
+    "ObservedMotion": "forficula.goals.clicks.motion",
 }
 __all__ = ["Result", "json_schema", *_CLASSES]  # noqa: PLE0604
 
@@ -140,10 +142,7 @@ def pandas_module() -> Any:
 
 
 def call(name: str) -> Any:
-    """Return a function of `forficula.calls` that checks its arguments.
-
-    Methods of results use it because `calls` is a layer above them.
-    """
+    """Return a function of `forficula.calls`, a layer above, that checks its arguments."""
     return checked(getattr(import_module("forficula.calls"), name), name)
 
 

@@ -41,6 +41,7 @@ class FanClicks:
 
 
 def as_complex(points: Array) -> Array:
+    """Return points of the plane, shape (..., 2) or with more coordinates, as complex numbers."""
     return np.asarray(points[..., 0] + 1j * points[..., 1])
 
 
