@@ -94,9 +94,8 @@ def trace_clicks(clicks: AnyPath | Mapping[str, object]) -> FanFit | ObservedMot
     Raises:
         InputError: no such file, a value that is not allowed, or points that do not determine the fan.
 
-    >>> fan = ff.trace_clicks("imitated-wing")
-    >>> fan
-    <Fan of imitated-wing: 7 veins>
+    >>> ff.trace_clicks("imitated-wing")
+    <Fan of imitated-wing: 7 veins, 2.59 mm, 3.35 mm, 0.331 mm, 12.5 deg, residual 0.13 mm>
     """
     from forficula.goals.clicks.clicks_file import result_of_file, result_of_tables
 

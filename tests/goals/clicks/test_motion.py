@@ -96,7 +96,14 @@ def test_a_film_is_written_as_observations_file(tmp_path, capsys):
         ({"frame": [*RAMP["frame"], {"time": "1 s"}]}, "frame 10: middle: is missing"),
         ({"transition": "shut"}, 'transition: need "close" or "open", got "shut"'),
         ({"accuracy": 0}, "accuracy: need a number > 0, got 0"),
-        ({"angle": {"mouth": {"points": ["middle", "hinge", "rim"]}}}, "angle.mouth.key: is missing"),
+        (
+            {"angle": {"mouth": {"points": ["middle", "hinge", "rim"]}}},
+            "angle.mouth.name: need creases, on which the goal of the stage close",
+        ),
+        (
+            {"design": "binder2025", "transition": "fold"},
+            "angle.creases.key: is missing; give the key that sets the angle of the goal folded",
+        ),
         ({"angle": {"creases": {"points": ["hinge", "rim"]}}}, "angle.creases.length: is missing"),
         (
             {"angle": {"creases": {"points": ["a", "hinge", "rim"]}}},

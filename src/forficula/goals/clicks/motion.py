@@ -12,10 +12,10 @@ import numpy as np
 import tomli_w
 
 from forficula.arrays import Array
-from forficula.design import Design
+from forficula.design import Design, key_value
 from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, entry
 from forficula.design.files.rejection import read_section
-from forficula.design.protocol import read_goal
+from forficula.design.protocol import StageSection, read_goal
 from forficula.design.section import ANGLE, LENGTH, TIME, Section, quantity
 from forficula.errors import InputError, error_prefix
 from forficula.goals.clicks.clicked_scale import clicked_point, picture_matrix
@@ -44,7 +44,6 @@ class AngleTable(Section):
     key: str | None = entry(
         "key of the design that is set to the size of the angle in every fact", left_out="the goal of the stage"
     )
-    level: Annotated[Any, "angle"] = entry("angle beyond which frames are not used", left_out="the goal of the stage")
 
 
 class MotionFile(Section):
@@ -62,7 +61,7 @@ class MotionFile(Section):
     facts: Annotated[Any, "whole number"] = entry("largest number of angles that become facts", 4)
     scale: Annotated[Any, "two points in pixels"] = entry("two points at a known distance, for foreshortening")
     length: Annotated[Any, "length"] = entry("distance of the two points of scale")
-    angle: dict[str, AngleTable] = entry("angles, by the name that a goal of the design uses", ...)
+    angle: dict[str, AngleTable] = entry("angles: tables by the name that a goal of the design uses", ...)
     frame: Annotated[Any, "tables"] = entry("one table for each picture: time, and the position of every point", ...)
     unknown: dict[str, Any] = entry("priors, which are copied to the observations file", {})
     sampling: dict[str, Any] = entry("number of samples, which is copied to the observations file", {})
@@ -217,7 +216,7 @@ def observed_motion(tables: Mapping[str, object], folder: Path) -> ObservedMotio
                 deviations=tuple(deviations.tolist()),
             )
             angles.append(angle)
-            most = _level(design, transition, name, table)
+            most = _level(design, transition, name, table, values)
             new_passages = list(_passages(angle, most, file.facts))
             if not new_passages:
                 remarks.append(f"{name} passes no value that differs by more than its uncertainty from the first one.")
@@ -329,33 +328,42 @@ def _angle(
     return table.sense * angles, deviations, "foreshortening"
 
 
-def _level(design: Design, transition: Transition, name: str, table: AngleTable) -> float | None:
-    """Return the angle beyond which frames are not used, rad; None without one."""
-    if table.level is not None:
-        with error_prefix("level: "):
-            return parse_quantity(table.level, ANGLE)
-    goal = read_goal(transition.goal)
-    if goal is not None and goal.name == name:
+def _stage(design: Design, transition: Transition) -> StageSection:
+    assert transition.stage is not None
+    return design.protocol.stages[transition.stage]
+
+
+def _level(design: Design, transition: Transition, name: str, table: AngleTable, values: Array) -> float:
+    """Return the angle at which the stage ends, rad: later pictures show another drive."""
+    stage = _stage(design, transition)
+    goal = read_goal(stage.until)
+    if goal is not None and goal.name != name:
+        raise InputError(
+            f"name: need {goal.name}, on which the goal of the stage {stage.name} of {design.name} is a bound, got {name}"
+        )
+    if goal is not None and table.key is not None:
+        raise InputError(f"key: is for a named goal, got a stage {stage.name} with the bound {stage.until}")
+    if goal is not None:
         return parse_quantity(goal.value, ANGLE)
     if table.key is None:
-        known = "none" if goal is None else f"a bound on {goal.name}"
         raise InputError(
-            f"key: is missing; the transition {transition.name} of {design.name} does not end with a bound on this"
-            f' angle ({known}), so give the key that sets its goal, such as "protocol.folded_angle"'
+            f"key: is missing; give the key that sets the angle of the goal {stage.until} of {design.name}, such as"
+            " protocol.folded_angle"
         )
-    return None
+    with error_prefix("key: "):
+        return math.copysign(float(key_value(design, table.key)), -1.0 if values[-1] < values[0] else 1.0)
 
 
-def _passages(angle: ObservedAngle, most: float | None, count: int) -> list[ObservedPassage]:
+def _passages(angle: ObservedAngle, most: float, count: int) -> list[ObservedPassage]:
     """Return times at which an angle passes values that no earlier picture had, within its uncertainty."""
     times, values, deviations = map(np.array, (angle.times, angle.angles, angle.deviations))
-    sense = math.copysign(1.0, most - values[0] if most is not None else values[-1] - values[0])
+    sense = math.copysign(1.0, most - values[0])
     rates = np.gradient(values, times)
     chosen, last = [], 0
     for frame in range(1, len(times)):
         apart = _DEVIATIONS * math.hypot(deviations[frame], deviations[last])
         is_new = sense * (values[frame] - values[:frame].max() if sense > 0 else values[frame] - values[:frame].min())
-        within = most is None or sense * (most - values[frame]) >= 0
+        within = sense * (most - values[frame]) >= 0
         resolved = abs(rates[frame]) * (times[-1] - times[0]) > deviations[frame]
         if times[frame] > 0 and is_new > apart and within and resolved and sense * rates[frame] > 0:
             chosen.append(frame)
@@ -376,10 +384,9 @@ def _passages(angle: ObservedAngle, most: float | None, count: int) -> list[Obse
 def _fact(design: Design, transition: Transition, table: AngleTable, passage: ObservedPassage) -> dict[str, Any]:
     """Return a table [[fact]]: the time at which the angle passes a value, as the time of a goal with this value."""
     angle = f"{math.degrees(passage.angle):.5g} deg"
-    assert transition.stage is not None
-    stage = design.protocol.stages[transition.stage]
+    stage = _stage(design, transition)
     if table.key is None:
-        goal = read_goal(transition.goal)
+        goal = read_goal(stage.until)
         assert goal is not None
         settings = {f"protocol.stages.{transition.stage}.until": f"{passage.name} {goal.relation} {angle}"}
     else:
