@@ -6,7 +6,7 @@ import pytest
 import forficula as ff
 from forficula import InputError
 from forficula.cli import main
-from forficula.goals.clicks.motion import foreshortened_angles, turn_angles
+from forficula.goals.clicks.clicked_angles import foreshortened_angles, turn_angles
 
 PRIOR = {"crease.damping": {"distribution": "log-uniform", "low": "0.02 N m s/rad/m", "high": "0.08 N m s/rad/m"}}
 DAMPING = 0.04  # N m s/rad/m
@@ -73,6 +73,23 @@ def test_facts_are_passages_of_the_goal_up_to_that_of_the_design():
         assert abs(passage.angle - math.radians(200 * passage.time)) < 3 * 0.012
         assert fact["settings"]["protocol.stages.1.until"].startswith("creases > ")
     assert any("one view" in remark.lower() for remark in motion.remarks)
+
+
+def test_a_film_in_which_a_facet_is_foreshortened_gives_inclinations():
+    film = {**RAMP, "scale": [[0, 0], [100, 0]], "length": "5 cm"}
+    # the camera looks at the sheet from above: the rim moves towards the hinge
+    places = [400 + 200 * math.cos(math.radians(200 * time)) for time in TIMES]
+    film["frame"] = [
+        {"time": f"{t:.2f} s", "hinge": [400, 300], "rim": [x, 300]} for t, x in zip(TIMES, places, strict=True)
+    ]
+    film["angle"] = {"creases": {"points": ["hinge", "rim"], "length": "10 cm"}}
+    (angle,) = ff.trace_clicks(film).angles
+    np.testing.assert_allclose(np.degrees(angle.angles), 200 * TIMES, atol=1e-4)
+    assert angle.deviations[0] > 5 * angle.deviations[-1]
+    with pytest.raises(
+        InputError, match="need at least the longest clicked distance, 10 cm, got 8 cm; check the scale"
+    ):
+        ff.trace_clicks({**film, "angle": {"creases": {"points": ["hinge", "rim"], "length": "8 cm"}}})
 
 
 def test_a_film_is_written_as_observations_file(tmp_path, capsys):
