@@ -12,6 +12,9 @@ from forficula.pattern.picture.homography import homography, mapped_points
 from forficula.pattern.picture.trace_options import read_corners, read_length, read_size
 from forficula.quantities import as_written
 
+_LARGEST = 1e6  # [chosen] pixels, more than any picture that is read has
+_MOST = 1000  # [chosen] points of a list
+
 
 def clicked_points(value: object, key: str) -> Array:
     """Return clicked points, pixels, shape (N, 2); a point that was not clicked, [], has nan.
@@ -21,10 +24,12 @@ def clicked_points(value: object, key: str) -> Array:
     """
     if isinstance(value, str) or not isinstance(value, Sequence | np.ndarray):
         raise InputError(f"{key}: need a list of points, each [x, y] in pixels, got {as_written(value)}")
+    if len(value) > _MOST:
+        raise InputError(f"{key}: need at most {_MOST} points, got {len(value)}")
     points = np.full((len(value), 2), np.nan)
     for number, point in enumerate(value):
         numbers = point.tolist() if isinstance(point, np.ndarray) else point
-        if isinstance(numbers, Sequence) and len(numbers) == 0:
+        if isinstance(numbers, list | tuple) and (not numbers or list(map(str, numbers)) == ["nan", "nan"]):
             continue
         points[number] = clicked_point(numbers, f"{key}: entry {number}")
     return points
@@ -40,7 +45,7 @@ def clicked_point(value: object, key: str) -> Array:
         point = np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError):
         point = np.zeros(0)
-    if point.shape != (2,) or isinstance(value, str) or np.isinf(point).any():
+    if point.shape != (2,) or isinstance(value, str) or not (np.abs(point) <= _LARGEST).all():
         raise InputError(f"{key}: need a point [x, y] in pixels, got {as_written(value)}")
     return point
 
