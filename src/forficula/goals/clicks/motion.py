@@ -62,10 +62,16 @@ class MotionFile(Section):
     facts: Annotated[Any, "whole number"] = entry("largest number of angles that become facts", 4)
     scale: Annotated[Any, "two points in pixels"] = entry("two points at a known distance, for foreshortening")
     length: Annotated[Any, "length"] = entry("distance of the two points of scale")
-    angle: dict[str, AngleTable] = entry("angles: tables by the name that a goal of the design uses", ...)
+    angle: Annotated[dict[str, AngleTable], "tables [angle.NAME]"] = entry(
+        "angles by the names that goals of the design use", ...
+    )
     frame: Annotated[Any, "tables"] = entry("one table for each picture: time, and the position of every point", ...)
-    unknown: dict[str, Any] = entry("priors, which are copied to the observations file", {})
-    sampling: dict[str, Any] = entry("number of samples, which is copied to the observations file", {})
+    unknown: Annotated[dict[str, Any], "as in an observations file"] = entry(
+        "priors, which are copied to the observations file", {}
+    )
+    sampling: Annotated[dict[str, Any], "as in an observations file"] = entry(
+        "number of samples, which is copied to the observations file", {}
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
