@@ -49,6 +49,7 @@ benchmarks: $(INSTALLED)  ## run every benchmark in its smallest size, as a chec
 	$(BIN)/python benchmarks/advice.py --designs 1 --family joint
 	$(BIN)/python benchmarks/confirmation.py --of binder2025-joint --designs 1
 	$(BIN)/python benchmarks/contact.py --units 1 --strips 1 --sheets "two panels"
+	$(BIN)/python benchmarks/fan_fits.py --fans 2
 	$(BIN)/python benchmarks/folding_ratio.py --units 1
 	$(BIN)/python benchmarks/gpu.py --smallest
 	$(BIN)/python benchmarks/identify.py --plantings 1 --only smooth

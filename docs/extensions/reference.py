@@ -24,6 +24,8 @@ from forficula.design.files.key_table import KeyFact, key_facts
 from forficula.design.files.kinds import KEYED
 from forficula.design.section import Section
 from forficula.errors import InputError
+from forficula.goals.clicks.fan_clicks import FanClicksFile
+from forficula.goals.clicks.motion import MotionFile
 from forficula.goals.goal_file import GoalFile
 from forficula.goals.identify.observations_file import ObservationsFile
 from forficula.results import KINDS as RESULTS
@@ -36,7 +38,13 @@ _HEADINGS = ("key", "allowed values", "if left out", "meaning")
 _WIDTHS = (24, 22, 14, 40)
 _EVERYWHERE = "* `--quiet`"
 _PARAMETERS = "**Parameters**:"
-_FILES: dict[str, type[Section]] = {"study": StudyFile, "goal": GoalFile, "observations": ObservationsFile}
+_FILES: dict[str, type[Section]] = {
+    "study": StudyFile,
+    "goal": GoalFile,
+    "observations": ObservationsFile,
+    "clicks-of-a-fan": FanClicksFile,
+    "clicks-of-a-film": MotionFile,
+}
 _NUMBER = re.compile(r"\.0\.")
 _TYPES = {"string": "text", "boolean": "yes or no", "integer": "whole number", "null": "null", "array": "list"}
 

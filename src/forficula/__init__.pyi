@@ -32,6 +32,7 @@ from .calls import save as save
 from .calls import sweep as sweep
 from .calls import tolerance as tolerance
 from .calls import trace as trace
+from .calls import trace_clicks as trace_clicks
 from .design import Design as Design
 from .design import load_design as load_design
 from .design import save_design as save_design

@@ -147,7 +147,7 @@ _COMMANDS = (
         group=_DESIGN,
         examples=(
             'trace photograph.jpg --size "29.7 x 21 cm"',
-            'trace scan.png --size "20 cm" --corners none --out sheet.fold',
+            "trace imitated-wing",
         ),
         has_json=True,
     ),

@@ -63,6 +63,8 @@ _CLASSES = {
     "ToleranceTable": "forficula.goals.tolerance.tolerance_table",
     "IdentificationTable": "forficula.goals.identify.result",
     "Optimum": "forficula.goals.optimise",
+    "FanFit": "forficula.goals.clicks.fan_fit",
+    "ObservedMotion": "forficula.goals.clicks.motion",
 }
 __all__ = ["Result", "json_schema", *_CLASSES]  # noqa: PLE0604
 
@@ -97,8 +99,7 @@ class Result(Displayed):
         """Draw a figure of this result.
 
         Args:
-            name: name of the figure, as in its file in the folder that `save` writes; optional if there is only
-                one.
+            name: name of the figure, as in its file in the folder that `save` writes; optional for a single one.
             width: of a journal's column or page, or a number in inches.
 
         Raises:
@@ -141,10 +142,7 @@ def pandas_module() -> Any:
 
 
 def call(name: str) -> Any:
-    """Return a function of `forficula.calls` that checks its arguments.
-
-    Methods of results use it because `calls` is a layer above them.
-    """
+    """Return a function of `forficula.calls`, a layer above, that checks its arguments."""
     return checked(getattr(import_module("forficula.calls"), name), name)
 
 
@@ -257,6 +255,25 @@ KINDS: tuple[ResultKind, ...] = (
         shape="forficula.material.folding.crease_characterisation:CreaseCharacterisation",
         marker="crease.json",
         named_by="law_of_creases",
+    ),
+    ResultKind(
+        name="fan fit",
+        module="fan_fit_folder",
+        classes=("FanFit",),
+        data="fan.json",
+        json="fan",
+        shape="forficula.goals.clicks.fan_fit:FanFit",
+        marker="fan.json",
+        named_by="name",
+    ),
+    ResultKind(
+        name="observed motion",
+        module="motion_folder",
+        classes=("ObservedMotion",),
+        data="motion.json",
+        json="motion",
+        shape="forficula.goals.clicks.motion:ObservedMotion",
+        marker="motion.json",
     ),
     ResultKind(name="bill of parts", module="parts_folder", classes=("PartSet",), data="bill.json", marker="bill.json"),
     ResultKind(
@@ -389,5 +406,4 @@ def _named(name: str) -> ResultKind:
 
 
 def _uncovered(kinds: list[ResultKind]) -> list[ResultKind]:
-    covered = {name for kind in kinds for name in kind.covers}
-    return [kind for kind in kinds if kind.name not in covered]
+    return [kind for kind in kinds if not any(kind.name in other.covers for other in kinds)]

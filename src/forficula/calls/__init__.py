@@ -6,7 +6,7 @@ In the examples, `ff` is forficula, `design` is `ff.load_design("letter-fold")`,
 from forficula.calls.designs import Examples, check_design, examples
 from forficula.calls.goals import identify, optimise, tolerance
 from forficula.calls.output import compare, export, figure, film, page, save
-from forficula.calls.patterns import pattern_facts, trace
+from forficula.calls.patterns import pattern_facts, trace, trace_clicks
 from forficula.calls.progress import Progress
 from forficula.calls.runs import landscape, load_run, quasi_static_path, run
 from forficula.calls.studies import (
@@ -50,4 +50,5 @@ __all__ = [
     "sweep",
     "tolerance",
     "trace",
+    "trace_clicks",
 ]

@@ -13,6 +13,7 @@ _TYPICAL_KEYS = {
     "study": (("factors", "change"), "study"),
     "goal": (("objectives",), "optimise"),
     "observations file": (("fact",), "identify"),
+    "clicks file": (("ring", "frame"), "trace"),
 }
 
 
