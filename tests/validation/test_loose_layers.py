@@ -1,4 +1,4 @@
-"""Layers that nothing joins: heights and forces of a stack under its weight, and friction of one facet on another."""
+"""Layers that nothing joins: stacks under their weight, friction of facets, and a strip that sags onto a facet."""
 
 import math
 
@@ -12,7 +12,7 @@ from forficula.statics.net.contact.contact_energy import contact_forces
 from forficula.statics.net.driven.net_course import released
 from forficula.statics.net.net_of import net_of, start_shape
 from forficula.structure import structure_of
-from tests.loose_layers import LAYER, SIDE, THICK, G, loose_layers, support
+from tests.loose_layers import DENSITY, LAYER, SIDE, THICK, WIDTH, G, loose_layers, strip_above_facet, support
 
 COUNT = 4
 
@@ -127,3 +127,37 @@ def test_friction_holds_a_facet_on_an_inclined_one_but_for_a_slow_creep(agree):
     record, _, speed = inclined(friction, slope)
     creep = G * slope / math.hypot(1, slope) * record.structure.contact.stops.time_constant
     agree("speed of the creep", speed[10:-1], creep, by="g T sin a", unit="m/s", rel=0.01)
+
+
+LENGTH, LIFTED, HEIGHT = 0.1, 0.06, 2e-3
+WEIGHT = DENSITY * G * THICK  # per area, N/m^2
+# a slender strip on which nothing but its weight acts is lifted by H over (72 B H / q)^(1/4)
+BENDING = WEIGHT * LIFTED**4 / (72 * HEIGHT)
+PANELS = (5, 10, 20)
+
+
+@pytest.fixture(scope="module")
+def sagging():
+    """Contact force, N, and x and height of the middle surface, m, of a clamped strip that sags onto a facet."""
+    result = {}
+    for panels in PANELS:
+        structure = structure_of(strip_above_facet(panels, LENGTH, HEIGHT, BENDING))
+        net = net_of(structure)
+        shape, _ = released(net, start_shape(structure, net))
+        assert shape.stable
+        places = (net.points @ shape.shape.positions)[5 : panels + 6]
+        result[panels] = sum(contact_forces(net, shape.shape).values()), places[:, 0], places[:, 2]
+    return result
+
+
+def test_a_strip_that_sags_onto_a_facet_converges_in_its_panels_to_a_heavy_beam_with_a_free_touchdown(sagging, agree):
+    # at the touchdown the beam has no moment, so y = q (4 a x^3 - 3 x^4) / (72 B) at a distance x from it
+    force = WIDTH * WEIGHT * (LENGTH - 2 * LIFTED / 3)
+    errors = [abs(sagging[panels][0] / force - 1) for panels in PANELS]
+    agree("contact force of 20 panels", sagging[20][0], force, by="q (L - 2 a / 3)", unit="N", rel=5e-3)
+    order = math.log2(errors[0] / errors[2]) / 2
+    agree("order of convergence in the panels", order, 2, by="spring hinges for a beam", unit="1", abs=0.4)
+    _, x, height = sagging[20]
+    free = np.maximum(LIFTED - x, 0)
+    beam = WEIGHT * (4 * LIFTED * free**3 - 3 * free**4) / (72 * BENDING)
+    agree("height of 20 panels", height, beam, by="heavy beam", unit="m", abs=0.02 * HEIGHT, over=("x, m", x))
