@@ -201,7 +201,7 @@ _NAMED: dict[str, dict[str, Any]] = {
     "bistable-clasp": {
         "drive": _closing_torque("0.2 N cm"),
         "protocol.stages": _stage("close", "0.1 s"),
-        **_resolved("0.03 ms", "0.00375 ms"),
+        **_resolved("0.025 ms", "0.003 ms"),
     },
     "two-clasps": {
         "inner.crease.fold_limit": "180 deg",
@@ -220,7 +220,7 @@ _NAMED: dict[str, dict[str, Any]] = {
     "waterbomb-base": {
         "drive": _closing_torque("0.5 N cm"),
         "protocol.stages": _stage("close", "0.3 s"),
-        **_resolved("0.2 ms", "0.025 ms"),
+        **_resolved("0.1 ms", "0.0125 ms"),
     },
     "bistable-miura": {
         "crease.group.zigzags.fold_limit": "180 deg",
