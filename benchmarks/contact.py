@@ -239,14 +239,14 @@ _NAMED: dict[str, dict[str, Any]] = {
 
 
 def named_row(name: str) -> dict[str, Any]:
-    """One named design in which panels touch: work of contact, overlap and balance."""
+    """One named design in which panels touch: energy of contact, overlap and balance."""
     record, _ = timed(load_design(name, {**_NAMED[name], "protocol.contact": True}))
     overlap = contact_overlap(record)
     return {
         "design": name,
         "first_contact_s": float(record.time[np.argmax(record.series["contact_overlap"] > 0)]),
         "end_s": float(record.time[-1]),
-        "work_of_contact_J": float(-record.series["contact_work"][-1]),
+        "dissipated_by_contact_J": float(-record.series["contact_work"][-1]),
         "overlap_of_rows": None if overlap is None else overlap.share,
         "overlap_of_steps": None if overlap is None else overlap.share_in_steps,
         "residual": measure(record).energy_balance.residual,

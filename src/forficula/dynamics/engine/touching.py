@@ -192,7 +192,7 @@ def overlap_doubt(contact: Contact, overlap: float) -> str:
     return (
         f"parts that touch overlap by {100 * overlap:.0f} % of their thickness, so that they may have passed through"
         f" each other: need a contact.time_constant shorter than {now}, such as {need}, and a timestep that resolves"
-        ' it, such as "auto"'
+        " it"
     )
 
 
