@@ -122,18 +122,19 @@ def test_a_facet_on_an_inclined_one_accelerates_by_its_weight_minus_friction(agr
     agree("acceleration", gained, expected, by="g (sin a - mu cos a)", unit="m/s^2", rel=1e-3)
 
 
-def test_friction_holds_a_facet_on_an_inclined_one_but_for_a_slow_creep(agree):
+def test_friction_holds_a_facet_on_an_inclined_one_except_for_a_slow_creep(holds):
     slope, friction = 0.2, 0.3
     record, _, speed = inclined(friction, slope)
-    creep = G * slope / math.hypot(1, slope) * record.structure.contact.stops.time_constant
-    agree("speed of the creep", speed[10:-1], creep, by="g T sin a", unit="m/s", rel=0.01)
+    # below Coulomb's limit friction is a damper
+    order = G * slope / math.hypot(1, slope) * record.structure.contact.stops.time_constant
+    holds("speed of the creep / (g T sin a)", speed[10:-1] / order, below=1.05, by="viscous friction")
 
 
 LENGTH, LIFTED, HEIGHT = 0.1, 0.06, 2e-3
 WEIGHT = DENSITY * G * THICK  # per area, N/m^2
 # a slender strip on which nothing but its weight acts is lifted by H over (72 B H / q)^(1/4)
 BENDING = WEIGHT * LIFTED**4 / (72 * HEIGHT)
-PANELS = (5, 10, 20)
+PANELS = {5: 0.05, 10: 0.015, 20: 0.005, 40: 0.0025}  # allowed error of the contact force
 
 
 @pytest.fixture(scope="module")
@@ -154,7 +155,9 @@ def test_a_strip_that_sags_onto_a_facet_converges_in_its_panels_to_a_heavy_beam_
     # at the touchdown the beam has no moment, so y = q (4 a x^3 - 3 x^4) / (72 B) at a distance x from it
     force = WIDTH * WEIGHT * (LENGTH - 2 * LIFTED / 3)
     errors = [abs(sagging[panels][0] / force - 1) for panels in PANELS]
-    agree("contact force of 20 panels", sagging[20][0], force, by="q (L - 2 a / 3)", unit="N", rel=5e-3)
+    for panels, allowed in PANELS.items():
+        name = f"contact force of {panels} panels"
+        agree(name, sagging[panels][0], force, by="w q (L - 2 a / 3)", unit="N", rel=allowed)
     order = math.log2(errors[0] / errors[2]) / 2
     agree("order of convergence in the panels", order, 2, by="spring hinges for a beam", unit="1", abs=0.4)
     _, x, height = sagging[20]
