@@ -230,8 +230,10 @@ def test_the_named_designs_are_listed_with_their_sources(call):
         "binder2025-built",
         "binder2025-coupled",
         "binder2025-joint",
+        "binder2025-on-table",
         "binder2025-stored",
         "binder2025-thick",
+        "binder2025-upright",
         "bistable-clasp",
         "bistable-miura",
         "earwig-hindwing",
@@ -242,6 +244,7 @@ def test_the_named_designs_are_listed_with_their_sources(call):
         "kresling-cell",
         "letter-fold",
         "miura-sheet",
+        "thick-miura",
         "two-clasps",
         "waterbomb-base",
     ]
@@ -694,7 +697,7 @@ def test_assumptions_leave_a_table_that_a_run_of_the_same_design_then_names(in_a
     assert "twice the damping of hinges" in done.out
     assert done.out.endswith("written to out/flap-assumptions; open out/flap-assumptions/report.html\n")
     output = call("run", "flap.toml", "--no-confirm").out
-    assert "\nAssumptions: none of 8 changed assumptions changes the verdict (out/flap-assumptions).\n" in output
+    assert "\nAssumptions: none of 9 changed assumptions changes the verdict (out/flap-assumptions).\n" in output
 
 
 def test_a_run_that_was_killed_while_it_was_replaced_is_restored(in_an_empty_folder, call):
@@ -803,8 +806,8 @@ def test_a_job_array_is_written_and_nothing_is_run(in_an_empty_folder, call, stu
         (
             ["none"],
             '"none" is neither a named study nor a .toml file; the named studies are binder2025-boundary,'
-            " binder2025-choices, binder2025-coupling, binder2025-offsets, binder2025-redundancy, binder2025-search,"
-            " binder2025-storage, earwig-hindwing-gust, earwig-hindwing-orders, earwig-hindwing-pulse,"
+            " binder2025-choices, binder2025-coupling, binder2025-offsets, binder2025-redundancy, binder2025-room,"
+            " binder2025-search, binder2025-storage, earwig-hindwing-gust, earwig-hindwing-orders, earwig-hindwing-pulse,"
             " earwig-hindwing-redundancy, earwig-midwing-sectors",
         ),
         (["small.toml", "--shard", "3/2"], '--shard: need a number and a count such as 2/8, got "3/2"'),

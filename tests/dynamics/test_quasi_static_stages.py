@@ -10,6 +10,8 @@ from forficula.dynamics import compile_model, load_record, save_record, simulate
 from forficula.errors import InputError
 from forficula.quantities import show_value
 from forficula.show.run.outcome_rows import quasi_static_text
+from forficula.statics.survey import check_quasi_static
+from forficula.structure import structure_of
 from forficula.study.running.runs import run, run_each
 from tests.elastic_joint import FOLDED, FOLDING, STRENGTH, energy, joint, moment, slow, stage
 
@@ -200,9 +202,10 @@ def test_keys_that_contradict_a_slow_stage_are_refused(values, message):
         joint(**{"protocol.stages": stages})
 
 
-def test_a_slow_stage_with_contact_is_refused():
-    with pytest.raises(InputError, match=r'protocol.stages.1.motion: need "dynamic" with protocol.contact = true'):
-        with_values(load_design("binder2025"), {"protocol.contact": True, "protocol.stages.1.motion": "quasi-static"})
+def test_a_slow_stage_of_a_fan_with_contact_is_refused():
+    fan = with_values(load_design("binder2025"), {"protocol.contact": True, "protocol.stages.1.motion": "quasi-static"})
+    with pytest.raises(InputError, match=r'need "dynamic" .* because statics ignores contact of its bars and panels'):
+        check_quasi_static(structure_of(fan), fan.protocol)
 
 
 def test_a_stage_is_dynamic_unless_it_says_otherwise():

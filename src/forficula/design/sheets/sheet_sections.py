@@ -150,6 +150,8 @@ class CreaseDamage(Section):
 class _NamedCreases(Section):
     """Creases that a group selects."""
 
+    about: ClassVar[str] = "Creases that a group selects"
+
     name: Annotated[
         str | None,
         Field(description="name of the group, for drives, measures and other groups", examples=["gates"]),
