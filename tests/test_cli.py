@@ -807,8 +807,8 @@ def test_a_job_array_is_written_and_nothing_is_run(in_an_empty_folder, call, stu
             ["none"],
             '"none" is neither a named study nor a .toml file; the named studies are binder2025-boundary,'
             " binder2025-choices, binder2025-coupling, binder2025-offsets, binder2025-redundancy, binder2025-room,"
-            " binder2025-search, binder2025-storage, earwig-hindwing-gust, earwig-hindwing-orders, earwig-hindwing-pulse,"
-            " earwig-hindwing-redundancy, earwig-midwing-sectors",
+            " binder2025-search, binder2025-storage, earwig-hindwing-gust, earwig-hindwing-orders,"
+            " earwig-hindwing-pulse, earwig-hindwing-redundancy, earwig-midwing-sectors",
         ),
         (["small.toml", "--shard", "3/2"], '--shard: need a number and a count such as 2/8, got "3/2"'),
         (["small.toml", "--shard", "0/2"], '--shard: need a number and a count such as 2/8, got "0/2"'),

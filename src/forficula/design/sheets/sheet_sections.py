@@ -167,6 +167,8 @@ class _NamedCreases(Section):
 class CreaseSpring(Section):
     """The values of a crease that a law file may contain; groups have them, too."""
 
+    about: ClassVar[str] = "The values of a crease that a law file may contain; groups have them, too"
+
     stiffness: float | None = quantity(
         CREASE_STIFFNESS, "stiffness of their springs per length", default=None, at_least=0
     )
