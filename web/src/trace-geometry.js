@@ -40,3 +40,32 @@ export function crossing([a, b], [c, d]) {
   const second = (offset[0] * one[1] - offset[1] * one[0]) / sine;
   return first > 0 && first < 1 && second > 0 && second < 1 ? [first, second] : null;
 }
+
+/** Four points clockwise in the picture, whose y axis points downwards, from the upper left one. */
+export function clockwise(points) {
+  const middle = [0, 1].map((axis) => points.reduce((sum, point) => sum + point[axis], 0) / points.length);
+  const turn = ([x, y]) => Math.atan2(y - middle[1], x - middle[0]);
+  const sorted = [...points].sort((one, other) => turn(one) - turn(other));
+  const sums = sorted.map(([x, y]) => x + y);
+  const first = sums.indexOf(Math.min(...sums));
+  return [...sorted.slice(first), ...sorted.slice(0, first)];
+}
+
+/** A map of points of the picture that is a map of the sheet. */
+export function imageOnSheet(matrix, map) {
+  const back = matrix ? inverse(matrix) : [[1, 0, 0], [0, -1, 0], [0, 0, 1]];
+  return (point) => onSheet(back, map(onSheet(matrix, point)));
+}
+
+/** The reflection at the line through two points. */
+export function mirror([x, y], [u, v]) {
+  const square = (u - x) ** 2 + (v - y) ** 2;
+  const [c, s] = [((u - x) ** 2 - (v - y) ** 2) / square, (2 * (u - x) * (v - y)) / square];
+  return (point) => [x + c * (point[0] - x) + s * (point[1] - y), y + s * (point[0] - x) - c * (point[1] - y)];
+}
+
+/** The rotation about a point by an angle, rad. */
+export function rotation([x, y], angle) {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  return (point) => [x + c * (point[0] - x) - s * (point[1] - y), y + s * (point[0] - x) + c * (point[1] - y)];
+}

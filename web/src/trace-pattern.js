@@ -139,15 +139,17 @@ export function assigned(pattern, edge, letter) {
   return next;
 }
 
-/** Add the image of every edge under a map of points; images of points beside the picture may be anywhere. */
-export function withImages(pattern, image, reach) {
+/** Add the images of all edges under maps of points. */
+export function withImages(pattern, images, reach) {
   let next = pattern;
-  for (const [number, [one, other]] of pattern.edges.entries()) {
-    let from;
-    let to;
-    [next, from] = withVertex(next, image(pattern.vertices[one]), reach);
-    [next, to] = withVertex(next, image(pattern.vertices[other]), reach);
-    next = withEdge(next, from, to, pattern.letters[number], reach);
+  for (const image of images) {
+    for (const [number, [one, other]] of pattern.edges.entries()) {
+      let from;
+      let to;
+      [next, from] = withVertex(next, image(pattern.vertices[one]), reach);
+      [next, to] = withVertex(next, image(pattern.vertices[other]), reach);
+      next = withEdge(next, from, to, pattern.letters[number], reach);
+    }
   }
   return next;
 }
