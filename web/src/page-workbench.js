@@ -37,15 +37,15 @@ export async function showWorkbench(data) {
     last = where;
     return next(() => last === where && design.open(where, {}));
   };
-  /** Open a pattern that is traced; the keys that were set stay as long as its file has the same name. */
+  /** Open a pattern that is traced; the keys that were set stay as long as its file has the same name. Returns the refusal. */
   const openTraced = (where) => {
     last = where;
     return next(async () => {
-      if (last !== where) return;
+      if (last !== where) return "a later design is opened";
       const { asked } = design;
       const kept = asked?.files[0]?.name === where.files[0].name ? asked.settings : {};
       const why = await design.open(where, kept);
-      if (why && Object.keys(kept).length) await design.open(where, {});
+      return why && Object.keys(kept).length ? design.open(where, {}) : why;
     });
   };
   const opening = makeOpening(data.designs, data.opened, open, (picture) => {

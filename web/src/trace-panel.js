@@ -242,7 +242,9 @@ export function makeTracing(open, beside) {
     const mine = (opened += 1);
     const reply = await result();
     if (!reply || mine !== opened) return;
-    await open({ design: "", files: [{ name: foldName(), text: reply.fold }], unit: "" });
+    if (await open({ design: "", files: [{ name: foldName(), text: reply.fold }], unit: "" })) return;
+    panes.append(side);
+    lay();
   }
 
   const undo = makeAct("Undo", "ctrl+Z", () => history.undo());
@@ -271,6 +273,11 @@ export function makeTracing(open, beside) {
   const follow = make("input", { type: "checkbox", id: "trace-follow" });
   follow.addEventListener("change", changed);
 
+  /** Display the folded sheet beside its drawing, once there is one. */
+  function lay() {
+    if (side.isConnected && beside.parentElement !== side) side.append(beside);
+  }
+
   function magnify(factor) {
     view.magnify(factor);
     show();
@@ -284,22 +291,22 @@ export function makeTracing(open, beside) {
   const side = make("div", { className: "trace-side", role: "group", "aria-label": "the folded sheet" });
   const group = (title, ...parts) => make("fieldset", { className: "trace-group" }, make("legend", {}, title), ...parts);
   view.drawing.setAttribute("aria-label", `the drawing over the picture. ${HELP}`);
+  const groups = make(
+    "div",
+    { className: "trace-groups" },
+    group("Result", make("div", { className: "choices" }, folding, download), make("label", {}, follow, " fold it again after every change")),
+    group("Trace automatically", automatic.element),
+    group("Flat-foldability", flat.element),
+    group("Symmetric copies", make("div", { className: "choices" }, reflect, around, along, make("label", { htmlFor: "trace-copies" }, "number in all ", count))),
+  );
+  const help = make("p", { className: "note" }, HELP);
+  const panes = make("div", { className: "trace-panes" }, make("div", {}, view.element, said, help, groups, doubts, conditions.element));
   const work = make(
     "div",
     { hidden: true },
-    make("div", { className: "choices" }, tools.element, kinds.element, scaling.element),
+    make("div", { className: "trace-tools" }, tools.element, kinds.element, scaling.element),
     make("div", { className: "choices" }, undo, redo, remove, closer, wider, makeLooks(view.image)),
-    make("div", { className: "trace-panes" }, make("div", {}, view.element, said, make("p", { className: "note" }, HELP)), side),
-    doubts,
-    conditions.element,
-    make(
-      "div",
-      { className: "trace-groups" },
-      group("Result", make("div", { className: "choices" }, folding, download), make("label", {}, follow, " fold it again after every change")),
-      group("Trace automatically", automatic.element),
-      group("Flat-foldability", flat.element),
-      group("Symmetric copies", make("div", { className: "choices" }, reflect, around, along, make("label", { htmlFor: "trace-copies" }, "number in all ", count))),
-    ),
+    panes,
   );
   const start = make(
     "div",
@@ -315,9 +322,7 @@ export function makeTracing(open, beside) {
     take,
     state,
     history,
-    seen() {
-      if (beside.parentElement !== side) side.append(beside);
-    },
+    seen: lay,
   };
 }
 
