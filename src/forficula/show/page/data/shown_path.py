@@ -108,6 +108,7 @@ def without_crossing(path: QuasiStaticPath) -> QuasiStaticPath:
         coordinates=path.coordinates[rows],
         energy={name: values[rows] for name, values in path.energy.items()},
         force=path.force[rows],
+        sets=path.sets[rows],
         contacts={name: forces[rows] for name, forces in path.contacts.items()},
         length=path.length * end,
         marks=tuple(marks),
