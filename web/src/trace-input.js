@@ -6,6 +6,7 @@ import { LETTERS, assigned, edgeAt, moved, snapped, vertexAt, withEdge, withVert
 
 const REACH = { mouse: 9, touch: 22, pen: 12, keys: 9 }; // [chosen] pixels of the screen within which a click snaps
 const DRAG = 5; // pixels of the screen, below which a movement is a click
+const ROW = 12; // [chosen] pixels of the screen, height of a row in the order of reading
 const JOINED = 1e-6; // pixels of the picture, between points that are one after snapping
 
 /** Nothing selected. */
@@ -154,7 +155,10 @@ export function listenToDrawing(view, state, history, { show, say, clicked }) {
 
   /** Lead the cursor to the next vertex or junction, in the order of reading. */
   function next(forwards) {
-    const places = [...history.pattern.vertices, ...state.points].sort((one, other) => one[1] - other[1] || one[0] - other[0]);
+    const { vertices } = history.pattern;
+    const row = ([, y]) => Math.round(y / (ROW * view.unit));
+    const apart = state.points.filter((point) => vertexAt(history.pattern, point, JOINED) < 0);
+    const places = [...vertices, ...apart].sort((one, other) => row(one) - row(other) || one[0] - other[0]);
     if (!places.length) return;
     const at = state.cursor ? places.findIndex((place) => distance(place, state.cursor) < JOINED) : -1;
     lead(places[(at + (forwards ? 1 : at < 0 ? 0 : -1) + places.length) % places.length]);
