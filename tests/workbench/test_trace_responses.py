@@ -115,6 +115,14 @@ def test_a_picture_without_lines_has_no_junctions_but_can_be_drawn_on():
     assert response["reason"].startswith("need lines")
 
 
+def test_the_inside_of_a_drawn_frame_is_no_sheet_without_lines():
+    picture = Image.new("RGB", (400, 300), "white")
+    ImageDraw.Draw(picture).rectangle((48, 48, 351, 251), outline="black", width=4)
+    points = junctions_response(PictureRequest(picture=content(picture)))["points"]
+    for corner in [(49.5, 49.5), (349.5, 49.5), (349.5, 249.5), (49.5, 249.5)]:
+        assert min(np.hypot(*np.subtract(known, corner)) for known in points) < 0.5
+
+
 def test_the_automatic_trace_gives_the_drawing_with_its_scale():
     response = trace_response(TraceRequest(picture=content(drawing()), size="30 cm", corners="none"))
     assert sorted(response["letters"]) == ["B"] * 6 + ["M"]

@@ -1,9 +1,11 @@
 /** The table of the flat-folding conditions at the vertices of a drawn pattern. */
 
 import { make } from "./elements.js";
-import { failsAt, kawasakiText } from "./trace-drawing.js";
+import { failsAt, kawasakiText, verdictAt } from "./trace-drawing.js";
 
 const HEADS = ["vertex", "creases", "alternating sum of sectors (Kawasaki)", "|M \u2212 V| \u2212 2 (Maekawa)", "within 1\u00b0 and 0"];
+
+const ANSWERS = { failing: "no", holding: "yes", unknown: "not known" };
 
 /** Make the table; `select` receives the number of a vertex. */
 export function makeConditions(select) {
@@ -25,7 +27,7 @@ export function makeConditions(select) {
         const button = make("button", { type: "button", title: "select this vertex" }, String(vertex));
         button.addEventListener("click", () => select(vertex));
         const odd = condition.kawasaki === null;
-        const cells = [button, creases, odd ? "never flat: odd number" : kawasakiText(condition), maekawa ?? "unassigned edges", failsAt(condition) ? "no" : "yes"];
+        const cells = [button, creases, odd ? "never flat: odd number" : kawasakiText(condition), maekawa ?? "unassigned edges", ANSWERS[verdictAt(condition)]];
         return make("tr", failsAt(condition) ? { className: "failing" } : {}, ...cells.map((cell) => make("td", {}, typeof cell === "number" ? String(cell) : cell)));
       }),
     );

@@ -16,6 +16,9 @@ function draw(tag, attributes, ...children) {
 /** Whether a vertex cannot fold flat. */
 export const failsAt = ({ kawasaki, maekawa }) => kawasaki === null || kawasaki > ALLOWED || (maekawa ?? 0) !== 0;
 
+/** Whether both conditions hold: "failing", "holding", or "unknown" where an edge is unassigned. */
+export const verdictAt = (condition) => (failsAt(condition) ? "failing" : condition.maekawa === null ? "unknown" : "holding");
+
 /** The deviation from Kawasaki's condition as text. */
 export const kawasakiText = ({ kawasaki }) => (kawasaki === null ? "odd" : `${((kawasaki * 180) / Math.PI).toFixed(kawasaki > 0.17 ? 0 : 2)}\u00b0`);
 
@@ -67,7 +70,7 @@ export function makeDrawing() {
         return [line(...ends, `ground${chosen}`), line(...ends, `crease crease-${pattern.letters[number]}`)];
       }),
     );
-    const failing = new Map(conditions.map((condition) => [condition.vertex, failsAt(condition) ? "failing" : "holding"]));
+    const failing = new Map(conditions.map((condition) => [condition.vertex, verdictAt(condition)]));
     marks.replaceChildren(
       ...state.points.map((point) => circle(point, 2.5, "junction")),
       ...pattern.vertices.map((point, number) => circle(point, 4.5, `vertex ${failing.get(number) ?? ""}${selected.vertex === number ? " chosen" : ""}`)),

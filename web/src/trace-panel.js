@@ -52,13 +52,17 @@ export function makeTracing(open, beside) {
   // a picture
 
   async function take(file) {
-    view.image.src = URL.createObjectURL(file);
+    const address = URL.createObjectURL(file);
     try {
-      await view.image.decode();
+      await make("img", { src: address }).decode();
     } catch {
+      URL.revokeObjectURL(address);
       refuse(`${file.name} cannot be displayed: need a PNG or JPEG picture`);
       return;
     }
+    URL.revokeObjectURL(view.image.src);
+    view.image.src = address;
+    await view.image.decode();
     const picture = { name: file.name, text: await asText(file) };
     Object.assign(state, { picture, points: [], doubts: NO_DOUBTS, clicks: [], scale: null, matrix: null, cursor: null });
     history.clear();
@@ -114,7 +118,7 @@ export function makeTracing(open, beside) {
     state.conditions = vertexConditions(pattern, state.matrix);
     conditions.show(state.conditions, state.matrix !== null);
     clearTimeout(timer);
-    if (follow.checked && state.scale) timer = setTimeout(fold, REST);
+    if (follow.checked && state.scale && pattern.edges.length > 2) timer = setTimeout(fold, REST);
     show();
   }
 
@@ -167,7 +171,7 @@ export function makeTracing(open, beside) {
 
   /** Trace the picture automatically. */
   async function trace(size) {
-    const { picture, scale } = state;
+    const { picture } = state;
     const corners = state.clicks.length === 4 ? clockwise(state.clicks) : null;
     refuse("");
     said.textContent = "Tracing \u2026";
@@ -175,7 +179,7 @@ export function makeTracing(open, beside) {
     const where = corners ? corners.map(([x, y]) => `${x.toFixed(2)},${y.toFixed(2)}`).join(" ") : automatic.flat.checked ? "none" : "";
     const reply = await ask("picture-trace", { ...content(), size, corners: where });
     automatic.button.disabled = false;
-    if (state.picture !== picture || state.scale !== scale) return;
+    if (state.picture !== picture) return;
     if (reply.refused) return void refuse(reply.refused);
     const { points, size: length } = reply.scale;
     [state.clicks, state.most] = [points, points.length];

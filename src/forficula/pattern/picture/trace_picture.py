@@ -127,7 +127,12 @@ def snapping_points(picture: Picture) -> Array:
     """
     height, width = picture.pixels.shape[:2]
     sheet = find_corners(picture.pixels.mean(axis=2))
-    reduced, ink = _reduced_ink(picture.pixels, _searched(width, height, sheet, None))
+    try:
+        reduced, ink = _reduced_ink(picture.pixels, _searched(width, height, sheet, None))
+    except InputError:
+        # the bright part without lines may be the inside of a drawn frame
+        sheet = None
+        reduced, ink = _reduced_ink(picture.pixels, _searched(width, height, None, None))
     segments, _ = drawn_segments(ridge_points(ink), ink)
     places = full_places(junctions(segments, ink.line_width).places, reduced)
     return places if sheet is None else np.concatenate([places, sheet.corners])
