@@ -15,7 +15,12 @@ export function makeConditions(select) {
   const table = make("div", { className: "table", tabIndex: 0, role: "group", "aria-label": "conditions of flat folding" }, make("table", {}, head, body));
   const element = make("details", { className: "trace-conditions", open: true }, summary, table);
 
+  let last = [];
+
   function show(conditions, rectified) {
+    // the table is not built again while the pointer only moves
+    if (last[0] === conditions && last[1] === rectified) return;
+    last = [conditions, rectified];
     const failing = conditions.filter(failsAt).length;
     const where = rectified ? "" : " Angles are those in the picture until the scale is set.";
     const count = `${conditions.length} ${conditions.length === 1 ? "vertex" : "vertices"} inside the sheet`;

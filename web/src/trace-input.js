@@ -13,7 +13,7 @@ const JOINED = 1e-6; // pixels of the picture, between points that are one after
 export const NOTHING = { vertex: -1, edge: -1, click: -1 };
 
 /**
- * Listen to a drawing. state: {tool, letter, points, selected, cursor, pen, aim, clicks, most}, which is changed here;
+ * Listen to a drawing. state: {tool, letter, points, selected, cursor, pen, aim, preview, clicks, most}, which is changed here;
  * history: that of the pattern; show: draws the state; say: receives what was done; clicked: is called when clicks of the scale
  * have changed.
  */
@@ -84,8 +84,11 @@ export function listenToDrawing(view, state, history, { show, say, clicked }) {
     press.dragging ||= distance(at, press.at) > DRAG * view.unit;
     if (!press.dragging) return undefined;
     if (state.tool === "draw") [state.pen, state.aim] = [press.start, aimAt(at, reach)];
-    if (state.tool === "move" && state.selected.vertex >= 0) state.aim = { ...snapped(without(history.pattern, [state.selected.vertex]), state.points, at, reach) };
-    if (state.tool === "move" && state.selected.vertex >= 0) state.pen = history.pattern.vertices[state.selected.vertex];
+    if (state.tool === "move" && state.selected.vertex >= 0) {
+      const { vertex } = state.selected;
+      state.aim = snapped(without(history.pattern, [vertex]), state.points, at, reach);
+      state.preview = { ...history.pattern, vertices: history.pattern.vertices.with(vertex, state.aim.point) };
+    }
     if (state.tool === "scale") state.clicks = state.clicks.with(state.selected.click, aimAt(at, reach).point);
     return show();
   });
@@ -97,13 +100,13 @@ export function listenToDrawing(view, state, history, { show, say, clicked }) {
     if (state.tool === "draw" && state.aim) put(dragging ? start : null, state.aim.point);
     if (state.tool === "move" && dragging && state.selected.vertex >= 0) move(state.selected.vertex, state.aim.point);
     if (state.tool === "scale") clicked();
-    [state.pen, state.aim] = [null, null];
+    Object.assign(state, { pen: null, aim: null, preview: null });
     show();
   });
 
   drawing.addEventListener("pointercancel", () => {
     press = null;
-    [state.pen, state.aim] = [null, null];
+    Object.assign(state, { pen: null, aim: null, preview: null });
     show();
   });
 

@@ -25,7 +25,7 @@ export const isPicture = ({ name }) => PICTURE.test(name);
 export function makeTracing(open, beside) {
   const view = makeDrawing();
   const state = {
-    ...{ tool: "draw", letter: "B", points: [], selected: NOTHING, cursor: null, pen: null, aim: null },
+    ...{ tool: "draw", letter: "B", points: [], selected: NOTHING, cursor: null, pen: null, aim: null, preview: null },
     ...{ clicks: [], most: 2, scale: null, matrix: null, doubts: NO_DOUBTS, picture: null, conditions: [] },
   };
   const history = makeHistory(changed);
@@ -116,7 +116,6 @@ export function makeTracing(open, beside) {
     const { pattern } = history;
     if (state.selected.vertex >= pattern.vertices.length || state.selected.edge >= pattern.edges.length) state.selected = NOTHING;
     state.conditions = vertexConditions(pattern, state.matrix);
-    conditions.show(state.conditions, state.matrix !== null);
     clearTimeout(timer);
     if (follow.checked && state.scale && pattern.edges.length > 2) timer = setTimeout(fold, REST);
     show();
@@ -125,7 +124,10 @@ export function makeTracing(open, beside) {
   function show() {
     kinds.show(state.letter);
     tools.show(state.tool);
-    view.show({ ...state, pattern: history.pattern, clicks: state.tool === "scale" ? state.clicks : [] });
+    // conditions follow a vertex while it is dragged
+    const shown = state.preview ? vertexConditions(state.preview, state.matrix) : state.conditions;
+    conditions.show(shown, state.matrix !== null);
+    view.show({ ...state, pattern: state.preview ?? history.pattern, conditions: shown, clicks: state.tool === "scale" ? state.clicks : [] });
     const { vertex, edge, click } = state.selected;
     undo.disabled = !history.before.length;
     redo.disabled = !history.after.length;
@@ -151,7 +153,7 @@ export function makeTracing(open, beside) {
   function refuse(why) {
     said.textContent = "";
     wrong.textContent = why && !why.endsWith(".") ? `${why}.` : why;
-    const number = /^edges_vertices\[(\d+)\]/.exec(why)?.[1];
+    const number = /edges_vertices\[(\d+)\]/.exec(why)?.[1];
     if (number !== undefined) state.selected = { ...NOTHING, edge: Number(number) };
     show();
   }
