@@ -3,7 +3,7 @@
 import { make } from "./elements.js";
 import { failsAt, kawasakiText, verdictAt } from "./trace-drawing.js";
 
-const HEADS = ["vertex", "creases", "alternating sum of sectors (Kawasaki)", "|M \u2212 V| \u2212 2 (Maekawa)", "within 1\u00b0 and 0"];
+const HEADS = ["vertex", "creases", "alternating sum of sectors (Kawasaki)", "|mountains \u2212 valleys| (Maekawa)", "within 1\u00b0 and exactly 2"];
 
 const ANSWERS = { failing: "no", holding: "yes", unknown: "not known" };
 
@@ -32,7 +32,8 @@ export function makeConditions(select) {
         const button = make("button", { type: "button", title: "select this vertex" }, String(vertex));
         button.addEventListener("click", () => select(vertex));
         const odd = condition.kawasaki === null;
-        const cells = [button, creases, odd ? "never flat: odd number" : kawasakiText(condition), maekawa ?? "unassigned edges", ANSWERS[verdictAt(condition)]];
+        const difference = creases ? (maekawa === null ? "unassigned edges" : maekawa + 2) : "no creases";
+        const cells = [button, creases, odd ? "never flat: odd number" : kawasakiText(condition), difference, ANSWERS[verdictAt(condition)]];
         return make("tr", failsAt(condition) ? { className: "failing" } : {}, ...cells.map((cell) => make("td", {}, typeof cell === "number" ? String(cell) : cell)));
       }),
     );

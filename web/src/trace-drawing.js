@@ -77,7 +77,7 @@ export function makeDrawing() {
     );
     texts.replaceChildren(
       ...conditions.filter(failsAt).map((condition) => {
-        const count = condition.maekawa ? `, M\u2212V ${condition.maekawa > 0 ? "+" : ""}${condition.maekawa}` : "";
+        const count = condition.maekawa ? `, |M\u2212V| = ${condition.maekawa + 2}` : "";
         return text(pattern.vertices[condition.vertex], `${kawasakiText(condition)}${count}`, "condition");
       }),
     );

@@ -117,7 +117,7 @@ export function makeTracing(open, beside) {
     if (state.selected.vertex >= pattern.vertices.length || state.selected.edge >= pattern.edges.length) state.selected = NOTHING;
     state.conditions = vertexConditions(pattern, state.matrix);
     clearTimeout(timer);
-    if (follow.checked && state.scale && pattern.edges.length > 2) timer = setTimeout(fold, REST);
+    if (follow.checked && state.scale && pattern.edges.length > 2) timer = setTimeout(() => fold(true), REST);
     show();
   }
 
@@ -225,13 +225,13 @@ export function makeTracing(open, beside) {
 
   // the result
 
-  /** Request the FOLD file; returns the reply, or null after a refusal. */
-  async function result() {
+  /** Request the FOLD file; returns the reply, or null after a refusal. A quiet request reports only what was changed. */
+  async function result(quiet = false) {
     const reply = await ask("picture-pattern", drawn());
     if (reply.refused) refuse(`No pattern yet: ${reply.refused}`);
     else {
-      refuse("");
-      said.textContent = [`The pattern is ${reply.size}`, ...reply.remarks].join(". ");
+      wrong.textContent = "";
+      if (!quiet || reply.remarks.length) said.textContent = [`The pattern is ${reply.size}`, ...reply.remarks].join(". ");
     }
     return reply.refused ? null : reply;
   }
@@ -244,9 +244,9 @@ export function makeTracing(open, beside) {
   // names of files that every system allows
   const foldName = () => `${state.picture.name.replace(PICTURE, "").replace(/[^\p{L}\p{N}._ -]/gu, "_").slice(0, 60) || "picture"}.fold`;
 
-  async function fold() {
+  async function fold(quiet = false) {
     const mine = (opened += 1);
-    const reply = await result();
+    const reply = await result(quiet);
     if (!reply || mine !== opened) return;
     if (await open({ design: "", files: [{ name: foldName(), text: reply.fold }], unit: "" })) return;
     panes.append(side);
@@ -275,7 +275,7 @@ export function makeTracing(open, beside) {
     repeat(([x, y], [u, v]) => Array.from({ length: number - 1 }, (_, turn) => ([a, b]) => [a + (turn + 1) * (u - x), b + (turn + 1) * (v - y)]));
   });
   const download = makeAct("Download as FOLD", "with the unit and the scale of the picture", saveResult);
-  const folding = makeAct("Fold it", "open the pattern as the design of the workbench", fold);
+  const folding = makeAct("Fold it", "open the pattern as the design of the workbench", () => fold());
   const follow = make("input", { type: "checkbox", id: "trace-follow" });
   follow.addEventListener("change", changed);
 
