@@ -37,14 +37,15 @@ export async function showWorkbench(data) {
     last = where;
     return next(() => last === where && design.open(where, {}));
   };
-  /** Open a pattern that is traced; the keys that were set stay as long as its file has the same name. Returns the refusal. */
+  /** Open a pattern that is traced; keys and slider stay as long as its file has the same name. Returns the refusal. */
   const openTraced = (where) => {
     last = where;
     return next(async () => {
       if (last !== where) return "a later design is opened";
       const { asked } = design;
-      const kept = asked?.files[0]?.name === where.files[0].name ? asked.settings : {};
-      const why = await design.open(where, kept);
+      const again = asked?.files[0]?.name === where.files[0].name;
+      const kept = again ? asked.settings : {};
+      const why = await design.open(where, kept, !again);
       return why && Object.keys(kept).length ? design.open(where, {}) : why;
     });
   };
