@@ -185,13 +185,19 @@ export function listenToDrawing(view, state, history, { show, say, clicked }) {
     say("");
   }
 
+  /** Undo a step, or do it again. */
+  function again(forwards) {
+    (forwards ? history.redo : history.undo)();
+    say(forwards ? "Done again." : "Undone.");
+  }
+
   drawing.addEventListener("keydown", (event) => {
     const { key } = event;
     const letter = key.toUpperCase();
     const command = event.ctrlKey || event.metaKey;
     if (event.altKey) return;
-    if (command && letter === "Z") (event.shiftKey ? history.redo : history.undo)();
-    else if (command && letter === "Y") history.redo();
+    if (command && letter === "Z") again(event.shiftKey);
+    else if (command && letter === "Y") again(true);
     else if (command) return;
     else if (key in STEPS) step(STEPS[key], event.shiftKey);
     else if (key === "Delete" || key === "Backspace") remove();
@@ -204,5 +210,5 @@ export function listenToDrawing(view, state, history, { show, say, clicked }) {
     show();
   });
 
-  return { remove, assign, leave };
+  return { remove, assign, again };
 }

@@ -253,8 +253,8 @@ export function makeTracing(open, beside) {
     lay();
   }
 
-  const undo = makeAct("Undo", "ctrl+Z", () => history.undo());
-  const redo = makeAct("Redo", "ctrl+Y", () => history.redo());
+  const undo = makeAct("Undo", "ctrl+Z", () => input.again(false));
+  const redo = makeAct("Redo", "ctrl+Y", () => input.again(true));
   const remove = makeAct("Delete", "what is selected", () => input.remove());
   const closer = makeAct("Enlarge", "the picture and the drawing", () => magnify(1.5));
   const wider = makeAct("Reduce", "the picture and the drawing", () => magnify(1 / 1.5));
