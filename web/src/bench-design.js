@@ -15,12 +15,12 @@ const KEPT = `forficula ${location.pathname}`; // key of the session storage, wh
 export function makeDesign(shows) {
   const design = { asked: null, base: null, reply: null, rejected: new Map() };
 
-  /** Open a design in place of another; returns the reason if it is refused, otherwise "". */
-  design.open = async (where, settings) => {
+  /** Open a design in place of another; returns the reason if it is refused, otherwise "". A fresh one begins unfolded. */
+  design.open = async (where, settings, fresh = true) => {
     const name = where.files[0]?.name || where.design || "the design";
     const wanted = { ...where, settings };
     shows.says.wait(`Opening ${name}`);
-    const picture = shows.picture(wanted, true);
+    const picture = shows.picture(wanted, fresh);
     const base = await ask("design", { ...where, settings: {} });
     const why = base.refused ?? (await build(wanted, base, picture));
     if (why) {

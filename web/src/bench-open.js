@@ -1,15 +1,16 @@
 /** Choice of the workbench's design: a named one, or files that are dropped on the page or selected. */
 
 import { make } from "./elements.js";
+import { isPicture } from "./trace-panel.js";
 
-/** open: receives {design} or {files, unit}. */
-export function makeOpening(designs, opened, open) {
+/** open: receives {design} or {files, unit}; trace: receives a picture. */
+export function makeOpening(designs, opened, open, trace) {
   const given = make("option", { value: "" }, opened);
   const named = designs.filter(({ name }) => name !== opened).map(({ name, shows }) => make("option", { value: name, title: shows }, name));
   const choice = make("select", { id: "which-design" }, given, ...named);
-  const files = make("input", { type: "file", id: "which-files", multiple: true, accept: ".toml,.fold,.svg,.dxf", className: "spoken" });
+  const files = make("input", { type: "file", id: "which-files", multiple: true, accept: ".toml,.fold,.svg,.dxf,.png,.jpg,.jpeg", className: "spoken" });
   const unit = make("input", { type: "text", id: "which-unit", placeholder: "1 cm", size: 6, spellcheck: false });
-  const hint = "A design (.toml, with the files that it names), a FOLD file or a drawing (.svg, .dxf) can be dropped anywhere on the page.";
+  const hint = "A design (.toml, with the files that it names), a FOLD file or a drawing (.svg, .dxf), or a picture to trace (.png, .jpg), can be dropped anywhere on the page.";
   const drop = make("label", { className: "button", htmlFor: "which-files" }, "Open files \u2026");
   const element = make(
     "div",
@@ -30,6 +31,11 @@ export function makeOpening(designs, opened, open) {
   let last = null;
 
   async function take(chosen) {
+    const picture = chosen.find(isPicture);
+    if (picture) {
+      await trace(picture);
+      return;
+    }
     const read = await Promise.all(chosen.map(async (file) => ({ name: file.name, text: await file.text() })));
     last = inOrder(read);
     await open({ design: "", files: last, unit: unit.value.trim() });

@@ -3,6 +3,7 @@
 import "./page.css";
 import "./try.css";
 import "./bench.css";
+import "./trace.css";
 import { make } from "./elements.js";
 import { mountFigures } from "./figures.js";
 import { takeUnits } from "./format.js";

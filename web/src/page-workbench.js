@@ -12,6 +12,7 @@ import { makeTabs } from "./bench-tabs.js";
 import { makeWing } from "./bench-wing.js";
 import { make } from "./elements.js";
 import { capital } from "./format.js";
+import { makeTracing } from "./trace-panel.js";
 
 const RESULTS = {
   landscape: { button: "Compute it", text: "Statics computes the equilibria, the barriers between them, and the motion under the drives.", title: "landscape" },
@@ -36,12 +37,27 @@ export async function showWorkbench(data) {
     last = where;
     return next(() => last === where && design.open(where, {}));
   };
-  const opening = makeOpening(data.designs, data.opened, open);
+  /** Open a pattern that is traced; keys and slider stay as long as its file has the same name. Returns the refusal. */
+  const openTraced = (where) => {
+    last = where;
+    return next(async () => {
+      if (last !== where) return "a later design is opened";
+      const { asked } = design;
+      const again = asked?.files[0]?.name === where.files[0].name;
+      const kept = again ? asked.settings : {};
+      const why = await design.open(where, kept, !again);
+      return why && Object.keys(kept).length ? design.open(where, {}) : why;
+    });
+  };
+  const opening = makeOpening(data.designs, data.opened, open, (picture) => {
+    views.tabs.choose("trace");
+    return views.tracing.take(picture);
+  });
   const keys = makeKeys((key, text) => {
     slid.hand();
     next(() => design.change(key, text));
   });
-  const views = makeViews(design, slid, open);
+  const views = makeViews(design, slid, open, openTraced);
   const taking = makeTaking();
 
   /** Display a design, and the keys that were set or refused. */
@@ -65,7 +81,7 @@ export async function showWorkbench(data) {
   document.getElementById("workbench").append(head, keys.element, views.tabs.element);
   views.tabs.choose("wing");
   await next(() => begin(design, data));
-  return Object.assign(design, { wing: views.wing, idle: () => queue });
+  return Object.assign(design, { wing: views.wing, tracing: views.tracing, idle: () => queue });
 }
 
 /** Open the design from before a reload, or else the one with which the workbench was started. */
@@ -76,7 +92,7 @@ async function begin(design, data) {
 }
 
 /** Views of its structure, its pattern, results on demand, and its file. */
-function makeViews(design, slid, open) {
+function makeViews(design, slid, open, openTraced) {
   const asked = () => design.asked;
   const results = Object.fromEntries(Object.entries(RESULTS).map(([what, words]) => [what, makeResults(what, words, asked)]));
   const wing = makeWing(asked, slid.put, () => {
@@ -85,15 +101,19 @@ function makeViews(design, slid, open) {
   });
   const sheet = makeSheet(asked);
   const file = makeFile((text) => open({ design: "", files: [{ name: `${design.reply?.name ?? "design"}.toml`, text }], unit: "" }));
+  // the structure is displayed alone, or beside the picture that is traced
+  const alone = make("div", {}, wing.element);
+  const tracing = makeTracing(openTraced, wing.element);
   const tabs = makeTabs(
     [
-      { name: "wing", title: "Structure", element: wing.element },
+      { name: "wing", title: "Structure", element: alone, seen: () => wing.element.parentElement !== alone && alone.append(wing.element) },
       { name: "sheet", title: "Pattern", ...sheet },
+      { name: "trace", title: "Trace", element: tracing.element, seen: tracing.seen },
       { name: "landscape", title: "Landscape", ...results.landscape },
       { name: "run", title: "Run", ...results.run },
       { name: "file", title: "File", element: file.element },
     ],
     "views of the design",
   );
-  return { tabs, wing, file };
+  return { tabs, wing, file, tracing };
 }

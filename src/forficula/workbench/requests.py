@@ -57,7 +57,13 @@ class UploadedFile(BaseModel):
         return name
 
 
-class DesignRequest(BaseModel):
+class PageRequest(BaseModel):
+    """A request of a page."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class DesignRequest(PageRequest):
     """A design that a page requests.
 
     Attributes:
@@ -66,8 +72,6 @@ class DesignRequest(BaseModel):
         unit: length of the unit of a FOLD file or drawing that states none, as text; "" if not given.
         settings: values by dotted key, as the text of `--set`.
     """
-
-    model_config = ConfigDict(frozen=True, extra="forbid")
 
     design: str = ""
     files: Annotated[tuple[UploadedFile, ...], Field(max_length=_MOST_FILES)] = ()

@@ -22,8 +22,9 @@ from forficula.design import load_design, named_designs
 from forficula.errors import InputError
 from forficula.show.page.page import page_html
 from forficula.workbench.access import Access, redirect_page, refusal, refused_page, write_redirect
-from forficula.workbench.requests import DesignRequest, DragRequest, FoldRequest, Opened, design_source
+from forficula.workbench.requests import DesignRequest, DragRequest, FoldRequest, Opened, PageRequest, design_source
 from forficula.workbench.session import WorkerSession
+from forficula.workbench.trace_requests import PICTURE_REQUESTS
 from forficula.workbench.traffic import LARGEST_REFUSED, BoundedApplication
 from forficula.workbench.worker import StoppedError, Task, Worker
 
@@ -146,8 +147,9 @@ def application(bench: Bench) -> BoundedApplication:
         [
             (r"/open/([A-Za-z0-9_-]+)", _Entrance, shared),
             (secret, _Page, shared),
-            (rf"{secret}(design|model|pattern)", _Answer, shared),
+            (rf"{secret}(design|model|pattern|picture-scale|picture-pattern)", _Answer, shared),
             (rf"{secret}(drag)", _Drag, shared),
+            (rf"{secret}(picture-(?:junctions|trace|straighten))", _Traced, shared),
             (rf"{secret}(fold)", _Fold, shared),
             (rf"{secret}(landscape|run)", _Results, shared),
             (rf"{secret}results/([0-9]{{1,9}})/{_REPORT}", _Report, shared),
@@ -226,7 +228,7 @@ class _Guarded(RequestHandler):
         refused = f"need GET or POST, got {self.request.method}" if status_code == 405 else "the workbench failed"
         self.finish({"refused": f"{refused} ({status_code})"})
 
-    def read_request(self, kind: type[DesignRequest] = DesignRequest) -> DesignRequest | None:
+    def read_request(self, kind: type[PageRequest]) -> PageRequest | None:
         """Return the request of the page; None after a refusal if it cannot be read."""
         if self.request.headers.get("Content-Type", "").partition(";")[0] != "application/json":
             self.refuse(415, "need application/json")
@@ -276,14 +278,14 @@ class _Page(_Guarded):
 
 
 class _Answer(_Guarded):
-    request_type: type[DesignRequest] = DesignRequest
+    request_type: type[PageRequest] = DesignRequest
 
     @property
     def session(self) -> WorkerSession:
         return self.bench.quick
 
     async def post(self, task: Task) -> None:
-        if (request := self.read_request(self.request_type)) is None:
+        if (request := self.read_request(PICTURE_REQUESTS.get(task, self.request_type))) is None:
             return
         try:
             await self.finish(await self.session.do(self, task, request))
@@ -305,6 +307,14 @@ class _Drag(_Answer):
     @property
     def session(self) -> WorkerSession:
         return self.bench.statics
+
+
+class _Traced(_Answer):
+    """Answers with what is found in a picture, or with the pattern after vertices have moved."""
+
+    @property
+    def session(self) -> WorkerSession:
+        return self.bench.slow
 
 
 class _Lines(_Guarded):
@@ -350,7 +360,7 @@ class _Results(_Lines):
         return self.bench.slow
 
     async def post(self, task: Task) -> None:
-        if (request := self.read_request()) is None:
+        if (request := self.read_request(DesignRequest)) is None:
             return
         self.set_header("Content-Type", "application/x-ndjson")
         self.bench.results += 1

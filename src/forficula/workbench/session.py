@@ -6,7 +6,7 @@ import asyncio
 from pathlib import Path
 from typing import Any
 
-from forficula.workbench.requests import DesignRequest
+from forficula.workbench.requests import PageRequest
 from forficula.workbench.worker import Report, StoppedError, Task, Worker
 
 # s, until the process of a task is ended that was stopped but does not report
@@ -26,7 +26,7 @@ class WorkerSession:
         self,
         holder: object,
         task: Task,
-        request: DesignRequest,
+        request: PageRequest,
         folder: Path | None = None,
         report: Report = lambda _: None,
     ) -> Any:
@@ -35,7 +35,7 @@ class WorkerSession:
         Args:
             holder: the request.
             task: the task.
-            request: the design.
+            request: the request of the page.
             folder: folder for results that are files.
             report: receives descriptions of the progress, or parts of the result, in the event loop.
 

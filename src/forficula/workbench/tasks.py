@@ -13,27 +13,53 @@ from forficula.statics import energy_landscape
 from forficula.study.running.law_timestep import with_timestep_for_law
 from forficula.study.running.runs import run
 from forficula.workbench.fold_responses import FoldResponses
-from forficula.workbench.requests import DesignRequest, DragRequest, FoldRequest, Opened, requested_design
+from forficula.workbench.requests import DesignRequest, DragRequest, FoldRequest, Opened, PageRequest, requested_design
 from forficula.workbench.responses import design_response, model_response, pattern_response
+from forficula.workbench.trace_requests import (
+    DrawnPatternRequest,
+    PictureRequest,
+    ScaleRequest,
+    StraightenRequest,
+    TraceRequest,
+)
+from forficula.workbench.trace_responses import (
+    drawn_pattern_response,
+    junctions_response,
+    scale_response,
+    straightened_response,
+    trace_response,
+)
 from forficula.workbench.worker import Report, Task
 
 
 def task_result(
-    task: Task, request: DesignRequest, opened: Opened, folder: Path, folds: FoldResponses, report: Report
+    task: Task, request: PageRequest, opened: Opened, folder: Path, folds: FoldResponses, report: Report
 ) -> Any:
     """Return the result of a task; None if the result is in the folder, or was reported in parts.
 
     Args:
         task: the task.
-        request: the design.
+        request: the request of the page.
         opened: design with which the workbench was opened.
         folder: folder for results that are files.
         folds: fold paths that this process has computed.
         report: receives descriptions of the progress, or parts of the result.
 
     Raises:
-        InputError: the design cannot be read or built, or the task refuses it.
+        InputError: the design or the picture cannot be read or built, or the task refuses it.
     """
+    match request:
+        case StraightenRequest():
+            return straightened_response(request, opened)
+        case DrawnPatternRequest():
+            return drawn_pattern_response(request, opened)
+        case ScaleRequest():
+            return scale_response(request)
+        case TraceRequest():
+            return trace_response(request)
+        case PictureRequest():
+            return junctions_response(request)
+    assert isinstance(request, DesignRequest)
     match task:
         case "design":
             return design_response(request, opened)

@@ -17,12 +17,25 @@ from time import monotonic
 from typing import TYPE_CHECKING, Any, Literal
 
 from forficula.errors import InputError
-from forficula.workbench.requests import DesignRequest, Opened, reading_for_page
+from forficula.workbench.requests import Opened, PageRequest, reading_for_page
 
 if TYPE_CHECKING:
     from forficula.workbench.fold_responses import FoldResponses
 
-Task = Literal["design", "model", "pattern", "landscape", "run", "fold", "drag"]
+Task = Literal[
+    "design",
+    "model",
+    "pattern",
+    "landscape",
+    "run",
+    "fold",
+    "drag",
+    "picture-scale",
+    "picture-junctions",
+    "picture-trace",
+    "picture-pattern",
+    "picture-straighten",
+]
 _BETWEEN = 0.1  # s, between reports of progress
 _STOP = "stop"  # message that stops the present task
 # receives descriptions of the progress, or parts of the result as data for JSON
@@ -49,12 +62,12 @@ class Worker:
         with self._lock:
             self._begin()
 
-    def do(self, task: Task, request: DesignRequest, folder: Path | None, report: Report) -> Any:
+    def do(self, task: Task, request: PageRequest, folder: Path | None, report: Report) -> Any:
         """Run a task, and return its result.
 
         Args:
             task: the task.
-            request: the design.
+            request: the request of the page.
             folder: folder for results that are files; None for a task without files.
             report: receives descriptions of the progress, or parts of the result.
 
@@ -160,7 +173,7 @@ def _reporter(pipe: Connection) -> Report:
 
 
 def _answer(
-    task: Task, request: DesignRequest, opened: Opened, folder: Path, folds: FoldResponses, report: Report
+    task: Task, request: PageRequest, opened: Opened, folder: Path, folds: FoldResponses, report: Report
 ) -> tuple[str, Any]:
     """Return the kind and the content of the answer to a task."""
     from forficula.workbench.tasks import task_result
@@ -174,7 +187,7 @@ def _answer(
     except InputError as error:
         return "refused", str(error)
     except MemoryError:
-        return "refused", "no memory left; take fewer parts, or fewer rows by a longer sample_interval"
+        return "refused", "no memory left; take fewer parts, a smaller picture, or a longer sample_interval"
     except RecursionError:
         return "refused", "keys or values are nested too deeply"
     except Exception as error:

@@ -1,6 +1,7 @@
 """Fold path on the page of a structure: its shapes and numbers, and the slider that moves through them."""
 
 import base64
+import json
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +11,7 @@ from forficula.design import load_design
 from forficula.show.page import write_run_page
 from forficula.show.page.data.fold_view import fold_view
 from forficula.show.page.data.shape_mesh import shape_mesh
-from forficula.show.page.data.shown_path import fold_of
+from forficula.show.page.data.shown_path import fold_of, without_crossing
 from forficula.show.page.run_page import run_page
 from forficula.statics import quasi_static_path
 from forficula.statics.landscape import net_courses
@@ -19,6 +20,7 @@ from forficula.structure import structure_of
 from tests.plate_sheets import pushed, stage
 from tests.show.page.conftest import until
 from tests.show.page.test_page import data_of
+from tests.workbench.test_server import SQUARE
 
 
 def decoded(steps):
@@ -242,3 +244,14 @@ def test_the_fold_slider_and_the_energy_curve_fit_a_phone(opened, scheme):
     assert bottoms == sorted(bottoms)
     assert bottoms[-1] - start < 844  # picture, curve and slider are visible at once
     opened.show()
+
+
+def test_a_path_that_ends_where_panels_cross_has_the_moments_of_its_points(tmp_path):
+    """The permanent folds of creases are cut with the other values of the points."""
+    (tmp_path / "door.fold").write_text(json.dumps(SQUARE), "utf-8")
+    whole = quasi_static_path(structure_of(load_design(tmp_path / "door.fold")))
+    crossing = replace(whole, angles=2 * whole.angles)
+    path = without_crossing(crossing)
+    count = len(path.share)
+    assert 1 < count < len(whole.share)
+    assert path.moments == pytest.approx(crossing.moments[:count])

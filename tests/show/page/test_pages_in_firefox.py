@@ -8,6 +8,7 @@ import pytest
 
 from tests.show.page.firefox import INSTALL, firefox_path, running
 from tests.show.page.page_kinds import KINDS, MOVING
+from tests.show.page.test_workbench_page import POINTER
 from tests.workbench.serving import serving
 
 WIDE, NARROW = (1280, 800), (390, 844)
@@ -81,6 +82,24 @@ def test_plots_and_the_structure_are_drawn_and_play_moves_them(firefox, pages, k
     assert (firefox.messages, requests_of(firefox)) == ([], [])
 
 
+def _traces(firefox):
+    """Check that a picture is read, that its junctions are found, and that an edge between two of them is drawn."""
+    firefox.evaluate("""new Promise((done) => {
+        const canvas = Object.assign(document.createElement("canvas"), { width: 400, height: 300 });
+        const pen = canvas.getContext("2d");
+        pen.fillStyle = "white", pen.fillRect(0, 0, 400, 300);
+        pen.lineWidth = 4, pen.strokeRect(50, 50, 300, 200);
+        canvas.toBlob((blob) => done(window.forficula.tracing.take(new File([blob], "sketch.png"))));
+    })""")
+    said = "document.querySelector('.trace-said').textContent"
+    assert firefox.evaluate(said) == "Clicks snap to 4 junctions of lines and corners."
+    firefox.evaluate("document.getElementById('tab-trace').click()")
+    firefox.evaluate(f"({POINTER})(['touch', [[54, 48], [200, 60], [347, 53]]])")
+    drawn = firefox.evaluate("window.forficula.tracing.history.pattern")
+    assert drawn["edges"] == [[0, 1]]
+    assert np.allclose(drawn["vertices"], [[49.5, 49.5], [349.5, 49.5]], atol=0.5)
+
+
 def _moves_by_slider(firefox):
     """Check that the slider of a fold moves the structure, its energy and the ball on the curve of the energy."""
     state = """JSON.stringify([document.querySelector('.time').textContent, forficula.plots.charts[0].over
@@ -130,6 +149,7 @@ def test_a_workbench_builds_what_is_changed_and_keeps_the_last_good_model(firefo
             "pattern.units: need >= 1"
         )
         assert firefox.evaluate("window.forficula.wing.panel.frame.readings[0].length") == 5
+        _traces(firefox)
         assert firefox.messages == []
         origin = served.address.rpartition("/")[0].rpartition("/")[0]
         assert all(url.startswith((f"{origin}/", "data:", "blob:")) for url in firefox.requests)

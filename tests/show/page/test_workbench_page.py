@@ -6,6 +6,7 @@ from time import monotonic
 
 import numpy as np
 import pytest
+from PIL import Image, ImageDraw
 
 from forficula.analysis import measure
 from forficula.design import design_from_text
@@ -36,6 +37,21 @@ DROP = """([files]) => {
   const data = new DataTransfer();
   for (const [name, text] of files) data.items.add(new File([text], name));
   document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+}"""
+# moves a pointer over the drawing on a picture, through points in pixels of the picture
+POINTER = """([pointerType, stops]) => {
+  const drawing = document.querySelector(".trace-drawing");
+  const { width } = drawing.viewBox.baseVal;
+  const send = (type, [x, y]) => {
+    const box = drawing.getBoundingClientRect();
+    const [clientX, clientY] = [box.left + (x + 0.5) * box.width / width, box.top + (y + 0.5) * box.width / width];
+    const options = { pointerType, pointerId: 1, clientX, clientY, button: 0, bubbles: true, cancelable: true };
+    drawing.dispatchEvent(new PointerEvent(type, options));
+  };
+  drawing.setPointerCapture = () => undefined;  // there is no such pointer
+  send("pointerdown", stops[0]);
+  for (const stop of stops.slice(1)) send("pointermove", stop);
+  send("pointerup", stops.at(-1));
 }"""
 
 
@@ -483,3 +499,74 @@ def test_every_field_is_accessible_by_keyboard_and_screen_reader(connected, addr
             assert page.evaluate("document.documentElement.scrollWidth") <= window["width"]
             within = "[role=tabpanel]:not([hidden])"  # elements around the views are the same
     page.close()
+
+
+def test_a_pattern_is_traced_by_pointer_touch_and_keys_and_folds_beside_the_picture(bench, tmp_path):
+    page = bench.page
+    picture = Image.new("RGB", (400, 300), "white")
+    pen = ImageDraw.Draw(picture)
+    pen.rectangle((50, 50, 350, 250), outline="black", width=4)
+    pen.line((200, 52, 200, 248), fill=(30, 50, 190), width=4)
+    picture.save(tmp_path / "sketch.png")
+    page.set_viewport_size({"width": 900, "height": 700})
+    page.get_by_role("tab", name="Trace").click()
+    page.set_input_files("#trace-file", tmp_path / "sketch.png")
+    said = "document.querySelector('.trace-said').textContent"
+    until(page, f"{said} === 'Clicks snap to 6 junctions of lines and corners.'", SECONDS)
+
+    def pattern():
+        drawn = page.evaluate("forficula.tracing.history.pattern")
+        return len(drawn["vertices"]), "".join(sorted(drawn["letters"]))
+
+    def pointer(kind, *stops):
+        """Press at the first point, 2 pixels of the picture beside it, and release at the last one."""
+        page.evaluate(POINTER, [kind, [[x + 2, y - 2] for x, y in stops]])
+
+    # the scale: two clicks and a length
+    page.get_by_label("Set the scale").check()
+    page.get_by_label("Distance").fill("9 cm")
+    for x in (51.5, 348.5):
+        pointer("mouse", (x, 51.5))
+    until(page, "forficula.tracing.state.scale !== null", SECONDS)
+    assert "The length is 9 cm" in page.locator(".trace-choice:visible").nth(1).inner_text()
+    # three borders by mouse and by touch, three by keys, which lead from vertex to vertex in the order of reading
+    page.get_by_label("Draw", exact=True).check()
+    left, middle, right, top, bottom = 51.5, 200, 348.5, 51.5, 248.5
+    pointer("mouse", (left, top), (middle, 150), (middle, top))
+    pointer("touch", (middle, top), (right, 150), (right, top))
+    pointer("touch", (left, top), (left, 150), (left, bottom))
+    assert pattern() == (4, "BBB")
+    page.locator(".trace-drawing").focus()
+    for key in ("n", "n", "n", "Enter", "n", "n", "n", "Enter", "p", "Enter", "p", "Enter", "Escape"):
+        page.keyboard.press(key)
+    assert pattern() == (6, "BBBBBB")
+    page.keyboard.press("v")
+    pointer("mouse", (middle, top), (middle, 150), (middle, bottom))
+    assert pattern() == (6, "BBBBBBV")
+    page.keyboard.press("Control+z")
+    assert pattern() == (6, "BBBBBB")
+    page.keyboard.press("Control+y")
+    # a vertex is moved by an arrow key, and back by undo; what is selected is deleted
+    page.get_by_label("Select and move").check()
+    pointer("mouse", (right, top))
+    page.locator(".trace-drawing").focus()
+    page.keyboard.press("ArrowUp")
+    assert page.evaluate(f"forficula.tracing.history.pattern.vertices.every(([, y]) => y > {top - 0.7})") is False
+    page.keyboard.press("Control+z")
+    pointer("mouse", (middle, 150))
+    page.keyboard.press("Delete")
+    assert pattern() == (6, "BBBBBB")
+    page.keyboard.press("Control+z")
+    # the result, beside its picture and as a file
+    page.get_by_role("button", name="Fold it", exact=True).click()
+    until(page, "document.querySelector('.trace-side canvas') !== null", SECONDS)
+    bench.settled()
+    sheet = bench.design().pattern
+    assert sheet.kind == "fold-file"
+    assert np.ptp(sheet.vertices_x) == pytest.approx(0.09, rel=1e-6)
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Download as FOLD").click()
+    assert json.loads(download.value.path().read_text())["forficula:picture"]["name"] == "sketch.png"
+    refused, _ = violations(page, ALL, "#view-trace")
+    assert refused == []
+    page.set_viewport_size(SMALL)

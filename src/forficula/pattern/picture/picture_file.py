@@ -59,10 +59,20 @@ def read_picture(path: str | os.PathLike[str]) -> Picture:
         if ending not in PICTURE_FILES:
             known = ", ".join(PICTURE_FILES)
             raise InputError(f"need a picture that ends with one of {known}, got {as_written(file.suffix)}")
-        content = read_bytes(file, _LARGEST_FILE)
-        if not content:
-            raise InputError("need a picture, got an empty file")
-        return Picture(pixels=_decoded(content, PICTURE_FILES[ending]), name=file.name)
+        return Picture(pixels=_decoded(read_bytes(file, _LARGEST_FILE), PICTURE_FILES[ending]), name=file.name)
+
+
+def picture_of_content(content: bytes, name: str) -> Picture:
+    """Decode the content of a PNG or JPEG file, as `read_picture` does.
+
+    Args:
+        content: bytes of the file.
+        name: name of the file, whose ending may differ from the format of the content.
+
+    Raises:
+        InputError: as for `read_picture`.
+    """
+    return Picture(pixels=_decoded(content, None), name=name)
 
 
 def picture_of_array(values: object) -> Picture:
@@ -105,10 +115,13 @@ def check_pixels(width: int, height: int) -> None:
         raise InputError(f"need at least {_FEWEST_PIXELS} pixels along each side, got {width} x {height}")
 
 
-def _decoded(content: bytes, expected: str) -> Array:
-    """Return the pixels of a file's content."""
+def _decoded(content: bytes, expected: str | None) -> Array:
+    """Return the pixels of a file's content, which must have the expected format if there is one."""
     from PIL import Image, ImageOps, UnidentifiedImageError
 
+    if not content:
+        raise InputError("need a picture, got an empty file")
+    name = expected or " or ".join(dict.fromkeys(PICTURE_FILES.values()))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # sizes are checked below
         try:
@@ -119,18 +132,18 @@ def _decoded(content: bytes, expected: str) -> Array:
         except InputError:
             raise
         except UnidentifiedImageError:
-            raise InputError(f"need a {expected} picture, got another content") from None
+            raise InputError(f"need a {name} picture, got another content") from None
         except Image.DecompressionBombError:
             raise InputError(f"need at most {_MOST_PIXELS // 10**6} million pixels, got a larger picture") from None
         except (OSError, ValueError, SyntaxError, ArithmeticError, LookupError, TypeError) as error:
             reason = " ".join(str(error).split()) or type(error).__name__
-            raise InputError(f"cannot be read as a {expected} picture: {reason}") from None
+            raise InputError(f"cannot be read as a {name} picture: {reason}") from None
 
 
-def _check_kind(picture: Image.Image, content: bytes, expected: str) -> None:
+def _check_kind(picture: Image.Image, content: bytes, expected: str | None) -> None:
     """Refuse a picture of another kind before its pixels are decoded."""
     actual = _FORMATS[str(picture.format)]
-    if actual != expected:
+    if expected is not None and actual != expected:
         raise InputError(f"need a {expected} picture, as the name ends, got {actual}; rename the file")
     check_pixels(*picture.size)
     if actual == "PNG" and getattr(picture, "is_animated", False):

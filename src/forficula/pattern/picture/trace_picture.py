@@ -113,6 +113,31 @@ def trace_picture(
     )
 
 
+def snapping_points(picture: Picture) -> Array:
+    """Find the points of a picture to which clicks may move: junctions of drawn lines, and corners of the sheet.
+
+    Args:
+        picture: photograph, scan or drawing.
+
+    Returns:
+        Pixels, shape (N, 2).
+
+    Raises:
+        InputError: no ink is found.
+    """
+    height, width = picture.pixels.shape[:2]
+    sheet = find_corners(picture.pixels.mean(axis=2))
+    try:
+        reduced, ink = _reduced_ink(picture.pixels, _searched(width, height, sheet, None))
+    except InputError:
+        # the bright part without lines may be the inside of a drawn frame
+        sheet = None
+        reduced, ink = _reduced_ink(picture.pixels, _searched(width, height, None, None))
+    segments, _ = drawn_segments(ridge_points(ink), ink)
+    places = full_places(junctions(segments, ink.line_width).places, reduced)
+    return places if sheet is None else np.concatenate([places, sheet.corners])
+
+
 def _check_size(size: tuple[float, float | None]) -> None:
     for length in size:
         if length is not None and not (math.isfinite(length) and 1e-6 <= length <= 1e3):
