@@ -12,10 +12,10 @@ from scipy.sparse.csgraph import dijkstra
 
 from forficula.arrays import Array
 from forficula.design import Imperfection, SheetDesign, tendon_law
+from forficula.design.sheets.crease_sections import with_law
 from forficula.design.sheets.crease_values import creases_by_edge
 from forficula.design.sheets.sheet_creases import crease_sense
 from forficula.design.sheets.sheet_places import GROUND_PLACE
-from forficula.design.sheets.sheet_sections import with_law
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 from forficula.pattern.geometry import triangle_areas, triangle_normals
