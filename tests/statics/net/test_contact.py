@@ -6,13 +6,7 @@ import pytest
 from forficula.design import load_design, with_values
 from forficula.errors import InputError
 from forficula.statics import start_drag
-from forficula.statics.net.contact.closest import (
-    corner_to_triangle,
-    distance_hessians,
-    edge_to_edge,
-    gradients,
-    squared_sines,
-)
+from forficula.statics.net.contact.closest import corner_to_triangle, distance_hessians, edge_to_edge, gradients
 from forficula.statics.net.contact.contact_energy import contact_forces
 from forficula.statics.net.load import crease_torques
 from forficula.statics.net.load_path import load_path
@@ -22,7 +16,7 @@ from forficula.statics.net.stable_states import find_stable_states
 from forficula.statics.survey import check_quasi_static
 from forficula.statics.tree_remarks import ignored_contact_remarks
 from forficula.structure import structure_of
-from forficula.structure.contact.distances import node_from_triangle, side_from_side
+from forficula.structure.contact.distances import node_from_triangle, side_from_side, squared_sines
 from tests.touching_strips import rest_of, strip
 
 STEP = 1e-6

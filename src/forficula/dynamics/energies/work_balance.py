@@ -19,9 +19,9 @@ from forficula.dynamics.energies.stop_forces import friction_torques, stop_force
 from forficula.dynamics.energies.tendon_losses import TendonLosses
 from forficula.dynamics.engine.contact import has_engine_contact
 from forficula.dynamics.engine.model import Model, joint_ranges
-from forficula.dynamics.engine.touching import touching_of
 from forficula.dynamics.stepping.steps import EngineState, Steps
 from forficula.structure import RestPath
+from forficula.structure.contact.touching_parts import has_touching_facets
 
 # steps during which a stop's force still changes fast: four of its time constants
 _JUMP = 8
@@ -72,7 +72,7 @@ class WorkBalance:
         # the widest gap so far, m
         self._widest = np.zeros(len(models))
         # the largest overlap of parts so far as a share of the thickness, if facets or plates touch
-        self._touches = touching_of(models[0]) is not None
+        self._touches = has_touching_facets(models[0].structure)
         self._deepest = np.zeros(len(models))
 
     def add(self, rows: Indices, steps: Steps, torques: Array, taken: Indices) -> dict[str, Array]:

@@ -25,12 +25,12 @@ from forficula.dynamics.engine.crease_rows import without_jump
 from forficula.dynamics.engine.drag import KINEMATICS, stacked_drag
 from forficula.dynamics.engine.followed_creases import FollowedCreases, followed_creases, followed_engine
 from forficula.dynamics.engine.model import Model
-from forficula.dynamics.engine.touching import touching_of
 from forficula.dynamics.engine.warnings import quiet
 from forficula.dynamics.stepping.folds import joint_address, slide_name
 from forficula.dynamics.stepping.start_states import start_crease_memory, start_creases, start_position, start_states
 from forficula.dynamics.stepping.steps import MEMORY, MOVING, STATE, EngineState, StepContacts, Steps
 from forficula.structure import RestShape
+from forficula.structure.contact.touching_parts import has_touching_facets
 
 if TYPE_CHECKING:
     from forficula.dynamics.gpu.device_engine import DeviceEngine
@@ -117,7 +117,7 @@ class Stepper:
         # angles and memory of creases at the start of each block
         slots, blocks = 1 + len(self._past), chunk // models[0].followed
         self._blocks = deque([np.empty((slots, len(models), blocks, len(self._angles[0]))) for _ in range(2)])
-        self._contact = ContactForces(models) if touching_of(models[0]) is not None else None
+        self._contact = ContactForces(models) if has_touching_facets(models[0].structure) else None
         memory = (len(models), chunk if self._contact else 0)
         self._contacts = deque(
             [StepContacts(np.zeros((*memory, models[0].engine.nv)), np.zeros(memory)) for _ in range(2)]

@@ -71,6 +71,11 @@ class _Part:
         return {*self.corners, *(point for corners in self.triangles for point in corners)}
 
 
+def has_touching_facets(structure: Structure) -> bool:
+    """Return whether facets or plates of a structure touch other parts."""
+    return structure.contact is not None and bool(structure.plates or structure.facets)
+
+
 def touching_parts(structure: Structure, contact: Contact) -> TouchingParts | None:
     """Return the parts of a structure that touch other parts; None if it has neither facets nor plates.
 

@@ -10,9 +10,10 @@ from scipy.optimize import nnls
 from scipy.sparse import coo_array, csc_array, csr_array
 
 from forficula.arrays import Array, Flags
-from forficula.statics.net.contact.closest import Closest, distance_hessians, gradients, squared_sines
+from forficula.statics.net.contact.closest import Closest, distance_hessians, gradients
 from forficula.statics.net.contact.net_contact import NetContact, Pressing
 from forficula.statics.net.factor import Factorisation
+from forficula.structure.contact.distances import squared_sines
 from forficula.structure.contact.pairs import Pairs
 
 if TYPE_CHECKING:
