@@ -10,9 +10,10 @@ from scipy.spatial import cKDTree
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.pattern.triangulation import ears
-from forficula.structure.parts import GROUND, Contact, Facet, Plate
+from forficula.structure.parts import GROUND, Facet, Plate
 from forficula.structure.sheets.facets import facet_triangles
 from forficula.structure.structure import Structure
+from forficula.structure.surroundings import Contact
 from forficula.structure.tree import built_points
 
 # points that are nearer than this share of the span as built are one vertex
