@@ -218,10 +218,6 @@ def test_every_key_that_a_file_has_is_known():
             '[[measure]]\nname = "a"\nkind = "distance"\nfrom = "vertex 0"\nto = "edge 3 at 2"',
             "measure.0.to: need a share of edge 3 from 0 to 1, got 2",
         ),
-        (
-            "[protocol]\ncontact = true",
-            "protocol.contact: need false, because contact of facets is not modelled, got true",
-        ),
         ('[protocol]\ntimestep = "1 h"', "protocol.timestep: need >= "),
     ],
 )
