@@ -1,6 +1,8 @@
-"""What does contact cost, and does it keep parts apart? Wings of 1, 2, 3 and 5 units, and sheets that close.
+"""What does contact cost, and does it keep parts apart? Wings, sheets that close, and named designs that touch.
 
-python benchmarks/contact.py [--units N ...] [--strips N ...] [--sheets NAME ...] [--json FILE]
+python benchmarks/contact.py [--units N ...] [--strips N ...] [--sheets NAME ...] [--named [NAME ...]] [--json FILE]
+
+The wings have 1, 2, 3 and 5 units. Without --named, the named designs are not run.
 """
 
 from __future__ import annotations
@@ -175,6 +177,83 @@ def sheet_row(name: str) -> dict[str, Any]:
     }
 
 
+def _stage(drive: str, time_limit: str) -> list[dict[str, str]]:
+    return [{"name": drive, "drive": drive, "until": "time", "hold": "0 s", "time_limit": time_limit}]
+
+
+def _closing_torque(value: str, of: str | list[str] = "creases") -> list[dict[str, object]]:
+    return [{"name": "close", "kind": "torque", "of": of, "value": value, "rise": "0.05 s"}]
+
+
+def _resolved(time_constant: str, timestep: str, part: str = "") -> dict[str, Any]:
+    return {f"{part}contact.time_constant": time_constant, "protocol.timestep": timestep}
+
+
+# Named designs in which panels touch, and the values that differ from those of the design.
+_NAMED: dict[str, dict[str, Any]] = {
+    "letter-fold": {"crease.damping": "5e-3 N m s/rad/m", **_resolved("0.06 ms", "0.007 ms")},
+    "force-clasp": {
+        "crease.fold_limit": "180 deg",
+        "drive": _closing_torque("10 N cm"),
+        "protocol.stages": _stage("close", "0.1 s"),
+        **_resolved("0.1 ms", "0.0125 ms"),
+    },
+    "bistable-clasp": {
+        "drive": _closing_torque("0.2 N cm"),
+        "protocol.stages": _stage("close", "0.1 s"),
+        **_resolved("0.025 ms", "0.003 ms"),
+    },
+    "two-clasps": {
+        "inner.crease.fold_limit": "180 deg",
+        "outer.crease.fold_limit": "180 deg",
+        "drive": _closing_torque("10 N cm", ["inner.crease0", "outer.crease0"]),
+        "protocol.stages": _stage("close", "0.15 s"),
+        **_resolved("0.1 ms", "0.0125 ms", "inner."),
+        **_resolved("0.1 ms", "0.0125 ms", "outer."),
+    },
+    "earwig-midwing": _resolved("0.08 ms", "0.01 ms"),
+    "four-plate-snap": {
+        "drive": _closing_torque("0.02 N cm"),
+        "protocol.stages": _stage("close", "0.2 s"),
+        **_resolved("0.06 ms", "0.0075 ms"),
+    },
+    "waterbomb-base": {
+        "drive": _closing_torque("0.5 N cm"),
+        "protocol.stages": _stage("close", "0.3 s"),
+        **_resolved("0.1 ms", "0.0125 ms"),
+    },
+    "bistable-miura": {
+        "crease.group.zigzags.fold_limit": "180 deg",
+        "tendon": [],
+        "drive": _closing_torque("4 N cm"),
+        "protocol.stages": _stage("close", "0.1 s"),
+        **_resolved("0.05 ms", "0.00625 ms"),
+    },
+    "miura-sheet": {
+        "drive.0.angle": "180 deg",
+        "protocol.stages": _stage("fold", "0.5 s"),
+        **_resolved("0.4 ms", "0.02 ms"),
+    },
+    "thick-miura": {"protocol.stages": _stage("fold", "2 s"), **_resolved("0.4 ms", "0.05 ms")},
+}
+
+
+def named_row(name: str) -> dict[str, Any]:
+    """One named design in which panels touch: work of contact, overlap and balance."""
+    record, _ = timed(load_design(name, {**_NAMED[name], "protocol.contact": True}))
+    overlap = contact_overlap(record)
+    return {
+        "design": name,
+        "first_contact_s": float(record.time[np.argmax(record.series["contact_overlap"] > 0)]),
+        "end_s": float(record.time[-1]),
+        "work_of_contact_J": float(-record.series["contact_work"][-1]),
+        "overlap_of_rows": None if overlap is None else overlap.share,
+        "overlap_of_steps": None if overlap is None else overlap.share_in_steps,
+        "residual": measure(record).energy_balance.residual,
+        "doubt": record.doubt,
+    }
+
+
 def shown(values: dict[str, Any]) -> str:
     """A row as text."""
     return " ".join(
@@ -188,6 +267,7 @@ def main() -> None:
     parser.add_argument("--units", type=int, nargs="*", default=[1, 2, 3, 5], choices=sorted(_SECTORS))
     parser.add_argument("--strips", type=int, nargs="+", default=[3])
     parser.add_argument("--sheets", nargs="*", default=list(_SHEETS), choices=list(_SHEETS))
+    parser.add_argument("--named", nargs="*", choices=list(_NAMED))
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
     rows = []
@@ -197,6 +277,9 @@ def main() -> None:
             print(shown(rows[-1]), flush=True)
     for name in arguments.sheets:
         rows.append(sheet_row(name))
+        print(shown(rows[-1]), flush=True)
+    for name in () if arguments.named is None else arguments.named or _NAMED:
+        rows.append(named_row(name))
         print(shown(rows[-1]), flush=True)
     if arguments.json:
         arguments.json.write_text(json.dumps(rows, indent=1) + "\n", "utf-8")

@@ -9,7 +9,7 @@ import forficula as ff
 from forficula.analysis.contact_overlap import contact_overlap, overlap_of
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.summary import summary
-from forficula.dynamics import compile_model, simulate, with_timestep
+from forficula.dynamics import compile_model, resolving_time_constant, simulate, with_timestep
 from forficula.dynamics.engine.contact_forces import ContactForces
 from forficula.dynamics.engine.contact_geometry import contact_geometry
 from forficula.errors import InputError
@@ -149,9 +149,32 @@ def test_a_contact_that_is_too_soft_makes_a_run_unreliable():
         closing(time=0.02, **{"contact.time_constant": 5e-3, "crease.damping": 0.0, "crease.start": 3.0}), confirm=False
     )
     assert record.overlaps
-    assert "need a contact.time_constant shorter than 5 ms" in record.doubt
+    assert "need a contact.time_constant shorter than 5 ms, such as 0.83" in record.doubt
     assert ff.measure(record).verdict == "untrusted"
     assert any("of their thickness" in text for text in run_warnings(record))
+
+
+def test_the_time_constant_of_an_advice_reduces_an_overlap_to_about_a_tenth():
+    values = {"crease.damping": 0.0, "crease.start": 3.0, "protocol.timestep": 2e-5}
+    before = ff.run(closing(**values, **{"contact.time_constant": 1.2e-3}), confirm=False).record
+    deep = before.series["contact_overlap"][-1]
+    assert 0.15 < deep < 0.5
+    need = resolving_time_constant(before.structure.contact, deep)
+    after = ff.run(closing(**values, **{"contact.time_constant": need}), confirm=False).record
+    assert after.series["contact_overlap"][-1] == pytest.approx(0.1, abs=0.02)
+
+
+def test_an_automatic_timestep_is_shortened_until_it_resolves_contact():
+    # the first timestep of the search is half the time constant, in which the panels pass through each other
+    values = {"crease.damping": 0.0, "crease.start": 3.0, "protocol.timestep": "auto"}
+    record = ff.run(closing(**values), confirm=False)
+    assert not record.overlaps
+    assert ff.measure(record).verdict == "reached"
+
+
+def test_an_automatic_timestep_may_be_a_power_of_ten():
+    design = closing(**{"protocol.timestep": "auto", "contact.time_constant": "80 us"})
+    assert with_timestep(design).protocol.timestep == 1e-5
 
 
 def test_a_bouncy_contact_needs_a_shorter_timestep():

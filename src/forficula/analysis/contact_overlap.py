@@ -25,8 +25,6 @@ _ROWS = 200
 # number of steps of the golden section, which reduces an interval to 1e-6 of its length
 _STEPS = 29
 _GOLDEN = (math.sqrt(5) - 1) / 2
-# share of the thickness that counts as an overlap
-SLIGHT = 0.1
 # overlaps of records in use: warnings and summary of a run need them
 _KNOWN = WeakKeyDictionary["Record", "ContactOverlap | None"]()
 

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from forficula.analysis.contact_overlap import SLIGHT, contact_overlap
+from forficula.analysis.contact_overlap import contact_overlap
 from forficula.analysis.crossing_facets import facets_that_cross
 from forficula.analysis.crossing_panels import panel_crossing
 from forficula.analysis.precision import precision_text
 from forficula.analysis.strength import membrane_peaks, strain_peaks
 from forficula.analysis.transition_runs import early_goal
 from forficula.arrays import Array
-from forficula.dynamics import Record, energy_balance
+from forficula.dynamics import SLIGHT_OVERLAP, Record, energy_balance, resolving_time_constant
 from forficula.quantities import show_value
 from forficula.structure import goal_of, hinge_bounds
 
@@ -97,14 +97,14 @@ def _crossing_facets(record: Record) -> list[str]:
 def _overlapping_parts(record: Record) -> list[str]:
     """Warn of parts that touch and overlap by more than a tenth of their thickness."""
     overlap, contact = contact_overlap(record), record.structure.contact
-    if overlap is None or contact is None or overlap.largest <= SLIGHT:
+    if overlap is None or contact is None or overlap.largest <= SLIGHT_OVERLAP:
         return []
     names = f" ({' and '.join(overlap.parts)} at {overlap.time:.3g} s)" if overlap.parts else ""
-    # the overlap at an impact is proportional to the time constant
-    need = contact.stops.time_constant * SLIGHT / overlap.largest
+    need = resolving_time_constant(contact, overlap.largest)
     return [
         f"parts that touch overlap by up to {100 * overlap.largest:.2g} % of their thickness{names}: a"
-        f" contact.time_constant of {show_value(need, 's')} or shorter reduces this to about {100 * SLIGHT:.0f} %"
+        f" contact.time_constant of {show_value(need, 's')} or shorter reduces this to about"
+        f" {100 * SLIGHT_OVERLAP:.0f} %"
     ]
 
 

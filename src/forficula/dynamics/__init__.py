@@ -1,4 +1,5 @@
 from forficula.dynamics.energies.energy_balance import EnergyBalance, energy_balance
+from forficula.dynamics.engine.contact_geometry import SLIGHT_OVERLAP, resolving_time_constant
 from forficula.dynamics.engine.knobs import Knob, knobs_of
 from forficula.dynamics.engine.model import Model, compile_model, compile_structure
 from forficula.dynamics.engine.portable_model import portable_model, why_not_portable
@@ -28,6 +29,7 @@ from forficula.dynamics.stepping.timestep import (
 )
 
 __all__ = [
+    "SLIGHT_OVERLAP",
     "STEPS_TO_CONTACT",
     "STEPS_TO_TIME_CONSTANT",
     "AnyRun",
@@ -53,6 +55,7 @@ __all__ = [
     "knobs_of",
     "load_record",
     "portable_model",
+    "resolving_time_constant",
     "save_record",
     "simulate",
     "simulate_each",

@@ -28,6 +28,8 @@ _ROUNDING = 1e-3
 _SKINS = (2.0, 0.1)
 # [chosen] largest overlap as a share of the thickness: beyond it, parts may have passed through each other
 _LARGEST_OVERLAP = 0.5
+# share of the thickness that counts as a slight overlap
+SLIGHT_OVERLAP = 0.1
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -184,11 +186,28 @@ def overlap_doubt(contact: Contact, overlap: float) -> str:
     """Return why a run in which parts overlapped by a share of their thickness is unreliable; empty for a small one."""
     if overlap <= _LARGEST_OVERLAP:
         return ""
+    now, need = (
+        show_value(value, "s") for value in (contact.stops.time_constant, resolving_time_constant(contact, overlap))
+    )
     return (
         f"parts that touch overlap by {100 * overlap:.0f} % of their thickness, so that they may have passed through"
-        f" each other: need a contact.time_constant shorter than {show_value(contact.stops.time_constant, 's')} and a"
-        " timestep that resolves it"
+        f" each other: need a contact.time_constant shorter than {now}, such as {need}, and a timestep that resolves"
+        ' it, such as "auto"'
     )
+
+
+def resolving_time_constant(contact: Contact, overlap: float) -> float:
+    """Return the time constant with which an overlap by a share of the thickness becomes a slight one, s.
+
+    The energy of an overlap s is proportional to (-s - ln(1 - s)) / T^2 and at an impact does not depend on the time
+    constant T. Overlaps under a constant force decrease more quickly with T. Larger overlaps than half the thickness
+    count as this one, because parts may be anywhere beyond: the time constant is then a first trial.
+    """
+
+    def size(share: float) -> float:
+        return math.sqrt(-share - math.log1p(-share))
+
+    return contact.stops.time_constant * size(SLIGHT_OVERLAP) / size(min(overlap, _LARGEST_OVERLAP))
 
 
 def _mobilities(geometry: ContactGeometry) -> Array:

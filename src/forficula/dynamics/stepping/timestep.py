@@ -34,6 +34,8 @@ _NUDGE = 1e-6
 STEPS_TO_TIME_CONSTANT = 4
 # of contacts: with four the folded stack of the reference depends on the timestep, with eight it does not
 STEPS_TO_CONTACT = 8
+# factor by which rounding makes a quotient too small
+_ROUNDING = 1 + 1e-9
 _SHORTEST, _LONGEST = 1e-12, 1e3  # s
 # number of values that are checked as the cause if no step is short enough, and factors for values without a reference
 _SUSPECTS = 6
@@ -49,7 +51,9 @@ def with_timestep(design: Design) -> Design:
         return design
     allowed = min(_SAFETY * stable_timestep(design), resolving_timestep(structure_of(design)))
     digit = 10.0 ** np.floor(np.log10(allowed))
-    return with_values(design, {"protocol.timestep": float(f"{np.floor(allowed / digit) * digit:.0e}")})
+    # the logarithm of a power of ten may be rounded up
+    rounded = np.floor(allowed / digit * _ROUNDING) * digit
+    return with_values(design, {"protocol.timestep": float(f"{rounded:.0e}")})
 
 
 def timestep_warnings(design: AnyDesign) -> list[str]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 from forficula.analysis import Outcome, Verdict, measure
 from forficula.analysis.confirmation import same_ending
+from forficula.analysis.resolution import unresolved_stops
 from forficula.analysis.verdict import UNSETTLED
 from forficula.design import Design, put
 from forficula.dynamics import (
@@ -160,8 +161,9 @@ def run_each(
                 yield attempt.number, result
                 continue
             outcome = measure(result)
-            # a shorter timestep does not keep parts apart whose contact is too soft
-            following = None if result.overlaps else _following(attempt, outcome)
+            # a timestep that resolves contacts does not keep parts apart whose contact is too soft
+            soft = result.overlaps and not unresolved_stops(result)
+            following = None if soft else _following(attempt, outcome)
             if following is not None:
                 steps = float(attempt.design.protocol.timestep) / float(following.design.protocol.timestep)
                 expected = steps * (time.perf_counter() - start)

@@ -19,6 +19,9 @@ from forficula.structure.contact.touching_parts import touching_parts
 # far stiffer than other parts: with less, contact forces converge slowly; with more, descents take many steps [chosen:
 # within the range in which test structures converge]
 _STIFFER, _RIGID = 0.3, 0.01
+# of the thickness: overlap under the whole weight that the stiffness allows at most before contact forces are known, so
+# that loose layers, which nothing but contact holds up, do not reach each other's middle surfaces [chosen]
+_SUNK = 0.1
 # of the thickness: distance by which a part of the size of the net counts as larger on each side [chosen]
 _LARGER = 1e-3
 _WITHIN = 1e-6  # of the thickness, by which parts may be too close as built
@@ -34,10 +37,13 @@ def with_contact(structure: Structure, net: Net) -> Net:
     if parts is None:
         return net
     stiffest = float(expand(net, shape_at(net, net.nodes)).free.diagonal().max(initial=0.0)) or 1.0
+    weight = abs(structure.gravity) * sum(body.mass for body in structure.bodies)
     contact = NetContact(
         parts=parts,
         points=csr_array(csr_array(net.points)[parts.points]),
-        stiffness=(_RIGID if structure.plates else _STIFFER) * stiffest,
+        stiffness=max(
+            (_RIGID if structure.plates else _STIFFER) * stiffest, weight / (_SUNK * 2 * float(parts.half.max()))
+        ),
         larger=_LARGER * 2 * float(parts.half.max()) / net.size,
         size=net.size,
     )
