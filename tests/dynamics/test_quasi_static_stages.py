@@ -200,9 +200,11 @@ def test_keys_that_contradict_a_slow_stage_are_refused(values, message):
         joint(**{"protocol.stages": stages})
 
 
-def test_a_slow_stage_with_contact_is_refused():
-    with pytest.raises(InputError, match=r'protocol.stages.1.motion: need "dynamic" with protocol.contact = true'):
-        with_values(load_design("binder2025"), {"protocol.contact": True, "protocol.stages.1.motion": "quasi-static"})
+def test_a_slow_stage_with_contact_of_bars_is_refused():
+    slow_fold = {"protocol.contact": True, "protocol.stages.1.motion": "quasi-static"}
+    ((_, error),) = run_each([with_values(load_design("binder2025"), slow_fold)])
+    assert 'protocol.stages.1.motion: need "dynamic"' in str(error)
+    assert "because statics ignores contact of its bars and panels" in str(error)
 
 
 def test_a_stage_is_dynamic_unless_it_says_otherwise():
