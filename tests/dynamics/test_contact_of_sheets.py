@@ -17,6 +17,7 @@ from forficula.structure import built_points, structure_of
 from forficula.structure.contact.distances import node_from_triangle, side_from_side, squared_sines
 from forficula.structure.contact.pairs import near_pairs, parts_that_cross
 from forficula.structure.contact.touching_parts import touching_parts
+from forficula.study.running.runs import run_each
 from tests.plate_sheets import LENGTH, strip
 
 THICK = 1e-3
@@ -123,6 +124,21 @@ def test_structures_side_by_side_have_the_bits_of_each_alone():
         assert alone.series["contact_overlap"][-1] > 0
         for name, values in alone.series.items():
             np.testing.assert_array_equal(together.series[name], values)
+
+
+def test_a_structure_that_follows_another_one_keeps_the_overlap_of_their_common_stages():
+    def closing_and_resting(time):
+        ends = {"until": "time", "hold": 0.0}
+        stages = [
+            {"name": "close", "drive": "close", "time_limit": 0.012, **ends},
+            {"name": "rest", "drive": "none", "time_limit": time, **ends},
+        ]
+        return closing(**{"protocol.stages": stages, "crease.damping": 0.01})
+
+    designs = [closing_and_resting(time) for time in (0.002, 0.003)]
+    together = [record.series["contact_overlap"][-1] for _, record in run_each(designs)]
+    (alone,) = [record.series["contact_overlap"][-1] for _, record in run_each(designs[1:])]
+    assert together[1] == alone > 0
 
 
 def test_facets_that_bend_are_one_thickness_apart():
