@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from forficula.design import design_from_text, design_text, in_units, load_design, scale_design, with_values
-from forficula.design.sheets.sheet_sections import Crease, FacetSection
+from forficula.design.sheets.crease_sections import Crease
+from forficula.design.sheets.sheet_sections import FacetSection
 from forficula.structure import structure_of
 
 MIURA = load_design("miura-sheet")

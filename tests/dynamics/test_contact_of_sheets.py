@@ -11,12 +11,13 @@ from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.summary import summary
 from forficula.dynamics import compile_model, resolving_time_constant, simulate, with_timestep
 from forficula.dynamics.engine.contact_forces import ContactForces
-from forficula.dynamics.engine.touching import touching_of
+from forficula.dynamics.engine.contact_geometry import contact_geometry
 from forficula.errors import InputError
 from forficula.structure import built_points, structure_of
-from forficula.structure.contact.distances import crossing_share, node_from_triangle, side_from_side
+from forficula.structure.contact.distances import node_from_triangle, side_from_side, squared_sines
 from forficula.structure.contact.pairs import near_pairs, parts_that_cross
 from forficula.structure.contact.touching_parts import touching_parts
+from forficula.study.running.runs import run_each
 from tests.plate_sheets import LENGTH, strip
 
 THICK = 1e-3
@@ -58,25 +59,24 @@ def test_weights_times_normals_are_the_gradient_of_the_distance(shape):
     np.testing.assert_allclose(nearest.weights.sum(axis=1), 0, atol=1e-12)
 
 
-def test_the_gradient_of_the_angle_between_sides_of_constant_lengths_is_exact():
-    corners = np.random.default_rng(2).normal(size=(1, 4, 3))
-    # a turn of the second side about its tail keeps its length
-    turn = np.cross([0.3, -0.2, 0.5], corners[0, 3] - corners[0, 2])
-    moved = [corners.copy(), corners.copy()]
-    for places, sign in zip(moved, (1, -1), strict=True):
-        places[0, 3] += sign * 1e-6 * turn
-    slope = (crossing_share(moved[0])[0] - crossing_share(moved[1])[0]) / 2e-6
-    np.testing.assert_allclose(slope[0], crossing_share(corners)[1][0, 3] @ turn, rtol=1e-6)
+def test_the_gradient_of_the_angle_between_sides_is_exact():
+    corners = np.random.default_rng(2).normal(size=(50, 4, 3))
+    slopes = np.zeros_like(corners)
+    for place in np.ndindex(4, 3):
+        step = np.zeros((4, 3))
+        step[place] = 1e-6
+        slopes[(slice(None), *place)] = (squared_sines(corners + step)[0] - squared_sines(corners - step)[0]) / 2e-6
+    np.testing.assert_allclose(squared_sines(corners)[1], slopes, atol=1e-7)
 
 
 def test_forces_of_contact_have_no_resultant_and_no_moment():
     design = ff.load_design("miura-sheet", {"support": [], "protocol.contact": True, "contact.friction": 0.3})
     model = compile_model(design)
-    touching = touching_of(model)
+    geometry = contact_geometry(model)
     random = np.random.default_rng(3)
     position, velocity = np.array(model.engine.qpos0), random.normal(size=model.engine.nv)
-    slides = touching.placement.slides[touching.carriers]
-    _, places, _ = touching.nodes(position)
+    slides = geometry.placement.slides[geometry.carriers]
+    _, places, _ = geometry.nodes(position)
     # the sheet is crumpled until facets touch
     forces = np.zeros(0)
     for size in np.linspace(0.1, 2, 40):
@@ -86,7 +86,7 @@ def test_forces_of_contact_have_no_resultant_and_no_moment():
         if overlaps[0] > 0:
             break
     pushes = forces[0][slides]
-    _, places, _ = touching.nodes(crumpled)
+    _, places, _ = geometry.nodes(crumpled)
     scale = np.abs(pushes).max()
     assert scale > 0
     np.testing.assert_allclose(pushes.sum(axis=0), 0, atol=1e-9 * scale)
@@ -124,6 +124,21 @@ def test_structures_side_by_side_have_the_bits_of_each_alone():
         assert alone.series["contact_overlap"][-1] > 0
         for name, values in alone.series.items():
             np.testing.assert_array_equal(together.series[name], values)
+
+
+def test_a_structure_that_follows_another_one_keeps_the_overlap_of_their_common_stages():
+    def closing_and_resting(time):
+        ends = {"until": "time", "hold": 0.0}
+        stages = [
+            {"name": "close", "drive": "close", "time_limit": 0.012, **ends},
+            {"name": "rest", "drive": "none", "time_limit": time, **ends},
+        ]
+        return closing(**{"protocol.stages": stages, "crease.damping": 0.01})
+
+    designs = [closing_and_resting(time) for time in (0.002, 0.003)]
+    together = [record.series["contact_overlap"][-1] for _, record in run_each(designs)]
+    (alone,) = [record.series["contact_overlap"][-1] for _, record in run_each(designs[1:])]
+    assert together[1] == alone > 0
 
 
 def test_facets_that_bend_are_one_thickness_apart():

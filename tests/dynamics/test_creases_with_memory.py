@@ -84,7 +84,7 @@ def test_a_fold_wears_a_crease_as_the_damage_law_says(facets):
     assert left == pytest.approx(1 - 0.5 * (1 - np.exp(-wear / np.deg2rad(90))), abs=1e-3)
     # at rest under the moment: M = left K angle
     assert angle[folded(run)] == pytest.approx(MOMENT / (left[folded(run)] * STIFFNESS), rel=2e-3)
-    assert worn_crease(run).left == left[-1]
+    assert worn_crease(run).remaining == left[-1]
     assert strength_rows(run)[-1][0] == f"moment left after wear: {100 * left[-1]:.3g} %"
     balance = energy_balance(run)
     assert balance.crease_damage > 0.02 * balance.work

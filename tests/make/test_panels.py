@@ -15,6 +15,7 @@ from forficula.make.solid.poses import tree_poses
 from forficula.make.solid.solids import Hull, Joined
 from forficula.show.make.parts_figure import draw_parts
 from forficula.show.page.data.parts_data import parts_data
+from forficula.show.structure.shape import shape_of
 from forficula.structure import built_points
 
 THICK = 0.004
@@ -77,3 +78,5 @@ def test_panels_are_drawn_and_described(parts):
     data = parts_data(parts, None)
     assert data["text"] == "4 panels. The largest fold angle is 180°."
     assert data["fold"]["shape"] == [121, 4]
+    # creases are inside the panels, and legends do not name them
+    assert not any(line.kind == "crease" for line in shape_of(parts.structure).lines)

@@ -10,12 +10,14 @@ export function makeLegend(entries, energy, size, whole) {
   const ofSeveral = whole
     ? ["marks on the time line: the states of each run, in its colour"]
     : [];
+  const table = entries.find(({ sample }) => sample === "table");
+  const grid = table ? `grid on the ${table.text}` : "grid";
   return make(
     "ul",
     { className: "legend" },
-    ...entries.map(({ sample, text }) => (sample === "tendon" ? energyEntry(text, energy) : entry(sample, text))),
+    ...entries.filter(({ sample }) => sample !== "table").map(({ sample, text }) => (sample === "tendon" ? energyEntry(text, energy) : entry(sample, text))),
     ...(entries.some(({ sample }) => sample === "tendon") ? [make("li", {}, "slack tendons sag, drawn with their rest length")] : []),
-    make("li", {}, `squares of the grid: ${readable(squareSide(size), "m")}`),
+    make("li", {}, `squares of the ${grid}: ${readable(squareSide(size), "m")}`),
     ...ofSeveral.map((text) => make("li", {}, text)),
   );
 }

@@ -59,11 +59,11 @@ class WornCrease:
     """The crease that wear has weakened most at the end of a run.
 
     Attributes:
-        left: share of its moment that wear has left.
+        remaining: share of its moment that remains.
         crease: name of the crease.
     """
 
-    left: float
+    remaining: float
     crease: str
 
 
@@ -110,9 +110,9 @@ def worn_crease(record: Record) -> WornCrease | None:
     """Find the crease that has lost most of its moment to wear; None if no crease wears, or for a diverged run."""
     if "hinge_remaining" not in record.series or record.diverged_at is not None:
         return None
-    left = record.series["hinge_remaining"][-1]
-    crease = int(np.argmin(left))
-    return WornCrease(left=float(left[crease]), crease=record.structure.hinges[crease].name)
+    remaining = record.series["hinge_remaining"][-1]
+    crease = int(np.argmin(remaining))
+    return WornCrease(remaining=float(remaining[crease]), crease=record.structure.hinges[crease].name)
 
 
 def _bars(record: Record) -> Peak | None:

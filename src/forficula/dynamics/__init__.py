@@ -1,8 +1,8 @@
 from forficula.dynamics.energies.energy_balance import EnergyBalance, energy_balance
+from forficula.dynamics.engine.contact_geometry import SLIGHT_OVERLAP, resolving_time_constant
 from forficula.dynamics.engine.knobs import Knob, knobs_of
 from forficula.dynamics.engine.model import Model, compile_model, compile_structure
 from forficula.dynamics.engine.portable_model import portable_model, why_not_portable
-from forficula.dynamics.engine.touching import SLIGHT_OVERLAP, resolving_time_constant
 from forficula.dynamics.engine.trials import TrialChains, design_trial, tried_transition
 from forficula.dynamics.engine.units import design_in_model_units
 from forficula.dynamics.gpu.device import batch_key, check_available, check_device

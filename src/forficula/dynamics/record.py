@@ -19,8 +19,8 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.design import Design, StageSection, design_from_text, design_text
 from forficula.displayed import Displayed
+from forficula.dynamics.engine.contact_geometry import overlap_doubt
 from forficula.dynamics.engine.membrane import joined_mesh
-from forficula.dynamics.engine.touching import overlap_doubt
 from forficula.errors import InputError
 from forficula.files import as_path, read_bytes, shown_path, write_bytes
 from forficula.quantities import show_duration

@@ -16,8 +16,8 @@ from forficula.dynamics.energies.work_balance import (
     motor_work_name,
 )
 from forficula.dynamics.engine.closures import APART_TEXT, LARGEST_GAP
+from forficula.dynamics.engine.contact_geometry import overlap_doubt
 from forficula.dynamics.engine.model import Model
-from forficula.dynamics.engine.touching import overlap_doubt
 from forficula.dynamics.record import Record, StageEnd
 from forficula.dynamics.stepping.stage_plan import NEVER
 from forficula.dynamics.stepping.steps import MEMORY, EngineState, Steps

@@ -147,10 +147,10 @@ def _band_remarks(structure: Structure, bands: Sequence[FrictionBand]) -> Iterat
         widest = max(of_state, key=lambda band: band.upper - band.lower)
         low, high = (math.degrees(angle) for angle in (widest.lower, widest.upper))
         if high - low < _NARROW:
-            yield f'in "{state}" dry friction holds no hinge at another angle than that of this state'
+            yield f'in "{state}" dry friction does not hold any hinge at another angle'
             continue
         yield (
-            f'in "{state}" dry friction holds {labels[widest.hinge]} at any angle from {low:.4g} to {high:.4g} deg'
-            " while all other hinges keep their angles"
+            f'in "{state}" dry friction holds the hinge "{labels[widest.hinge]}" at any angle from {low:.4g} to'
+            f" {high:.4g} deg while all other hinges keep their angles"
             + (", the widest range of all hinges" if len(of_state) > 1 else "")
         )

@@ -194,8 +194,8 @@ def path_of(
         return path
     most = show_value(float(np.nanmax(path.friction, initial=0.0)), unit)
     remark = (
-        f'the path is that without dry friction, which adds up to {most} to the drive "{drive.name}" while it grows and'
-        " takes as much away while it falls"
+        f'the path is that without dry friction, which increases the drive "{drive.name}" by up to {most} while it'
+        " grows and reduces it by the same amount while it falls"
     )
     return replace(path, remarks=(*remarks, remark))
 

@@ -24,6 +24,7 @@ from forficula.structure.goals import (
 )
 from forficula.structure.mass import gathered_mass, inertia_about, mass_of
 from forficula.structure.mechanisms import mechanisms_of
+from forficula.structure.membranes import Membrane, MembraneLaw, Surface
 from forficula.structure.motors_and_measures import Measure, Motor, RigidFold, StageGoal
 from forficula.structure.parts import (
     GROUND,
@@ -31,23 +32,16 @@ from forficula.structure.parts import (
     Body,
     BodyGroup,
     Closure,
-    Contact,
     Coupling,
     Crossing,
     Facet,
     Hinge,
     LengthLimit,
     Mechanism,
-    Medium,
-    Membrane,
-    MembraneLaw,
     Plate,
     Point,
     PointMass,
     Spring,
-    Stops,
-    Surface,
-    Table,
     Tendon,
 )
 from forficula.structure.sheets.couplings import coupling_rows
@@ -56,6 +50,7 @@ from forficula.structure.sheets.flaps import built_creases, crease_flaps, crease
 from forficula.structure.slow_stage import GrowingLoad, RestPath, RestShape, RestSolver
 from forficula.structure.structure import Structure
 from forficula.structure.structure_warnings import structure_warnings
+from forficula.structure.surroundings import Contact, Medium, Stops, Table
 from forficula.structure.table import TouchingPoint, touching_points
 from forficula.structure.tree import (
     ancestry,

@@ -13,8 +13,9 @@ from forficula.design import MediumSection
 from forficula.pattern import CreasePattern
 from forficula.pattern.geometry import triangle_areas
 from forficula.structure.fans.fan_masses import triangle_masses
-from forficula.structure.parts import Medium, Panel, PointMass
+from forficula.structure.parts import PointMass
 from forficula.structure.structure import Structure
+from forficula.structure.surroundings import Medium, Panel
 from forficula.structure.tree import built_frames
 
 

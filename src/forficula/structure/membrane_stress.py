@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.structure.parts import MembraneLaw
+from forficula.structure.membranes import MembraneLaw
 
 
 def principal_strains(built: Array, now: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Components of a structure: bodies with points, bars and plates on them, hinges, springs, tendons, membranes.
+"""Components of a structure: bodies with points, bars and plates on them, hinges, springs and tendons.
 
 All are frozen data in SI and radians, or in other coherent units in which a design is written.
 """
@@ -6,12 +6,11 @@ All are frozen data in SI and radians, or in other coherent units in which a des
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from forficula.arrays import Array, Indices
+from forficula.arrays import Array
 from forficula.material.law.crease_law import CreaseBranch, CreaseDamage
 from forficula.material.law.material_law import MaterialLaw
 from forficula.material.law.tendon_law import TendonLaw
@@ -364,169 +363,6 @@ class LengthLimit:
     points: tuple[int, int]
     built_length: float
     most: float
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class MembraneLaw:
-    """The law of an elastic sheet that resists stretching only.
-
-    Attributes:
-        youngs_modulus: Pa.
-        poisson_ratio: Poisson's ratio.
-        thickness: m.
-        damping: relaxation time of the Kelvin-Voigt damping, s.
-    """
-
-    youngs_modulus: float
-    poisson_ratio: float
-    thickness: float
-    damping: float
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Surface:
-    """The complete surface of an elastic sheet, including glued strips, as triangles whose corners bodies carry.
-
-    Attributes:
-        bodies: number of the body that carries each node, (node,).
-        places: positions of the nodes in the axes of their bodies, m, (node, 3).
-        triangles: three nodes each, (triangle, 3).
-        panels: index in `names` of the panel of each triangle, (triangle,).
-        names: names of the panels, which are separated by folds.
-    """
-
-    bodies: Indices
-    places: Array
-    triangles: Indices
-    panels: Indices
-    names: tuple[str, ...]
-
-    @property
-    def carried(self) -> list[tuple[int, tuple[float, ...]]]:
-        """The body and position of each node, which are equal for nodes that two surfaces have in common."""
-        return list(zip(self.bodies.tolist(), map(tuple, self.places.tolist()), strict=True))
-
-
-@dataclass(frozen=True, kw_only=True)
-class Stops:
-    """Compliance of stops, length limits or contacts, independent of the timestep.
-
-    For an inertia I that meets it, a stop is a spring and a damper with the angular frequency 1 / (T zeta) and the
-    damping ratio zeta. Its moment at a penetration r is -I (r / (T zeta)^2 + 2 r' / T), and it never pulls.
-
-    Attributes:
-        time_constant: T, s.
-        damping_ratio: zeta, in (0, 1].
-    """
-
-    time_constant: float
-    damping_ratio: float = 1.0
-
-
-@dataclass(frozen=True, kw_only=True)
-class Contact:
-    """Contact between bars and sheets.
-
-    Attributes:
-        thickness: distance between the mid-planes of touching sheets, m; for bars their diameters apply, for plates and
-            facets their own distances if they have some.
-        friction: Coulomb's friction coefficient.
-        stops: compliance of a contact.
-    """
-
-    thickness: float
-    friction: float = 0.0
-    stops: Stops
-
-
-@dataclass(frozen=True, kw_only=True)
-class Table:
-    """A plane normal to gravity that no part passes through.
-
-    Attributes:
-        height: distance from the origin against the direction of gravity, m.
-        friction: Coulomb's friction coefficient.
-        stops: compliance of contact with the table.
-    """
-
-    height: float
-    friction: float = 0.0
-    stops: Stops
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Membrane:
-    """An elastic sheet whose nodes are carried by bodies.
-
-    Attributes:
-        name: name of the membrane.
-        bodies: number of the body that carries each node, (node,).
-        places: positions of the nodes in the axes of their bodies, m, (node, 3).
-        built: positions of the nodes in the built shape, in which the sheet is unstretched, m, (node, 3).
-        triangles: three nodes each, (triangle, 3).
-        law: elastic law.
-        margin: width of the strip that is glued to a bar, m.
-        roots: point on the bar from which each node is held, in the axes of its body, m, (node, 3); the strip between
-            this point and the node is glued to the bar. It is the node itself for a node on the bar. None without bars,
-            or if all nodes are on bars.
-        surface: complete surface, for contact and crossings with other surfaces; None if it is not modelled.
-    """
-
-    name: str
-    bodies: Indices
-    places: Array
-    built: Array
-    triangles: Indices
-    law: MembraneLaw
-    margin: float
-    roots: Array | None = None
-    surface: Surface | None = None
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Medium:
-    """Air or water around a structure, which resists motion of its panels along their normals.
-
-    A strip of a panel with width w has, per area, an added mass of pi rho w / 4 (Lamb 1932, Hydrodynamics, article 71:
-    pi rho w^2 / 4 per length). At a speed v along the normal, the pressure on the strip is
-    rho C_D v |v| / 2 + 32 mu v / (pi w). The first term is that of a plate at high Reynolds numbers (Hoerner 1965), the
-    second that of a disc of diameter w at low ones (16 mu a U broadside: Lamb 1932, article 339). The model is
-    quasi-steady: no vortices persist. It ignores resistance to motion in the plane of a panel, shielding of one panel
-    by another, effects of the ends of a panel, and the resistance of bars.
-
-    Attributes:
-        density: kg/m^3.
-        viscosity: Pa s.
-        carriers: numbers of the bodies that carry the corners of triangles, (triangle, 3).
-        places: positions of these corners in the axes of their bodies, m, (triangle, 3, 3).
-        widths: widths of the strips to which the triangles belong, m, (triangle,).
-        masses: added masses, which have no weight. They act in every direction, so too much for motion in the plane of
-            a panel. In air, the added mass along normals has 1.2 % of the reference wing's kinetic energy, and the
-            excess adds 0.4 % while the wing folds and 0.7 % while it opens. In water, the excess is 1.2 (folding) and
-            0.9 times (opening) the energy of the added mass along normals.
-    """
-
-    density: float
-    viscosity: float
-    carriers: Indices
-    places: Array
-    widths: Array
-    masses: tuple[PointMass, ...]
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Panel:
-    """A triangle of a panel as built.
-
-    Attributes:
-        corners: positions of the corners, m, (3, 3).
-        carriers: numbers of the bodies that carry the corners.
-        width: width of the strip to which the triangle belongs, m.
-    """
-
-    corners: Array
-    carriers: Sequence[int]
-    width: float
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,28 +10,25 @@ from dataclasses import dataclass, field
 from forficula.design import Imperfection
 from forficula.design.named_protocol import Drive, RestState, Transition
 from forficula.structure.appearance import Appearance
+from forficula.structure.membranes import Membrane
 from forficula.structure.motors_and_measures import Measure, Motor, RigidFold, StageGoal
 from forficula.structure.parts import (
     Bar,
     Body,
     BodyGroup,
     Closure,
-    Contact,
     Coupling,
     Facet,
     Hinge,
     LengthLimit,
     Mechanism,
-    Medium,
-    Membrane,
     Plate,
     Point,
     PointMass,
     Spring,
-    Stops,
-    Table,
     Tendon,
 )
+from forficula.structure.surroundings import Contact, Medium, Stops, Table
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

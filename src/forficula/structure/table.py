@@ -10,8 +10,9 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.design import Design
-from forficula.structure.parts import GROUND, Stops, Table
+from forficula.structure.parts import GROUND
 from forficula.structure.structure import Structure
+from forficula.structure.surroundings import Stops, Table
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -1,6 +1,7 @@
 import itertools
 import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from forficula.show.landscape.landscape_figure import draw_fold_path
 from forficula.show.landscape.levels_figure import draw_levels
 from forficula.show.landscape.tendon_figure import draw_tendon
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
+from forficula.statics.friction import FrictionBand
 from tests.show.legible import check_words
 
 # the reference is drawn by tests of words at every width
@@ -229,6 +231,17 @@ def test_equilibria_of_plates_are_drawn_with_stored_energies_and_angles(surveyed
     np.testing.assert_allclose(drawn.T, np.degrees([rest.angles for rest in landscape.rests]), rtol=1e-12)
     words = " ".join(text.get_text().replace("\n", " ") for text in top.texts)
     assert f"close {100 * landscape.least_torques['close']:.3g} N cm" in words
+
+
+def test_angles_at_which_dry_friction_holds_a_hinge_are_drawn_as_a_band_in_their_state(surveyed):
+    landscape = surveyed("plates")
+    hinge = landscape.structure.hinges[0].name
+    band = FrictionBand(state="closed", hinge=hinge, lower=math.radians(80), upper=math.radians(110))
+    figure = draw_equilibria(replace(landscape, friction_bands=(band,)))
+    segments = [lines.get_segments() for lines in figure.axes[1].collections]
+    lengths = np.array([[np.ptp(segment[:, 1]) for segment in state] for state in segments])
+    np.testing.assert_allclose(lengths, [[0, 30, 0], [0, 0, 0]], atol=1e-9)
+    assert "held by dry friction" in [text.get_text() for text in figure.legends[0].get_texts()]
 
 
 def test_rounding_is_not_drawn_as_energies_and_angles(surveyed):

@@ -1,19 +1,16 @@
 """Contact of nets: closest points, motions that cross, sheets that touch as built, and what statics refuses."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from forficula.design import load_design, with_values
 from forficula.errors import InputError
 from forficula.statics import start_drag
-from forficula.statics.net.contact.closest import (
-    corner_to_triangle,
-    distance_hessians,
-    edge_to_edge,
-    gradients,
-    squared_sines,
-)
-from forficula.statics.net.contact.contact_energy import contact_forces
+from forficula.statics.net.contact.closest import corner_to_triangle, distance_hessians, edge_to_edge, gradients
+from forficula.statics.net.contact.contact_energy import contact_forces, with_contact_forces
+from forficula.statics.net.factor import Factorisation
 from forficula.statics.net.load import crease_torques
 from forficula.statics.net.load_path import load_path
 from forficula.statics.net.net_of import is_net, net_of, panels
@@ -22,7 +19,7 @@ from forficula.statics.net.stable_states import find_stable_states
 from forficula.statics.survey import check_quasi_static
 from forficula.statics.tree_remarks import ignored_contact_remarks
 from forficula.structure import structure_of
-from forficula.structure.contact.distances import node_from_triangle, side_from_side
+from forficula.structure.contact.distances import node_from_triangle, side_from_side, squared_sines
 from tests.touching_strips import rest_of, strip
 
 STEP = 1e-6
@@ -67,6 +64,16 @@ def test_a_motion_through_a_facet_crosses_and_one_beside_it_does_not():
         moved = places.copy()
         moved[upper] += shift
         assert contact.crossed(places, moved) == crosses
+
+
+def test_contact_forces_of_a_shape_that_is_no_minimum_follow_from_the_overlap():
+    _, net, rest = rest_of("fold", "nodes", rest="180 deg", thickness="4 mm")
+    parts = net.contact.parts
+    thicker = replace(net, contact=replace(net.contact, parts=replace(parts, half=(1 + 1e-4) * parts.half)))
+    saddle = Factorisation(index=1, solve=np.negative)
+    shape, converged = with_contact_forces(thicker, rest.shape, saddle)
+    assert not converged
+    assert shape.pressing.forces.max() > 0
 
 
 def test_a_spine_narrower_than_the_thickness_is_an_error_that_names_both_layers_and_the_largest_thickness():

@@ -11,8 +11,9 @@ import numpy as np
 
 from forficula.design.chosen import choices, facet_areas
 from forficula.design.section import SHORT_TIME, TIME
+from forficula.design.sheets.crease_sections import Crease
 from forficula.design.sheets.sheet_creases import fold_edges
-from forficula.design.sheets.sheet_sections import Crease, FacetSection
+from forficula.design.sheets.sheet_sections import FacetSection
 from forficula.design.sheets.sheet_tables import CHOSEN_SIZE_SOURCE, sheet_values
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, read_pattern

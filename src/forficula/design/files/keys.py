@@ -18,7 +18,7 @@ from forficula.design.file_fields import by_key
 from forficula.design.files.tables import check_once, entry_index, numbered
 from forficula.design.law import LawSection
 from forficula.design.section import Quantity, Section, field_quantity
-from forficula.design.sheets.sheet_sections import CreaseLawSection
+from forficula.design.sheets.crease_sections import CreaseLawSection
 from forficula.errors import InputError
 from forficula.names import unknown_key
 from forficula.quantities import as_written

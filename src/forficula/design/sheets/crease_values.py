@@ -6,8 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from forficula.design.section import SMALL_LENGTH
-from forficula.design.sheets.sheet_creases import creases_of, fold_edges
-from forficula.design.sheets.sheet_sections import (
+from forficula.design.sheets.crease_sections import (
     Crease,
     CreaseGroup,
     CreaseLawSection,
@@ -15,6 +14,7 @@ from forficula.design.sheets.sheet_sections import (
     named_laws_of,
     with_law,
 )
+from forficula.design.sheets.sheet_creases import creases_of, fold_edges
 from forficula.names import listed
 from forficula.quantities import show_quantity
 

@@ -13,11 +13,12 @@ from forficula.design.contact import WITHOUT_CONTACT, ContactSection
 from forficula.design.design import Design
 from forficula.design.named_protocol import NamedProtocol
 from forficula.design.sheet_protocol import sheet_protocol
+from forficula.design.sheets.crease_sections import Crease, largest_extension
 from forficula.design.sheets.crease_values import law_sentences
 from forficula.design.sheets.sheet_checks import check_sheet, measured_units
 from forficula.design.sheets.sheet_drives import SheetDrive, SheetMeasure, SheetProtocol, SheetTendon
 from forficula.design.sheets.sheet_places import edge_of, facet_of
-from forficula.design.sheets.sheet_sections import Crease, FacetSection, Imperfection, Support, largest_extension
+from forficula.design.sheets.sheet_sections import FacetSection, Imperfection, Support
 from forficula.pattern import CreasePattern, central_facet, facet_tree
 from forficula.quantities import Unit
 

@@ -13,6 +13,7 @@ from forficula.design.medium import check_medium
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
 from forficula.design.section import ANGLE, LENGTH, SHORT_TIME, TORQUE
 from forficula.design.sheets.crease_checks import check_friction, check_memory
+from forficula.design.sheets.crease_sections import named_laws_of
 from forficula.design.sheets.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.sheets.rigid_checks import (
     check_rigid,
@@ -31,7 +32,6 @@ from forficula.design.sheets.sheet_places import (
     place_on,
     vertex_of,
 )
-from forficula.design.sheets.sheet_sections import named_laws_of
 from forficula.design.sheets.thick_panels import check_thickness
 from forficula.design.stops import StopSection
 from forficula.errors import InputError

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
-from forficula.design.sheets.sheet_sections import CreaseGroup
+from forficula.design.sheets.crease_sections import CreaseGroup
 from forficula.errors import InputError
 from forficula.names import listed, near_name
 from forficula.pattern import CreasePattern, edges_between, facet_tree

@@ -6,9 +6,9 @@ import math
 from typing import TYPE_CHECKING
 
 from forficula.design.section import ANGLE
+from forficula.design.sheets.crease_sections import largest_extension
 from forficula.design.sheets.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.sheets.sheet_creases import crease_sense
-from forficula.design.sheets.sheet_sections import largest_extension
 from forficula.errors import InputError
 from forficula.pattern.thick.thick_sheet import ThickSheet, thick_sheet
 from forficula.quantities import show_quantity

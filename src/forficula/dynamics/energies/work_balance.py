@@ -14,14 +14,18 @@ from forficula.dynamics.energies.crease_work import (
     motor_travel,
     spring_works,
 )
+from forficula.dynamics.energies.dissipated_work import (
+    add_implicit_losses,
+    add_yielding,
+    divide_friction,
+    explicit_works,
+)
 from forficula.dynamics.energies.energy import energy_of
-from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
 from forficula.dynamics.energies.tendon_losses import TendonLosses
-from forficula.dynamics.engine.contact import has_engine_contact
 from forficula.dynamics.engine.model import Model, joint_ranges
-from forficula.dynamics.engine.touching import touching_of
 from forficula.dynamics.stepping.steps import EngineState, Steps
 from forficula.structure import RestPath
+from forficula.structure.contact.touching_parts import has_touching_facets
 
 # steps during which a stop's force still changes fast: four of its time constants
 _JUMP = 8
@@ -72,7 +76,7 @@ class WorkBalance:
         # the widest gap so far, m
         self._widest = np.zeros(len(models))
         # the largest overlap of parts so far as a share of the thickness, if facets or plates touch
-        self._touches = touching_of(models[0]) is not None
+        self._touches = has_touching_facets(models[0].structure)
         self._deepest = np.zeros(len(models))
 
     def add(self, rows: Indices, steps: Steps, torques: Array, taken: Indices) -> dict[str, Array]:
@@ -98,6 +102,7 @@ class WorkBalance:
             `motor_force_name`.
         """
         velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
+        models = [self._models[row] for row in rows.tolist()]
         with np.errstate(over="ignore", invalid="ignore"):  # diverging structures, whose later steps do not count
             travel = (velocity[:, :-1] + velocity[:, 1:]) / 2 * self._timestep[rows, None, None]
             if self._explicit:
@@ -110,7 +115,7 @@ class WorkBalance:
             touched = None if steps.contact is None else np.sum(steps.contact.forces * travel, axis=2)
             if self._explicit:
                 work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
-                self._divide_friction(work, rows, steps)
+                divide_friction(work, models, steps, self._timestep[rows])
                 outside = [motor_work_name(number) for number in range(len(self._motors))]
                 done = sum(
                     (work[name] for name in (*outside, "drag_work", "friction_work") if name in work),
@@ -119,13 +124,13 @@ class WorkBalance:
                 done = done if touched is None else done + touched
                 self._add_stops(work, done, rows, steps, taken)
             else:
-                self._add_losses(work, rows, steps, travel, of_creases)
+                add_implicit_losses(work, models, steps, travel, self._damping[rows], of_creases)
             if touched is not None:
                 work["contact_work"] = work.get("contact_work", 0.0) + touched
             if (self._models[0].hinge_creep >= 0).any():
-                self._add_yielding(work, rows, steps)
+                add_yielding(work, models, steps)
             self._tendon_losses.add(work, rows, steps, travel)
-            seconds = [float(self._models[row].design.protocol.timestep) for row in rows]
+            seconds = [float(model.design.protocol.timestep) for model in models]
             before = {
                 name: self._added_up(name, rows, self._unit[rows, None] * done, taken) for name, done in work.items()
             }
@@ -254,6 +259,7 @@ class WorkBalance:
             self._powers,
             self._forces,
             self._widest,
+            self._deepest,
             self._met,
             self._waited,
             self._jumped,
@@ -293,48 +299,6 @@ class WorkBalance:
                 work[name] = np.array([lost.get(name, np.zeros(travel.shape[1])) for lost in of_laws])
         return work, of_creases
 
-    def _add_losses(
-        self, work: dict[str, Array], rows: Indices, steps: Steps, travel: Array, of_creases: Array
-    ) -> None:
-        """Add the work of dampers, stops and contacts in steps that the engine takes implicitly."""
-        velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
-        damping = self._damping[rows, None]
-        # the engine takes hinge damping implicitly, at the velocity after the step
-        work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2) + of_creases
-        work["elastic_damping_work"] = np.sum(
-            (steps.derived["qfrc_damper"] + damping * velocity[:, :-1]) * travel, axis=2
-        )
-        constraints = steps.derived["qfrc_constraint"]
-        if "qacc" in steps.derived:
-            friction = np.array(
-                [
-                    friction_torques(self._models[row], velocity[place, :-1], item, constraints[place])
-                    for place, (row, item) in enumerate(zip(rows.tolist(), steps.derived["qacc"], strict=True))
-                ]
-            )
-            # creases between flaps may have friction, too
-            work["friction_work"] = work.get("friction_work", 0.0) + np.sum(friction * travel, axis=2)
-            constraints = constraints - friction
-        work["stop_work"] = np.sum(constraints * travel, axis=2)
-        if has_engine_contact(self._models[0].structure):
-            self._add_contacts(work, rows, steps, travel)
-
-    def _divide_friction(self, work: dict[str, Array], rows: Indices, steps: Steps) -> None:
-        """Divide the work of constraints in steps of Runge and Kutta into that of dry friction and that of others."""
-        if "qacc" not in steps.derived:
-            return
-        assert steps.late is not None
-        before = np.concatenate([steps.velocity_before[:, None], steps.velocity[:, :-1]], axis=1)
-        powers = np.zeros(before.shape[:2])
-        for velocity, fields in ((before, steps.derived), (steps.velocity, steps.late)):
-            for place, row in enumerate(rows.tolist()):
-                torques = friction_torques(
-                    self._models[row], velocity[place], fields["qacc"][place], fields["qfrc_constraint"][place]
-                )
-                powers[place] += np.sum(torques * velocity[place], axis=1)
-        work["friction_work"] = self._timestep[rows, None] / 2 * powers
-        work["stop_work"] = work["stop_work"] - work["friction_work"]
-
     def _motor_travel(self, rows: Indices, position: Array, travel: Array, number: int) -> Array:
         """Return the travel along a motor for small shifts of coordinates, (row, step).
 
@@ -363,28 +327,6 @@ class WorkBalance:
                 forces[place] = unit.energy / unit.length * displacement_force(self._models[row], motor, steps, place)
         self._forces[rows, motor] = forces[np.arange(len(rows)), np.maximum(taken, 1) - 1]
         return forces
-
-    def _add_yielding(self, work: dict[str, Array], rows: Indices, steps: Steps) -> None:
-        """Add the work of joints that yield: moment of the yielding spring times the change of its rest angle."""
-        lost = work.setdefault("crease_yield_work", np.zeros(steps.position.shape[:2]))
-        rests = np.concatenate(
-            [steps.before[:, None, steps.inner["plastic"]], steps.after[:, :, steps.inner["plastic"]]], axis=1
-        )
-        for place, row in enumerate(rows.tolist()):
-            model = self._models[row]
-            for number in np.flatnonzero(model.hinge_creep >= 0).tolist():
-                hinge = model.in_units.hinges[number]
-                moment = (hinge.stiffness - hinge.hardening) * hinge.yield_angle
-                lost[place] -= moment * np.abs(np.diff(rests[place, :, model.hinge_creep[number]]))
-
-    def _add_contacts(self, work: dict[str, Array], rows: Indices, steps: Steps, travel: Array) -> None:
-        """Divide the work of constraints into that of stops and that of contacts."""
-        position = np.concatenate([steps.position_before[:, None], steps.position[:, :-1]], axis=1)
-        stops = np.zeros(travel.shape[:2])
-        for place, row in enumerate(rows.tolist()):
-            before = {name: values[place] for name, values in steps.derived.items()}
-            stops[place] = np.sum(stop_forces(self._models[row], position[place], before) * travel[place], axis=1)
-        work["contact_work"], work["stop_work"] = work["stop_work"] - stops, stops
 
     def _add_stops(self, work: dict[str, Array], driven: Array, rows: Indices, steps: Steps, taken: Indices) -> None:
         """Divide the work of constraints into that of stops and that of closures.
@@ -456,29 +398,3 @@ def motor_power_name(motor: int) -> str:
 def motor_force_name(motor: int) -> str:
     """Return the name of the force of a motor that displaces points in an account."""
     return f"motor{motor}_motor_force"
-
-
-def explicit_works(steps: Steps, travel: Array, damping: Array, timestep: Array) -> dict[str, Array]:
-    """Compute the work of dampers, and of stops and closures, in each step, (row, step), in the models' units.
-
-    The work of hinge dampers is the integral of the squared speed, by Simpson's rule of fourth order. The speed at the
-    middle is that of the cubic through both positions with both speeds. Powers of other forces are known at both ends
-    of a step, so the trapezoidal rule of second order is used.
-
-    Args:
-        steps: of structures for which `Model.explicit` is true.
-        travel: of the joints in each step, (row, step, dof).
-        damping: of the joints, (row, dof).
-        timestep: (row,).
-    """
-    before = np.concatenate([steps.velocity_before[:, None], steps.velocity[:, :-1]], axis=1)
-    after, step, damping = steps.velocity, timestep[:, None, None], damping[:, None]
-    middle = 1.5 * travel / step - (before + after) / 4
-    assert steps.late is not None
-    at_start, at_end = steps.derived, steps.late
-    works = {"hinge_damping_work": -step / 6 * damping * (before**2 + 4 * middle**2 + after**2)}
-    for name, field in (("elastic_damping_work", "qfrc_damper"), ("stop_work", "qfrc_constraint")):
-        implicit = damping if field == "qfrc_damper" else 0.0
-        powers = (at_start[field] + implicit * before) * before + (at_end[field] + implicit * after) * after
-        works[name] = step / 2 * powers
-    return {name: np.sum(work, axis=2) for name, work in works.items()}

@@ -14,9 +14,9 @@ import mujoco
 import numpy as np
 
 from forficula.arrays import Array, Indices
-from forficula.dynamics.engine.touching import Touching, touching_of
+from forficula.dynamics.engine.contact_geometry import ContactGeometry, contact_geometry
 from forficula.structure import Contact
-from forficula.structure.contact.distances import Nearest, crossing_share
+from forficula.structure.contact.distances import Nearest, squared_sines
 from forficula.structure.contact.pairs import Pairs, near_pairs
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ class ContactForces:
 
     def __init__(self, models: Sequence[Model]) -> None:
         """Prepare for structures in their start states."""
-        self._touching = [touching for model in models if (touching := touching_of(model)) is not None]
+        self._geometries = [geometry for model in models if (geometry := contact_geometry(model)) is not None]
         self._neighbours: dict[int, _Neighbours] = {}
 
     def forces(self, rows: Indices, position: Array, velocity: Array) -> tuple[Array, Array, int]:
@@ -98,30 +98,30 @@ class ContactForces:
         for place, row in enumerate(rows.tolist()):
             near = self._neighbours.get(row)
             if near is not None and np.isfinite(position[place]).all():
-                if self._touching[row].most_moved(position[place] - near.position) <= near.slack:
+                if self._geometries[row].most_moved(position[place] - near.position) <= near.slack:
                     continue
-                _, places, _ = self._touching[row].nodes(position[place])
+                _, places, _ = self._geometries[row].nodes(position[place])
                 if _largest(places - near.known_at) > near.slack:
                     return False
         return True
 
     def _push(self, row: int, position: Array, velocity: Array, forces: Array) -> tuple[float, int]:
         """Add the forces on one structure, (dof,); return its overlap and the number of steps for which they hold."""
-        touching, near = self._touching[row], self._neighbours.get(row)
+        geometry, near = self._geometries[row], self._neighbours.get(row)
         if near is not None and near.slack:
-            left = near.slack - touching.most_moved(position - near.position)
-            step = _FASTER * touching.most_moved(self._rates(row, velocity)) * touching.timestep
+            left = near.slack - geometry.most_moved(position - near.position)
+            step = _FASTER * geometry.most_moved(self._rates(row, velocity)) * geometry.timestep
             if left > step:
                 return 0.0, int(min(left / step, _MANY)) if step else _MANY
-        if touching.explicit:
+        if geometry.explicit:
             position = position.copy()
-            mujoco.mj_integratePos(touching.engine, position, velocity, touching.timestep / 2)
-        pose, places, arms = touching.nodes(position)
+            mujoco.mj_integratePos(geometry.engine, position, velocity, geometry.timestep / 2)
+        pose, places, arms = geometry.nodes(position)
         near = self._near(row, places)
         nearest = near.pairs.nearest(places)
         overlaps = near.pairs.thickness - nearest.distances
-        speeds = touching.velocities(pose, arms, velocity)
-        active, step = overlaps > 0, _FASTER * _largest(speeds) * touching.timestep
+        speeds = geometry.velocities(pose, arms, velocity)
+        active, step = overlaps > 0, _FASTER * _largest(speeds) * geometry.timestep
         deepest = float((overlaps / near.pairs.thickness).max(initial=0.0))
         gap = -float(overlaps.max(initial=-np.inf))
         if step > near.pairs.thickness.min(initial=np.inf) and gap < step:
@@ -129,42 +129,42 @@ class ContactForces:
             deepest = max(deepest, 1.0)
         if active.any():
             near.slack = 0.0
-            pushes = _pushes(touching, near.pairs.some(active), nearest.some(active), places, speeds)
-            forces += touching.loads(pose, arms, pushes)
+            pushes = _pushes(geometry, near.pairs.some(active), nearest.some(active), places, speeds)
+            forces += geometry.loads(pose, arms, pushes)
             return deepest, 1
-        clear = min(gap, touching.skin - 2 * _largest(places - near.listed_at))
+        clear = min(gap, geometry.skin - 2 * _largest(places - near.listed_at))
         near.known_at, near.position, near.slack = places, position, clear / 2
         return deepest, max(1, int(min(near.slack / step, _MANY))) if step else _MANY
 
     def _rates(self, row: int, velocity: Array) -> Array:
         """Return the rates of the numbers of a position, where no body turns freely, (position,)."""
-        return velocity[self._touching[row].placement.velocities]
+        return velocity[self._geometries[row].placement.velocities]
 
     def _near(self, row: int, places: Array) -> _Neighbours:
         """Return the listed pairs of a structure; list them again if nodes have moved far."""
-        touching, near = self._touching[row], self._neighbours.get(row)
-        if near is None or 2 * _largest(places - near.listed_at) >= touching.skin:
-            pairs = near_pairs(touching.parts, places, touching.skin)
+        geometry, near = self._geometries[row], self._neighbours.get(row)
+        if near is None or 2 * _largest(places - near.listed_at) >= geometry.skin:
+            pairs = near_pairs(geometry.parts, places, geometry.skin)
             near = self._neighbours[row] = _Neighbours(
                 listed_at=places, pairs=pairs, known_at=places, position=np.zeros(0)
             )
         return near
 
 
-def _pushes(touching: Touching, pairs: Pairs, nearest: Nearest, places: Array, speeds: Array) -> Array:
+def _pushes(geometry: ContactGeometry, pairs: Pairs, nearest: Nearest, places: Array, speeds: Array) -> Array:
     """Compute the forces of touching pairs on all nodes, (node, 3).
 
     Args:
-        touching: the structure.
+        geometry: the structure.
         pairs: pairs that touch.
         nearest: their nearest points.
         places: positions of all nodes, (node, 3).
         speeds: velocities of all nodes, (node, 3).
     """
-    contact, nodes = touching.contact, pairs.nodes
+    contact, nodes = geometry.contact, pairs.nodes
     weights, normals = nearest.weights, nearest.normals
     first = np.where(np.arange(4) < np.where(np.arange(len(nodes)) < pairs.of_triangles, 1, 2)[:, None], 1, 0)
-    on_nodes = touching.mobilities[nodes]
+    on_nodes = geometry.mobilities[nodes]
     mobility = np.where(first, on_nodes, 0).max(axis=1) + np.where(first, 0, on_nodes).max(axis=1)
     mass = 1 / np.maximum(mobility, np.finfo(float).tiny)
     mass[mobility <= 0] = 0.0
@@ -173,7 +173,7 @@ def _pushes(touching: Touching, pairs: Pairs, nearest: Nearest, places: Array, s
     faded, gradient = _fading(pairs, places)
     moving = np.einsum("pk,pkx->px", weights, speeds[nodes])
     along = np.einsum("px,px->p", moving, normals)
-    damper = faded * 2 * mass / contact.stops.time_constant / np.sqrt(_crowd(touching, nodes, weights))
+    damper = faded * 2 * mass / contact.stops.time_constant / np.sqrt(_crowd(geometry, nodes, weights))
     total = np.maximum(faded * push - damper * along, 0.0)
     vectors = total[:, None] * normals
     if contact.friction:
@@ -202,17 +202,17 @@ def _fading(pairs: Pairs, places: Array) -> tuple[Array, Array]:
     share, gradient = np.ones(len(pairs.nodes)), np.zeros((len(pairs.nodes), 4, 3))
     if pairs.of_triangles == len(pairs.nodes):
         return share, gradient
-    square, slope = crossing_share(places[pairs.nodes[pairs.of_triangles :]])
+    square, slope = squared_sines(places[pairs.nodes[pairs.of_triangles :]])
     relative = np.minimum(square / _PARALLEL, 1.0)
     share[pairs.of_triangles :] = relative * (2 - relative)
     gradient[pairs.of_triangles :] = (2 * (1 - relative) / _PARALLEL)[:, None, None] * slope
     return share, gradient
 
 
-def _crowd(touching: Touching, nodes: Indices, weights: Array) -> Indices:
+def _crowd(geometry: ContactGeometry, nodes: Indices, weights: Array) -> Indices:
     """Return for each pair the largest number of pairs that push one of its bodies, (pair,)."""
-    bodies = touching.carriers[nodes]
-    pushed = np.zeros((len(nodes), len(touching.placement.parents) + 1), dtype=bool)
+    bodies = geometry.carriers[nodes]
+    pushed = np.zeros((len(nodes), len(geometry.placement.parents) + 1), dtype=bool)
     np.logical_or.at(pushed, (np.arange(len(nodes))[:, None], bodies), weights != 0)
     pushed[:, -1] = False
     counts = pushed.sum(axis=0)

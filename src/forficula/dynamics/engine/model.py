@@ -30,13 +30,13 @@ from forficula.dynamics.engine.bodies import (
 )
 from forficula.dynamics.engine.closures import add_closures, gap_name
 from forficula.dynamics.engine.contact import add_panels, add_stop_sensors, check_apart, has_engine_contact
+from forficula.dynamics.engine.contact_geometry import check_start
 from forficula.dynamics.engine.couplings import add_couplings
 from forficula.dynamics.engine.drag import CONSTANT_STEPS, Drag, add_medium, drag_of
 from forficula.dynamics.engine.membrane import MembraneMesh, add_membranes, first_node, joined_mesh
 from forficula.dynamics.engine.placement import Placement, placement_of
 from forficula.dynamics.engine.table import add_table, check_above_table
 from forficula.dynamics.engine.tendons import add_distance, add_limit, add_pulls, add_spring, add_tendon
-from forficula.dynamics.engine.touching import check_start
 from forficula.dynamics.engine.units import ModelUnits, design_in_model_units, model_units
 from forficula.dynamics.stepping.folds import Folds, folds_of, slide_name
 from forficula.dynamics.stepping.node_modes import AT_JOINTS, followed_steps

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import itertools
 from collections import deque
 from collections.abc import Mapping, Sequence
@@ -25,17 +24,18 @@ from forficula.dynamics.engine.crease_rows import without_jump
 from forficula.dynamics.engine.drag import KINEMATICS, stacked_drag
 from forficula.dynamics.engine.followed_creases import FollowedCreases, followed_creases, followed_engine
 from forficula.dynamics.engine.model import Model
-from forficula.dynamics.engine.touching import touching_of
 from forficula.dynamics.engine.warnings import quiet
+from forficula.dynamics.stepping.contact_steps import contact_steps
 from forficula.dynamics.stepping.folds import joint_address, slide_name
+from forficula.dynamics.stepping.rollout import Rollout, block_memory, branch_slices
 from forficula.dynamics.stepping.start_states import start_crease_memory, start_creases, start_position, start_states
 from forficula.dynamics.stepping.steps import MEMORY, MOVING, STATE, EngineState, StepContacts, Steps
 from forficula.structure import RestShape
+from forficula.structure.contact.touching_parts import has_touching_facets
 
 if TYPE_CHECKING:
     from forficula.dynamics.gpu.device_engine import DeviceEngine
 
-_CONTROL = mujoco.mjtState.mjSTATE_CTRL.value
 # fields for the states of a sparse record and of others, and further fields for the works
 _OF_SPARSE = ("ten_length",)
 _OF_STATES = ("ten_length", "energy", "flexvert_xpos", "xpos", "xipos", "site_xpos")
@@ -77,12 +77,12 @@ class Stepper:
             chunk: number of steps at a time.
         """
         self._structures, self._chunk = models, chunk
-        self._models = _engine_models(models, sparse)
+        self._rollout = Rollout(models, sparse)
         self._explicit = models[0].explicit
         model = models[0].engine
         self._state = start_states(models)
-        self._moving, self._control = _columns(model, MOVING), _columns(model, _CONTROL)
-        self._branch_slices = _branch_slices(model)
+        self._moving = self._rollout.moving
+        self._branch_slices = branch_slices(model)
         self._activation = self._moving[self._branch_slices.get("act", slice(0, 0))]
         self._kept = _OF_SPARSE if sparse else _OF_STATES
         self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if models[0].lets_go.any() else ()))
@@ -94,7 +94,6 @@ class Stepper:
             self._names = (*self._names, "actuator_force")
         drags = [model.drag for model in models if model.drag is not None]
         self._drag = stacked_drag(drags) if drags else None
-        self._applied = _columns(model, mujoco.mjtState.mjSTATE_QFRC_APPLIED.value)
         if drags:
             self._names = (*self._names, "qfrc_applied")
         # last angles of creases, without jumps
@@ -102,7 +101,7 @@ class Stepper:
         # memory of creases, (slot, structure, crease)
         self._past = np.stack([start_crease_memory(model) for model in models], axis=1)
         self._data = mujoco.MjData(model)
-        self._device = _device_engine(models, self._models, self._names, chunk)
+        self._device = _device_engine(models, self._rollout.models, self._names, chunk)
         if self._device is not None:
             # a device steps all structures at once
             self.threads, self.together = 1, len(models)
@@ -111,13 +110,13 @@ class Stepper:
         self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
         self._creases = followed_creases(models)
         # writable numbers of the engine's models
-        self._followed = [] if self._creases is None else [followed_engine(model) for model in self._models]
+        self._followed = [] if self._creases is None else [followed_engine(model) for model in self._rollout.models]
         # durations of blocks of steps with constant numbers of creases, (structure, 1)
         self._block_times = np.array([[model.followed * model.timestep] for model in models])
         # angles and memory of creases at the start of each block
         slots, blocks = 1 + len(self._past), chunk // models[0].followed
         self._blocks = deque([np.empty((slots, len(models), blocks, len(self._angles[0]))) for _ in range(2)])
-        self._contact = ContactForces(models) if touching_of(models[0]) is not None else None
+        self._contact = ContactForces(models) if has_touching_facets(models[0].structure) else None
         memory = (len(models), chunk if self._contact else 0)
         self._contacts = deque(
             [StepContacts(np.zeros((*memory, models[0].engine.nv)), np.zeros(memory)) for _ in range(2)]
@@ -143,14 +142,14 @@ class Stepper:
             efforts: settings of all motors in each step, in the models' units, (row, step, motor), for creases.
         """
         # for `state`: the controls in the last state are those of the last step
-        self._state[np.ix_(rows, self._control)] = controls[:, -1]
+        self._state[np.ix_(rows, self._rollout.control)] = controls[:, -1]
         if self._device is not None:
             before = self._state[np.ix_(rows, self._moving)]
             return Pending(parts=(), steps=self._device.start(rows, before, controls, self._about()))
         self._memory.rotate()
         self._blocks.rotate()
         self._contacts.rotate()
-        contacts = None if self._contact is None else _some(self._contacts[0], slice(len(rows)))
+        contacts = None if self._contact is None else self._contacts[0].some(slice(len(rows)))
         fields = {name: field[: len(rows)] for name, field in self._memory[0].items()}
         followed = None if self._structures[0].creases is None else self._blocks[0][:, : len(rows)]
         bounds = np.linspace(0, len(rows), self._parts(len(rows)) + 1).astype(int).tolist()
@@ -178,7 +177,7 @@ class Stepper:
                     {name: field[part] for name, field in fields.items()},
                     {name: field[part] for name, field in (late or {}).items()},
                     None if followed is None else followed[:, part],
-                    None if contacts is None else _some(contacts, part),
+                    None if contacts is None else contacts.some(part),
                 )
                 for part in parts
             ],
@@ -302,54 +301,6 @@ class Stepper:
         """Return the number of workers for a number of structures."""
         return min(-(-rows // self.together), self.threads)
 
-    def _roll_out(
-        self,
-        engine: Batch,
-        rows: Indices,
-        state: Array,
-        controls: Array,
-        memory: Mapping[str | int, Array],
-        late: Mapping[str, Array],
-    ) -> None:
-        """Step structures from their states, (row, number), once for each of their controls."""
-        first: dict[str, Array] = {}
-        if late:
-            driven = state.copy()
-            driven[:, self._control] = controls[:, 0]
-            first = self._fields(engine, rows, driven, self._names, mujoco.mjtStage.mjSTAGE_ACC)
-        self._load_states(engine, rows, state)
-        out: dict[str | int | mujoco.mjtState, Array] = {**memory}
-        with quiet:
-            engine.rollout(
-                controls.shape[1],
-                control=controls,
-                control_spec=_CONTROL,
-                record=tuple(out),
-                ids=None if len(rows) == engine.nsim else np.arange(len(rows)),
-                out=out,
-            )
-        for name, values in late.items():
-            # the engine's fields are those of the last of its four stages, close to the state after the step
-            values[:] = memory[name]
-            memory[name][:, 0], memory[name][:, 1:] = first[name], values[:, :-1]
-
-    def _fields(
-        self, engine: Batch, rows: Indices, state: Array, names: Sequence[str], stage: mujoco.mjtStage
-    ) -> dict[str, Array]:
-        """Compute derived fields of structures in some states, up to a stage of the engine, (row, ...)."""
-        self._load_states(engine, rows, state)
-        # the engine fills only fields that were bound before
-        bound = {name: engine.bind(name) for name in names}
-        with quiet:
-            engine.forward(np.arange(len(rows)), stage.value)
-        return {name: field[: len(rows)].copy() for name, field in bound.items()}
-
-    def _load_states(self, engine: Batch, rows: Indices, state: Array) -> None:
-        """Load structures in some states, (row, number), into an engine."""
-        every = [*range(len(rows)), *[0] * (engine.nsim - len(rows))]
-        engine.set_models([self._models[rows[place]] for place in every])
-        engine.state[: len(rows)] = state
-
     def _step(
         self,
         rows: Indices,
@@ -367,12 +318,12 @@ class Stepper:
         engine, state = self._engines.get(), self._state[rows]
         try:
             if not self._in_python:
-                self._roll_out(engine, rows, state, controls, memory, late)
+                self._rollout.steps(engine, rows, state, controls, memory, late)
                 return
             length = self._structures[0].followed
             creases = None if self._creases is None else self._creases.some(rows)
-            in_block = {name: _block(values, length) for name, values in memory.items()}
-            of_late = {name: _block(values, length) for name, values in late.items()}
+            in_block = {name: block_memory(values, length) for name, values in memory.items()}
+            of_late = {name: block_memory(values, length) for name, values in late.items()}
             blocks = controls.shape[1] // length
             means = efforts.reshape(len(rows), blocks, length, -1).mean(axis=2)
             for block in range(blocks):
@@ -386,10 +337,12 @@ class Stepper:
                         followed[0, :, block], followed[1:, :, block] = angles, past
                     if self._drag is not None:
                         self._set_drag(engine, rows, state)
-                if contacts is not None:
-                    self._touch(engine, rows, state, controls, memory, late, contacts, steps)
+                if contacts is not None and self._contact is not None:
+                    contact_steps(
+                        self._rollout, self._contact, engine, rows, state, controls, memory, late, contacts, steps
+                    )
                     continue
-                self._roll_out(engine, rows, state, np.ascontiguousarray(controls[:, steps]), in_block, of_late)
+                self._rollout.steps(engine, rows, state, np.ascontiguousarray(controls[:, steps]), in_block, of_late)
                 for name, values in memory.items():
                     values[:, steps] = in_block[name]
                 for field, values in late.items():
@@ -399,45 +352,6 @@ class Stepper:
         finally:
             self._engines.put(engine)
 
-    def _touch(
-        self,
-        engine: Batch,
-        rows: Indices,
-        state: Array,
-        controls: Array,
-        memory: Mapping[str | int, Array],
-        late: Mapping[str, Array],
-        contacts: StepContacts,
-        block: slice,
-    ) -> None:
-        """Take a block of steps of structures whose parts may touch, step by step where they do."""
-        assert self._contact is not None
-        drag, begun = state[:, self._applied], block.start
-        while begun < block.stop:
-            position, velocity = self._motion(state)
-            forces, overlaps, count = self._contact.forces(rows, position, velocity)
-            state[:, self._applied] = drag + forces
-            count = min(count, block.stop - begun)
-            while True:
-                steps = slice(begun, begun + count)
-                out = {name: _block(values, count) for name, values in memory.items()}
-                of_late = {name: _block(values, count) for name, values in late.items()}
-                self._roll_out(engine, rows, state, np.ascontiguousarray(controls[:, steps]), out, of_late)
-                ended = out[MOVING][:, -1]
-                positions = ended[:, 1 : 1 + self._structures[0].engine.nq]
-                if count == 1 or self._contact.apart(rows, positions):
-                    break
-                # parts are faster than estimated
-                count = max(1, count // 4)
-            for name, values in memory.items():
-                values[:, steps] = out[name]
-            for field, values in late.items():
-                values[:, steps] = of_late[field]
-            contacts.forces[:, steps], contacts.overlaps[:, steps] = forces[:, None], overlaps[:, None]
-            state[:, self._moving] = ended
-            begun += count
-        state[:, self._applied] = drag
-
     @property
     def _in_python(self) -> bool:
         """Whether Python computes forces between steps."""
@@ -446,14 +360,9 @@ class Stepper:
     def _set_drag(self, engine: Batch, rows: Indices, state: Array) -> None:
         """Set the drag of structures for their positions and velocities in some states, (row, number)."""
         assert self._drag is not None
-        _, velocity = self._motion(state)
-        fields = self._fields(engine, rows, state, KINEMATICS, mujoco.mjtStage.mjSTAGE_POS)
-        state[:, self._applied] = self._drag.forces(rows, fields, velocity)
-
-    def _motion(self, state: Array) -> tuple[Array, Array]:
-        """Return positions and velocities in some states, (row, position) and (row, velocity)."""
-        engine, moving = self._structures[0].engine, state[:, self._moving][:, 1:]
-        return moving[:, : engine.nq], moving[:, engine.nq : engine.nq + engine.nv]
+        _, velocity = self._rollout.motion(state)
+        fields = self._rollout.fields(engine, rows, state, KINEMATICS, mujoco.mjtStage.mjSTAGE_POS)
+        state[:, self._rollout.applied] = self._drag.forces(rows, fields, velocity)
 
     def _set_creases(
         self,
@@ -468,7 +377,7 @@ class Stepper:
 
         The angles and memory before are those of the same states, or of states a block earlier if `later` is true.
         """
-        position, velocity = self._motion(state)
+        position, velocity = self._rollout.motion(state)
         block = self._block_times[rows]
         past = Past(angles=before[0], memory=before[1:], elapsed=block * later, block=block)
         return creases.update([self._followed[row] for row in rows.tolist()], position, velocity, efforts, past)
@@ -485,51 +394,8 @@ def _device_engine(
     return DeviceEngine(models, engines, names, chunk)
 
 
-def _engine_models(models: Sequence[Model], sparse: bool) -> list[mujoco.MjModel]:
-    """Return the engine's models: without energy if it is not recorded, and a copy for each structure with creases."""
-    engines = _without_energy(models) if sparse else [model.engine for model in models]
-    return [
-        engine if model.creases is None else copy.copy(engine) for engine, model in zip(engines, models, strict=True)
-    ]
-
-
 def _memory(models: Sequence[Model], names: Sequence[str], chunk: int, moving: int) -> dict[str | int, Array]:
     """Allocate memory for a chunk of steps of all structures, by recorded field."""
     data = mujoco.MjData(models[0].engine)
     shapes = {MOVING: (moving,), **{name: getattr(data, name).shape for name in names}}
     return {name: np.empty((len(models), chunk, *shape)) for name, shape in shapes.items()}
-
-
-def _some(contacts: StepContacts, rows: slice) -> StepContacts:
-    """Select structures."""
-    return StepContacts(contacts.forces[rows], contacts.overlaps[rows])
-
-
-def _block(memory: Array, steps: int) -> Array:
-    """Allocate memory for a block of steps, shaped like that for a chunk, (row, step, ...)."""
-    return np.empty((len(memory), steps, *memory.shape[2:]))
-
-
-def _columns(engine: mujoco.MjModel, part: int) -> Indices:
-    """Return the indices of a part of a state."""
-    every = np.arange(mujoco.mj_stateSize(engine, STATE), dtype=np.float64)
-    indices = np.empty(mujoco.mj_stateSize(engine, part))
-    mujoco.mj_extractState(engine, every, STATE, indices, part)
-    return indices.astype(np.int64)
-
-
-def _branch_slices(engine: mujoco.MjModel) -> dict[str, slice]:
-    """Return the slices of branches and of yielding tendons in the changing part of a state, by MuJoCo's names."""
-    state = mujoco.mjtState
-    before = state.mjSTATE_TIME.value | state.mjSTATE_QPOS.value | state.mjSTATE_QVEL.value
-    first, size = mujoco.mj_stateSize(engine, before), mujoco.mj_stateSize(engine, MOVING)
-    places = {"act": slice(first, first + engine.na), "plastic": slice(size - engine.nplastic, size)}
-    return {name: place for name, place in places.items() if place.start < place.stop}
-
-
-def _without_energy(models: Sequence[Model]) -> list[mujoco.MjModel]:
-    """Return engine models that do not compute the energy of every step; nothing else depends on it."""
-    bare = {id(model.engine): copy.copy(model.engine) for model in models}
-    for engine in bare.values():
-        engine.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_ENERGY)
-    return [bare[id(model.engine)] for model in models]

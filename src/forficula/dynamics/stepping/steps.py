@@ -34,6 +34,10 @@ class StepContacts(NamedTuple):
     forces: Array
     overlaps: Array
 
+    def some(self, rows: slice) -> StepContacts:
+        """Select structures."""
+        return StepContacts(self.forces[rows], self.overlaps[rows])
+
 
 @dataclass(frozen=True, kw_only=True)
 class Steps:

@@ -102,11 +102,6 @@ def save_crease_law(law: CreaseLawFile, path: str | os.PathLike[str]) -> None:
     write_text(Path(path), tomli_w.dumps(tables))
 
 
-def is_crease_law(name: str) -> bool:
-    """Return whether a name is that of a law of creases that comes with the package."""
-    return name in _named()
-
-
 @cache
 def _named() -> tuple[str, ...]:
     entries = _folder().iterdir()

@@ -11,6 +11,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
+from forficula.arrays import Array
 from forficula.quantities import reading_unit, show_value
 from forficula.show.landscape.landscape_marks import (
     least_text,
@@ -51,6 +52,7 @@ _COLOURS = {
 }
 _MARKS = (("o", BLUE), ("s", VERMILION), ("^", GREEN), ("D", PURPLE), ("v", SKY))
 _WIDTH = 0.62  # width of a bar
+_HELD = "0.75"  # colour of the angles at which dry friction holds a hinge
 _NAMED = 6  # largest number of hinges that are named below their angles
 _NAME, _LINE = 14, 90  # letters of a line of a transition's name, and of the label below
 _LEAST_SPAN = 1.0  # deg, least span of the axis of angles: smaller differences are rounding errors
@@ -79,7 +81,7 @@ def draw_equilibria(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fi
         top.set_ylim(low if low < 0 else 0.0, high if high > 0 else 1.0)
         top.set_ylabel(f"stored energy ({unit})")
         top.tick_params(axis="x", length=0)
-        _plot_angles(bottom, rests, measures)
+        _plot_angles(bottom, landscape, measures)
         bottom.set_xticks(range(len(rests)), [rest_name(rest, "\n") for rest in rests])
         bottom.set_xlim(-0.6, len(rests) - 0.4)
         bottom.set_ylabel(f"{title_of(measures[0]) if len(measures) == 1 else 'angle'} (deg)")
@@ -119,22 +121,38 @@ def _mark_steps(axes: Axes, landscape: EnergyLandscape) -> None:
         axes.text(place + 0.5, 1.08, words, transform=over, ha="center", va="bottom", fontsize=7)
 
 
-def _plot_angles(axes: Axes, rests: tuple[Rest, ...], measures: tuple[Measure, ...]) -> None:
-    """Draw the angles of the hinges, side by side in the order of their measures."""
+def _plot_angles(axes: Axes, landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> None:
+    """Draw the angles of the hinges, side by side in the order of their measures, and where dry friction holds them."""
+    rests = landscape.rests
     count = sum(len(measure.parts) for measure in measures)
     shifts = iter(np.linspace(-_WIDTH / 2, _WIDTH / 2, count + 2)[1:-1].tolist())
     axes.axhline(0, color="0.6", lw=0.5, ls=":", zorder=0)
     for number, measure in enumerate(measures):
         mark, colour = _MARKS[number % len(_MARKS)]
-        for angles in np.degrees([read_angles(measure, rest.angles) for rest in rests]).T:
+        bands = np.degrees([_friction_band(landscape, measure, rest) for rest in rests]).transpose(2, 0, 1)
+        for angles, ends in zip(
+            np.degrees([read_angles(measure, rest.angles) for rest in rests]).T, bands, strict=True
+        ):
             shift = next(shifts)
             places = [place + shift for place in range(len(rests))]
+            axes.vlines(places, *ends.T, color=_HELD, lw=4, zorder=1)
             axes.plot(places, angles, mark, color=colour, ms=4, ls="none", clip_on=False)
     axes.margins(y=0.15)
     low, high = axes.get_ylim()
     short = max(_LEAST_SPAN - (high - low), 0.0) / 2
     axes.set_ylim(low - short, high + short)
     axes.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 1.5, 2, 3, 4.5, 5, 9, 10]))
+
+
+def _friction_band(landscape: EnergyLandscape, measure: Measure, rest: Rest) -> Array:
+    """Return the ends of the readings of a measure at which dry friction holds its hinges, rad, (end, reading)."""
+    numbers = {hinge.name: number for number, hinge in enumerate(landscape.structure.hinges)}
+    ends = np.repeat(np.asarray(rest.angles)[None], 2, axis=0)
+    # a sum of several angles has no band, because a band is that of one hinge
+    for band in landscape.friction_bands if measure.together == 1 else ():
+        if band.state == rest.name:
+            ends[:, numbers[band.hinge]] = band.lower, band.upper
+    return read_angles(measure, ends)
 
 
 def _order(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
@@ -162,6 +180,8 @@ def _handles(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> list[
     handles.append(Line2D([], [], color=BLACK, lw=1.6, label="sum (number)"))
     if not all(rest.stable for rest in landscape.rests):
         handles.append(Patch(facecolor="white", edgecolor="0.45", hatch="/////", label="not stable"))
+    if landscape.friction_bands:
+        handles.append(Line2D([], [], color=_HELD, lw=4, label="held by dry friction"))
     if len(measures) > 1:
         handles += [
             Line2D([], [], ls="none", marker=mark, color=colour, ms=4, label=title_of(measure))

@@ -22,7 +22,7 @@ from forficula.show.structure.painted_shape import (
 )
 from forficula.show.structure.shape import Shape, shape_of
 from forficula.show.structure.surface import DrawnSurface, surface_of
-from forficula.show.structure.surroundings import draw_gravity
+from forficula.show.structure.surroundings import draw_gravity, draw_table, table_handles
 from forficula.show.structure.viewpoint import Viewpoint, readable_view
 from forficula.show.style import ORANGE
 from forficula.statics import EnergyLandscape
@@ -42,6 +42,7 @@ class Pictures:
 
     Attributes:
         painted: shapes, in order.
+        surfaces: the same shapes in 3-D.
         outlines: ends of the dotted lines of each picture, m, (line, end, 2).
         middles: middle of each picture, m, (picture, 2).
         size: width and height of the largest picture, m, (2,).
@@ -51,6 +52,7 @@ class Pictures:
     """
 
     painted: tuple[PaintedShape, ...]
+    surfaces: tuple[DrawnSurface, ...]
     outlines: tuple[Array, ...]
     middles: Array
     size: Array
@@ -75,7 +77,8 @@ def net_pictures(landscape: EnergyLandscape, shapes: Sequence[NetShape], outline
     structure, shape = landscape.structure, shape_of(landscape.structure)
     states = [_surface(landscape, shape, state.rest.shape) for state in net_states(landscape)]
     view = readable_view(states, free=_is_free(landscape))
-    painted = [paint_shape(_surface(landscape, shape, item), view, ORANGE) for item in shapes]
+    surfaces = [_surface(landscape, shape, item) for item in shapes]
+    painted = [paint_shape(surface, view, ORANGE) for surface in surfaces]
     outlines = [view.project(_surface(landscape, shape, item).lines) for item in outlined]
     corners = np.array([item.corners for item in painted])
     for number, lines in enumerate(outlines):
@@ -83,10 +86,11 @@ def net_pictures(landscape: EnergyLandscape, shapes: Sequence[NetShape], outline
         corners[number, 1] = np.maximum(corners[number, 1], lines.max(axis=(0, 1)))
     return Pictures(
         painted=tuple(painted),
+        surfaces=tuple(surfaces),
         outlines=tuple(outlines),
         middles=corners.mean(axis=1),
         size=np.ptp(corners, axis=1).max(axis=0),
-        handles=tuple(shape_handles(shape, structure, ORANGE, 2.0)),
+        handles=(*shape_handles(shape, structure, ORANGE, 2.0), *table_handles(structure)),
         structure=structure,
         view=view,
     )
@@ -99,8 +103,10 @@ def show_pictures(pictures: Pictures, all_axes: Iterable[Axes], width: float) ->
     """
     for axes in (all_axes := list(all_axes)):
         axes.set_axis_off()
-    for axes, painted, middle in zip(all_axes, pictures.painted, pictures.middles, strict=False):
+    shown = zip(all_axes, pictures.painted, pictures.surfaces, pictures.middles, strict=False)
+    for axes, painted, surface, middle in shown:
         show_painted(axes, painted, np.array([middle - pictures.size / 2, middle + pictures.size / 2]), width)
+        draw_table(axes, pictures.structure, surface, pictures.view)
     # in the upper right corner of the first picture
     half = _ARROW * float(pictures.size[0])
     corner = pictures.middles[0] + pictures.size / 2

@@ -367,7 +367,9 @@ def legend_data(clips: Sequence[Clip]) -> list[dict[str, str]]:
             entries.setdefault("tendon", "tendon, coloured by stored energy")
         if clip.structure.gravity:
             entries.setdefault("gravity", "direction of gravity")
-    order = ("mountain", "valley", "border", "edge", "region", "joint", "base", "tendon", "gravity")
+        if "table_m" in _surroundings_data(clip.structure):
+            entries.setdefault("table", "table")
+    order = ("mountain", "valley", "border", "edge", "region", "joint", "base", "tendon", "gravity", "table")
     return [
         {"sample": sample, "text": text}
         for sample, text in sorted(entries.items(), key=lambda item: order.index(item[0].partition(" ")[0]))

@@ -30,7 +30,7 @@ from forficula.show.structure.painted_shape import (
 )
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import DrawnSurface, at_time, face_strains, surface_at
-from forficula.show.structure.surroundings import draw_gravity, draw_table, surroundings_text
+from forficula.show.structure.surroundings import draw_gravity, draw_table, surroundings_text, table_handles
 from forficula.show.structure.viewpoint import Viewpoint, readable_view
 from forficula.show.style import (
     ORANGE,
@@ -131,6 +131,7 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *,
     handles = [
         handle for handle in shape_handles(shape, structure, ORANGE, 2.0) if not (strain and isinstance(handle, Patch))
     ]
+    handles += table_handles(structure)
     with figure_style():
         figure, grid = _draw_panels(panels, handles, width, structure, view)
         if strain:

@@ -20,7 +20,7 @@ def strength_rows(record: Record) -> list[list[str]]:
     if lasting is not None:
         kept = [[f"permanent fold: {show_value(lasting.angle, 'rad')}", "", "", lasting.crease, "the end"]]
     if (worn := worn_crease(record)) is not None:
-        kept.append([f"moment left after wear: {100 * worn.left:.3g} %", "", "", worn.crease, "the end"])
+        kept.append([f"moment left after wear: {100 * worn.remaining:.3g} %", "", "", worn.crease, "the end"])
     if not record.structure.facets:
         return kept
     rows = [

@@ -357,10 +357,12 @@ def _creases(
     # points beside the pattern are on none of its edges
     matched = np.where(away <= within, nearest, -1).reshape(-1, 2)
     bars = [frozenset(pair) for pair in matched.tolist()]
+    # creases of thick panels are inside them
+    inside = any(plate.solids for plate in structure.plates)
     lines = []
     for edge in pattern.edges_vertices.tolist():
         letter = letters[frozenset(edge)]
-        if letter == "B" or frozenset(edge) in bars:
+        if letter == "B" or frozenset(edge) in bars or inside:
             continue
         path = _on_segment(built, pattern.vertices_coords[edge], within)
         if len(path) > 1:

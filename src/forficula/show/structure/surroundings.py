@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Circle, Polygon
+from matplotlib.patches import Circle, Patch, Polygon
 
 from forficula.arrays import Array
 from forficula.quantities import show_value
@@ -80,6 +80,11 @@ def draw_table(axes: Axes, structure: Structure, surface: DrawnSurface, view: Vi
     colour, order = (_TABLE, -1) if above else ("none", 3)
     table = Polygon(view.project(corners), facecolor=colour, edgecolor=_EDGE, lw=0.6, zorder=order)
     axes.add_patch(table).set_in_layout(False)
+
+
+def table_handles(structure: Structure) -> list[Patch]:
+    """Return the entry of a legend for the table; empty without a table."""
+    return [] if structure.table is None else [Patch(facecolor=_TABLE, edgecolor=_EDGE, lw=0.6, label="table")]
 
 
 def _under(surface: DrawnSurface, up: Array, height: float) -> Array:

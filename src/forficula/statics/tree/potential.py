@@ -27,20 +27,16 @@ from forficula.statics.tree.hinge import TendonHinge, hinges_in_own_senses, stac
 from forficula.statics.tree.lines import Lines, largest_pull, line_energy, lines_of
 from forficula.statics.tree.permanent_folds import PermanentFolds, permanent_folds_of
 from forficula.statics.tree.pose import (
-    Carried,
     Pose,
     Span,
-    Tree,
-    carried_points,
-    places_of,
     pose,
-    pulled,
     span,
     tree_of,
 )
 from forficula.statics.tree.sheet import Sheet, sheet_energy, sheet_of
 from forficula.statics.tree.springs import Springs, closure_gap, pins_of, spring_energy, springs_of
-from forficula.structure import Motor, Structure, joint_count, mass_of, springs_name, static_keys, structure_of
+from forficula.statics.tree.weight import Weight, weight_energy, weight_of
+from forficula.structure import Motor, Structure, joint_count, springs_name, static_keys, structure_of
 
 # Steps in which a structure is followed: shorter ones end in the same equilibria.
 _LONGEST_STEP = 0.1  # rad
@@ -519,52 +515,3 @@ def start_angles(structures: Ensemble) -> Array:
     """Return the angles at which the protocol starts the hinges, rad, (case, hinge)."""
     joints = structures.structure.hinges[: structures.size]
     return np.tile([joint.start for joint in joints], (structures.cases, 1))
-
-
-@dataclass(frozen=True, kw_only=True)
-class Weight:
-    """Weights at the centres of mass of the bodies that move.
-
-    Attributes:
-        tree: of bodies.
-        centres: of mass.
-        forces: weights, N, (centre,).
-        down: unit vector along them, (3,).
-    """
-
-    tree: Tree
-    centres: Carried
-    forces: Array
-    down: Array
-
-
-def weight_of(structure: Structure, tree: Tree) -> Weight | None:
-    """Return the weight of a structure; None without gravity, or if no part with mass moves."""
-    moving = [number for number in range(len(structure.bodies)) if tree.chain(number)] if structure.gravity else []
-    masses = {number: mass_of(structure, number) for number in moving}
-    solid = [number for number, (mass, _, _) in masses.items() if mass]
-    if not solid:
-        return None
-    return Weight(
-        tree=tree,
-        centres=carried_points(tree, solid, np.array([masses[number][1] for number in solid])),
-        forces=structure.gravity * np.array([masses[number][0] for number in solid]),
-        down=np.array(structure.down),
-    )
-
-
-def weight_energy(weight: Weight, angles: Array) -> Expansion:
-    """Compute the energy of the weight, 0 if all centres are at the height of the origin.
-
-    Args:
-        weight: of the bodies.
-        angles: of all hinges, in their own senses, rad, (case, hinge).
-
-    Returns:
-        Energy, J, (case,); gradient, N m, (case, hinge), and Hessian, N m/rad, (case, hinge, hinge), by the angles.
-    """
-    at = pose(weight.tree, angles)
-    places = places_of(weight.centres, at)
-    up = -weight.down
-    forces = np.multiply.outer(up, np.broadcast_to(weight.forces, places.shape[1:]))
-    return np.tensordot(up, places, 1) @ weight.forces, *pulled(weight.tree, weight.centres, at, places, forces)

@@ -8,21 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from forficula.structure.assembly.joined_part import JoinedPart
-from forficula.structure.parts import (
-    Bar,
-    Closure,
-    Coupling,
-    Facet,
-    LengthLimit,
-    Medium,
-    Membrane,
-    Plate,
-    PointMass,
-    Spring,
-    Surface,
-    Tendon,
-)
+from forficula.structure.membranes import Membrane, Surface
+from forficula.structure.parts import Bar, Closure, Coupling, Facet, LengthLimit, Plate, PointMass, Spring, Tendon
 from forficula.structure.structure import Structure
+from forficula.structure.surroundings import Medium
 
 
 def with_components(structure: Structure, masses: Sequence[PointMass], parts: Sequence[JoinedPart]) -> Structure:

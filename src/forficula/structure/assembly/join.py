@@ -19,8 +19,8 @@ from forficula.structure.assembly.joints import with_inertia, with_joints
 from forficula.structure.assembly.layout import Layout, add_part
 from forficula.structure.assembly.protocol import with_assembly_protocol
 from forficula.structure.mass import mass_of
-from forficula.structure.parts import Contact, Stops
 from forficula.structure.structure import Structure
+from forficula.structure.surroundings import Contact, Stops
 from forficula.structure.tree import built_points
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from forficula.design import FanDesign, SheetDesign
-from forficula.structure.parts import Contact, Stops
+from forficula.structure.surroundings import Contact, Stops
 
 
 def contact_of(design: FanDesign | SheetDesign, thickness: float) -> Contact | None:

@@ -81,20 +81,24 @@ def side_from_side(corners: Array) -> Nearest:
     return _nearest(corners, np.stack([1 - first, first, second - 1, -second], axis=-1))
 
 
-def crossing_share(corners: Array) -> tuple[Array, Array]:
-    """Compute by how much sides are not parallel: the squared sine of their angle, with its gradient.
+def squared_sines(corners: Array) -> tuple[Array, Array]:
+    """Compute the squared sines of the angles between sides, which are 0 for parallel sides, with their gradients.
 
     Args:
         corners: both ends of the first side, then of the second, m, (..., 4, 3).
 
     Returns:
-        The squared sine, (...), and its gradient by the corners for sides of constant lengths, 1/m, (..., 4, 3).
+        The squared sines, (...), and their gradients by the corners, 1/m, (..., 4, 3).
     """
     one, other = corners[..., 1, :] - corners[..., 0, :], corners[..., 3, :] - corners[..., 2, :]
     normal = row_cross(one, other)
-    scale = np.maximum(_dot(one, one) * _dot(other, other), _TINY)[..., None]
-    of_one, of_other = 2 * row_cross(other, normal) / scale, 2 * row_cross(normal, one) / scale
-    return _dot(normal, normal) / scale[..., 0], np.stack([-of_one, of_one, -of_other, of_other], axis=-2)
+    one_one, two_two = (np.maximum(_dot(side, side), _TINY)[..., None] for side in (one, other))
+    scale = np.maximum(one_one * two_two, _TINY)
+    squares = _dot(normal, normal)[..., None] / scale
+    # the sine does not depend on the lengths of the sides
+    of_one = 2 * (row_cross(other, normal) / scale - squares / one_one * one)
+    of_other = 2 * (row_cross(normal, one) / scale - squares / two_two * other)
+    return squares[..., 0], np.stack([-of_one, of_one, -of_other, of_other], axis=-2)
 
 
 def side_through_triangle(corners: Array) -> Array:

@@ -10,9 +10,10 @@ from scipy.spatial import cKDTree
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.pattern.triangulation import ears
-from forficula.structure.parts import GROUND, Contact, Facet, Plate
+from forficula.structure.parts import GROUND, Facet, Plate
 from forficula.structure.sheets.facets import facet_triangles
 from forficula.structure.structure import Structure
+from forficula.structure.surroundings import Contact
 from forficula.structure.tree import built_points
 
 # points that are nearer than this share of the span as built are one vertex
@@ -69,6 +70,11 @@ class _Part:
     def points(self) -> set[int]:
         """Return the numbers of all points of the part."""
         return {*self.corners, *(point for corners in self.triangles for point in corners)}
+
+
+def has_touching_facets(structure: Structure) -> bool:
+    """Return whether facets or plates of a structure touch other parts."""
+    return structure.contact is not None and bool(structure.plates or structure.facets)
 
 
 def touching_parts(structure: Structure, contact: Contact) -> TouchingParts | None:

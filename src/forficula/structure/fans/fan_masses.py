@@ -12,7 +12,8 @@ from forficula.design.places import row_bars
 from forficula.pattern.geometry import triangle_areas
 from forficula.structure.fans.vein import Vein, panel_lines
 from forficula.structure.fans.vein_parts import vein_masses
-from forficula.structure.parts import Panel, PointMass
+from forficula.structure.parts import PointMass
+from forficula.structure.surroundings import Panel
 
 
 def fan_masses(design: FanDesign, veins: Sequence[Vein]) -> tuple[PointMass, ...]:

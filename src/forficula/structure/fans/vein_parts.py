@@ -16,8 +16,9 @@ from forficula.structure.fans.crossing import bar_crossing, sine_between
 from forficula.structure.fans.vein import Vein, attachments
 from forficula.structure.mass import end_inertia, turned_inertia
 from forficula.structure.motors_and_measures import Measure
-from forficula.structure.parts import GROUND, Bar, Body, Crossing, Hinge, Point, PointMass, Stops, Tendon
+from forficula.structure.parts import GROUND, Bar, Body, Crossing, Hinge, Point, PointMass, Tendon
 from forficula.structure.structure import Structure
+from forficula.structure.surroundings import Stops
 
 # designs with veins
 VeinDesign = FanDesign | JointDesign

@@ -27,11 +27,13 @@ from forficula.structure.fans.fan_masses import fan_masses, fan_panels
 from forficula.structure.fans.vein import Vein, panel_lines
 from forficula.structure.fans.vein_parts import bare_veins
 from forficula.structure.medium import immersed
+from forficula.structure.membranes import Membrane, MembraneLaw, Surface
 from forficula.structure.motors_and_measures import RigidFold
-from forficula.structure.parts import Contact, Hinge, LengthLimit, Membrane, MembraneLaw, Surface
+from forficula.structure.parts import Hinge, LengthLimit
 from forficula.structure.protocol import with_protocol
 from forficula.structure.sheets.couplings import vein_couplings
 from forficula.structure.structure import Structure
+from forficula.structure.surroundings import Contact
 
 _APPEARANCE = Appearance(
     whole="wing",

@@ -12,10 +12,10 @@ from scipy.sparse.csgraph import dijkstra
 
 from forficula.arrays import Array
 from forficula.design import Imperfection, SheetDesign, tendon_law
+from forficula.design.sheets.crease_sections import with_law
 from forficula.design.sheets.crease_values import creases_by_edge
 from forficula.design.sheets.sheet_creases import crease_sense
 from forficula.design.sheets.sheet_places import GROUND_PLACE
-from forficula.design.sheets.sheet_sections import with_law
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 from forficula.pattern.geometry import triangle_areas, triangle_normals
@@ -23,18 +23,8 @@ from forficula.pattern.shared_edges import shared_edges
 from forficula.structure.appearance import Appearance
 from forficula.structure.contact.contact_section import contact_of
 from forficula.structure.medium import facet_panels, immersed
-from forficula.structure.parts import (
-    GROUND,
-    Body,
-    Facet,
-    Hinge,
-    Membrane,
-    MembraneLaw,
-    Point,
-    Spring,
-    Stops,
-    Tendon,
-)
+from forficula.structure.membranes import Membrane, MembraneLaw
+from forficula.structure.parts import GROUND, Body, Facet, Hinge, Point, Spring, Tendon
 from forficula.structure.protocol import with_protocol
 from forficula.structure.sheets.facets import BEND
 from forficula.structure.sheets.flaps import flap_angles
@@ -42,6 +32,7 @@ from forficula.structure.sheets.sheet_hinge import sheet_hinge
 from forficula.structure.sheets.sheet_measures import sheet_measures
 from forficula.structure.sheets.sheet_nodes import SheetNodes, held_axes, node_of, sheet_nodes
 from forficula.structure.structure import Structure
+from forficula.structure.surroundings import Stops
 
 # rad, tolerance within which a crease at -180 deg as built counts as folded to 180 deg in its own sense
 _FOLDED_FLAT = 1e-6

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 from forficula.design import SheetDesign
+from forficula.design.sheets.crease_sections import Crease
 from forficula.design.sheets.crease_values import rest_angle, stops, yield_angle
 from forficula.design.sheets.sheet_creases import crease_role, crease_sense
-from forficula.design.sheets.sheet_sections import Crease
 from forficula.material.law.crease_law import CreaseBranch, CreaseDamage
 from forficula.pattern import CreasePattern
 from forficula.structure.parts import Hinge

@@ -269,7 +269,8 @@ def _drive_plot(path: QuasiStaticPath, rows: Indices) -> Plot:
         most = readable(float(np.nanmax(path.friction)), si)
         for name, side in (("growing", 1.0), ("falling", -1.0)):
             lines.append(Line(name=name, clip=0, values=factor * (values + side * np.nan_to_num(path.friction))[rows]))
-        text += f" Dry friction adds up to {most} while the drive grows and takes as much away while it falls."
+        text += f" Dry friction increases the {word} by up to {most} while it grows, and reduces it by the same amount"
+        text += " while it falls."
     return Plot(
         title=f'{word} of the drive "{path.drive.name}"',
         unit=unit,

@@ -93,16 +93,6 @@ def _on_edges(places: Array) -> tuple[Array, Array]:
     return weights, changes
 
 
-def squared_sines(places: Array) -> tuple[Array, Array]:
-    """Return squares of the sines of the angles between two edges, (pair,), and their gradients, 1/m, (pair, 4, 3)."""
-    first, second = places[:, 1] - places[:, 0], places[:, 3] - places[:, 2]
-    one, mixed, other = _dot(first, first), _dot(first, second), _dot(second, second)
-    cosine = mixed**2 / (one * other)
-    by_first = -2 * (mixed / (one * other))[:, None] * second + 2 * (cosine / one)[:, None] * first
-    by_second = -2 * (mixed / (one * other))[:, None] * first + 2 * (cosine / other)[:, None] * second
-    return np.asarray(1 - cosine), np.stack([-by_first, by_first, -by_second, by_second], axis=1)
-
-
 def distance_hessians(places: Array, closest: Closest) -> Array:
     """Compute Hessians of the distances by the positions of the four points, 1/m, (pair, 12, 12).
 

@@ -10,9 +10,10 @@ from scipy.optimize import nnls
 from scipy.sparse import coo_array, csc_array, csr_array
 
 from forficula.arrays import Array, Flags
-from forficula.statics.net.contact.closest import Closest, distance_hessians, gradients, squared_sines
+from forficula.statics.net.contact.closest import Closest, distance_hessians, gradients
 from forficula.statics.net.contact.net_contact import NetContact, Pressing
 from forficula.statics.net.factor import Factorisation
+from forficula.structure.contact.distances import squared_sines
 from forficula.structure.contact.pairs import Pairs
 
 if TYPE_CHECKING:
@@ -121,7 +122,8 @@ def with_contact_forces(net: Net, shape: NetShape, parts: Factorisation) -> tupl
     yields = by_free @ parts.solve(np.ascontiguousarray(by_free.T))
     overlap = pairs.thickness[active] - nearest.distance[active]
     force = force.copy()
-    if active.any() and error <= _NEAR:
+    # away from a minimum, the distances do not determine the forces
+    if active.any() and error <= _NEAR and parts.index == 0:
         root = np.linalg.cholesky(
             (yields + yields.T) / 2 + _INDEPENDENT * yields.diagonal().max() * np.eye(len(yields))
         )

@@ -33,7 +33,7 @@ SLIGHT_OVERLAP = 0.1
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Touching:
+class ContactGeometry:
     """The parts of a structure that touch, and the bodies that carry their nodes, in the model's units.
 
     Attributes:
@@ -96,7 +96,7 @@ class Touching:
         return self.placement.loads(pose, pushes[:-1], torques[:-1])
 
 
-def touching_of(model: Model) -> Touching | None:
+def contact_geometry(model: Model) -> ContactGeometry | None:
     """Return the parts of a structure that touch; None if the structure has no such parts, or no contact."""
     structure, contact = model.in_units, model.in_units.contact
     parts = None if contact is None else touching_parts(structure, contact)
@@ -105,7 +105,7 @@ def touching_of(model: Model) -> Touching | None:
     placement = placement_of(structure)
     points = [structure.points[point] for point in parts.points.tolist()]
     carriers = np.array([point.body if point.body >= 0 else len(structure.bodies) for point in points], dtype=np.int64)
-    touching = Touching(
+    geometry = ContactGeometry(
         parts=parts,
         contact=contact,
         placement=placement,
@@ -118,22 +118,22 @@ def touching_of(model: Model) -> Touching | None:
         engine=model.engine,
         explicit=model.explicit,
     )
-    _, places, _ = touching.nodes(np.array(model.engine.qpos0))
+    _, places, _ = geometry.nodes(np.array(model.engine.qpos0))
     ends = places[parts.sides]
     length = float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).mean())
     return replace(
-        touching,
-        mobilities=_mobilities(touching),
-        levers=_levers(touching),
+        geometry,
+        mobilities=_mobilities(geometry),
+        levers=_levers(geometry),
         skin=max(_SKINS[0] * contact.thickness, _SKINS[1] * length),
     )
 
 
-def _levers(touching: Touching) -> Array:
+def _levers(geometry: ContactGeometry) -> Array:
     """Return the largest distance of a node from the axis of each joint in any shape, (joint,)."""
-    placement = touching.placement
+    placement = geometry.placement
     radii = np.zeros(len(placement.parents) + 1)
-    np.maximum.at(radii, touching.carriers, np.linalg.norm(touching.places, axis=1))
+    np.maximum.at(radii, geometry.carriers, np.linalg.norm(geometry.places, axis=1))
     for level in reversed(placement.levels[1:]):
         reach = np.linalg.norm(placement.positions[level], axis=1) + radii[level]
         np.maximum.at(radii, placement.parents[level], reach)
@@ -148,11 +148,11 @@ def check_start(model: Model) -> None:
     """
     from forficula.dynamics.stepping.start_states import start_position
 
-    touching = touching_of(model)
-    if touching is None:
+    geometry = contact_geometry(model)
+    if geometry is None:
         return
-    parts = touching.parts
-    _, places, _ = touching.nodes(start_position(model))
+    parts = geometry.parts
+    _, places, _ = geometry.nodes(start_position(model))
     for one, other in parts_that_cross(parts, places):
         raise _crossing_error(parts, one, other)
     pairs = near_pairs(parts, places, 0.0)
@@ -210,9 +210,9 @@ def resolving_time_constant(contact: Contact, overlap: float) -> float:
     return contact.stops.time_constant * size(SLIGHT_OVERLAP) / size(min(overlap, _LARGEST_OVERLAP))
 
 
-def _mobilities(touching: Touching) -> Array:
+def _mobilities(geometry: ContactGeometry) -> Array:
     """Compute the largest acceleration of each node in any direction per force on it, as built, (node,)."""
-    engine, placement = touching.engine, touching.placement
+    engine, placement = geometry.engine, geometry.placement
     data = mujoco.MjData(engine)
     mujoco.mj_forward(engine, data)
     inertia = np.zeros((engine.nv, engine.nv))
@@ -221,10 +221,10 @@ def _mobilities(touching: Touching) -> Array:
         # nodes that slide move independently
         free = np.append(placement.velocities, -1)[placement.slides]
         masses = np.append(np.diag(inertia), np.inf)[free]
-        return np.append((1 / masses).max(axis=1), 0.0)[touching.carriers]
-    pose, _, arms = touching.nodes(np.array(engine.qpos0))
+        return np.append((1 / masses).max(axis=1), 0.0)[geometry.carriers]
+    pose, _, arms = geometry.nodes(np.array(engine.qpos0))
     moves, turns = (
-        np.concatenate([values, np.zeros((engine.nv, 1, 3))], axis=1)[:, touching.carriers]
+        np.concatenate([values, np.zeros((engine.nv, 1, 3))], axis=1)[:, geometry.carriers]
         for values in placement.rates(pose, np.eye(engine.nv))
     )
     shifts = (moves + row_cross(turns, arms)).transpose(1, 0, 2)

@@ -1,0 +1,111 @@
+"""Work of dampers, dry friction, stops, contacts and yielding joints in steps of structures, in the models' units."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from forficula.arrays import Array
+from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
+from forficula.dynamics.engine.contact import has_engine_contact
+from forficula.dynamics.engine.model import Model
+from forficula.dynamics.stepping.steps import Steps
+
+
+def add_implicit_losses(
+    work: dict[str, Array], models: Sequence[Model], steps: Steps, travel: Array, damping: Array, of_creases: Array
+) -> None:
+    """Add the work of dampers, stops and contacts in steps that the engine takes implicitly.
+
+    Args:
+        work: of the steps by name, (row, step), to which works are added.
+        models: of the structures, (row,).
+        steps: of the structures.
+        travel: of the joints in each step, (row, step, dof).
+        damping: of the joints, (row, dof).
+        of_creases: work of the dampers of creases, (row, step).
+    """
+    velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
+    damping = damping[:, None]
+    # the engine takes hinge damping implicitly, at the velocity after the step
+    work["hinge_damping_work"] = np.sum(-damping * velocity[:, 1:] * travel, axis=2) + of_creases
+    work["elastic_damping_work"] = np.sum((steps.derived["qfrc_damper"] + damping * velocity[:, :-1]) * travel, axis=2)
+    constraints = steps.derived["qfrc_constraint"]
+    if "qacc" in steps.derived:
+        friction = np.array(
+            [
+                friction_torques(model, velocity[place, :-1], item, constraints[place])
+                for place, (model, item) in enumerate(zip(models, steps.derived["qacc"], strict=True))
+            ]
+        )
+        # creases between flaps may have friction, too
+        work["friction_work"] = work.get("friction_work", 0.0) + np.sum(friction * travel, axis=2)
+        constraints = constraints - friction
+    work["stop_work"] = np.sum(constraints * travel, axis=2)
+    if has_engine_contact(models[0].structure):
+        _divide_contacts(work, models, steps, travel)
+
+
+def explicit_works(steps: Steps, travel: Array, damping: Array, timestep: Array) -> dict[str, Array]:
+    """Compute the work of dampers, and of stops and closures, in each step, (row, step), in the models' units.
+
+    The work of hinge dampers is the integral of the squared speed, by Simpson's rule of fourth order. The speed at the
+    middle is that of the cubic through both positions with both speeds. Powers of other forces are known at both ends
+    of a step, so the trapezoidal rule of second order is used.
+
+    Args:
+        steps: of structures for which `Model.explicit` is true.
+        travel: of the joints in each step, (row, step, dof).
+        damping: of the joints, (row, dof).
+        timestep: (row,).
+    """
+    before = np.concatenate([steps.velocity_before[:, None], steps.velocity[:, :-1]], axis=1)
+    after, step, damping = steps.velocity, timestep[:, None, None], damping[:, None]
+    middle = 1.5 * travel / step - (before + after) / 4
+    assert steps.late is not None
+    at_start, at_end = steps.derived, steps.late
+    works = {"hinge_damping_work": -step / 6 * damping * (before**2 + 4 * middle**2 + after**2)}
+    for name, field in (("elastic_damping_work", "qfrc_damper"), ("stop_work", "qfrc_constraint")):
+        implicit = damping if field == "qfrc_damper" else 0.0
+        powers = (at_start[field] + implicit * before) * before + (at_end[field] + implicit * after) * after
+        works[name] = step / 2 * powers
+    return {name: np.sum(work, axis=2) for name, work in works.items()}
+
+
+def divide_friction(work: dict[str, Array], models: Sequence[Model], steps: Steps, timestep: Array) -> None:
+    """Divide the work of constraints in steps of Runge and Kutta into that of dry friction and that of others."""
+    if "qacc" not in steps.derived:
+        return
+    assert steps.late is not None
+    before = np.concatenate([steps.velocity_before[:, None], steps.velocity[:, :-1]], axis=1)
+    powers = np.zeros(before.shape[:2])
+    for velocity, fields in ((before, steps.derived), (steps.velocity, steps.late)):
+        for place, model in enumerate(models):
+            torques = friction_torques(model, velocity[place], fields["qacc"][place], fields["qfrc_constraint"][place])
+            powers[place] += np.sum(torques * velocity[place], axis=1)
+    work["friction_work"] = timestep[:, None] / 2 * powers
+    work["stop_work"] = work["stop_work"] - work["friction_work"]
+
+
+def add_yielding(work: dict[str, Array], models: Sequence[Model], steps: Steps) -> None:
+    """Add the work of joints that yield: moment of the yielding spring times the change of its rest angle."""
+    lost = work.setdefault("crease_yield_work", np.zeros(steps.position.shape[:2]))
+    rests = np.concatenate(
+        [steps.before[:, None, steps.inner["plastic"]], steps.after[:, :, steps.inner["plastic"]]], axis=1
+    )
+    for place, model in enumerate(models):
+        for number in np.flatnonzero(model.hinge_creep >= 0).tolist():
+            hinge = model.in_units.hinges[number]
+            moment = (hinge.stiffness - hinge.hardening) * hinge.yield_angle
+            lost[place] -= moment * np.abs(np.diff(rests[place, :, model.hinge_creep[number]]))
+
+
+def _divide_contacts(work: dict[str, Array], models: Sequence[Model], steps: Steps, travel: Array) -> None:
+    """Divide the work of constraints into that of stops and that of contacts."""
+    position = np.concatenate([steps.position_before[:, None], steps.position[:, :-1]], axis=1)
+    stops = np.zeros(travel.shape[:2])
+    for place, model in enumerate(models):
+        before = {name: values[place] for name, values in steps.derived.items()}
+        stops[place] = np.sum(stop_forces(model, position[place], before) * travel[place], axis=1)
+    work["contact_work"], work["stop_work"] = work["stop_work"] - stops, stops
