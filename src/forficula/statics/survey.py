@@ -32,6 +32,7 @@ from forficula.statics.tree.tree_path import tree_path
 from forficula.statics.tree.tree_rest import tree_rest_path
 from forficula.statics.tree_landscape import tree_landscape
 from forficula.statics.tree_remarks import ignored_contact_remarks
+from forficula.quantities import as_written
 from forficula.structure import (
     Drive,
     GrowingLoad,
@@ -245,6 +246,11 @@ def _check_rest_angles(structure: Structure, drive: Drive, results: str) -> None
 def _driven_transition(structure: Structure, name: str | None) -> tuple[Drive, Transition | None]:
     """Return a drive and the transition that it makes; None for a structure without transitions."""
     names = [transition.name for transition in structure.transitions]
+    if name is not None and not names:
+        raise InputError(
+            f"transition: {structure.name} has none, because no driven stage ends at a goal and leads to a named state;"
+            f" leave it out, got {as_written(name)}"
+        )
     if name is not None and name not in names:
         raise InputError(f"transition: need {one_of(names, name)}")
     for transition in structure.transitions:
