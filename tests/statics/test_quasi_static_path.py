@@ -204,7 +204,7 @@ def test_a_transition_of_a_structure_without_transitions_is_refused_with_the_rea
     bent = ff.load_design("miura-sheet", {"protocol.stages": [
         {"name": "fold", "drive": "fold", "until": "rest", "state": "folded", "hold": "0 s", "time_limit": "1 s"}
     ]})  # fmt: skip
-    with pytest.raises(ff.InputError, match='transition: .* has none, because no driven stage .*, got "folded"'):
+    with pytest.raises(ff.InputError, match=r'transition: .* has none, because no driven stage .*, got "folded"'):
         quasi_static_path(structure_of(bent), "folded")
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from forficula.design import AnyDesign, Protocol, as_design, stage_drives
 from forficula.errors import InputError
 from forficula.names import one_of
+from forficula.quantities import as_written
 from forficula.statics.drag import DraggedPoint
 from forficula.statics.landscape import EnergyLandscape
 from forficula.statics.net.driven.net_drag import net_drag
@@ -32,7 +33,6 @@ from forficula.statics.tree.tree_path import tree_path
 from forficula.statics.tree.tree_rest import tree_rest_path
 from forficula.statics.tree_landscape import tree_landscape
 from forficula.statics.tree_remarks import ignored_contact_remarks
-from forficula.quantities import as_written
 from forficula.structure import (
     Drive,
     GrowingLoad,
