@@ -20,6 +20,7 @@ from forficula.dynamics import (
     check_available,
     check_device,
     compile_model,
+    contact_timestep,
     design_in_model_units,
     design_trial,
     simulate_each,
@@ -160,8 +161,9 @@ def run_each(
                 yield attempt.number, result
                 continue
             outcome = measure(result)
-            # a shorter timestep does not keep parts apart whose contact is too soft
-            following = None if result.overlaps else _following(attempt, outcome)
+            # a timestep shorter than one that resolves contacts does not keep parts apart whose contact is too soft
+            resolves = float(attempt.design.protocol.timestep) <= contact_timestep(result.structure)
+            following = None if result.overlaps and resolves else _following(attempt, outcome)
             if following is not None:
                 steps = float(attempt.design.protocol.timestep) / float(following.design.protocol.timestep)
                 expected = steps * (time.perf_counter() - start)
