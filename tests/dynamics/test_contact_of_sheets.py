@@ -155,6 +155,13 @@ def test_a_contact_that_is_too_soft_makes_a_run_unreliable():
     assert any("of their thickness" in text for text in run_warnings(record))
 
 
+def test_an_automatic_timestep_resolves_contacts_that_longer_timesteps_do_not():
+    run = ff.run(closing(time=0.01, **{"protocol.timestep": "auto", "crease.damping": 5e-3}), confirm=False)
+    assert run.design.protocol.timestep <= 5e-5
+    assert not run.overlaps
+    assert ff.measure(run).verdict != "untrusted"
+
+
 def test_a_bouncy_contact_needs_a_shorter_timestep():
     record = ff.run(closing(**{"contact.damping_ratio": 0.1}), confirm=False)
     assert ff.measure(record).verdict == "untrusted"
