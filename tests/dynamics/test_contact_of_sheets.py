@@ -156,7 +156,10 @@ def test_a_contact_that_is_too_soft_makes_a_run_unreliable():
 
 
 def test_an_automatic_timestep_resolves_contacts_that_longer_timesteps_do_not():
-    run = ff.run(closing(time=0.03, **{"protocol.timestep": "auto", "contact.thickness": 5e-4, "crease.start": 3.0}), confirm=False)
+    run = ff.run(
+        closing(time=0.03, **{"protocol.timestep": "auto", "contact.thickness": 5e-4, "crease.start": 3.0}),
+        confirm=False,
+    )
     assert run.design.protocol.timestep <= 5e-5
     assert not run.overlaps
     assert ff.measure(run).verdict != "untrusted"
