@@ -181,3 +181,12 @@ def test_errors_of_a_law_file_name_the_file_or_the_key(tmp_path, text, message):
 
 def test_every_named_law_has_a_source():
     assert all(named_crease_laws().values())
+
+
+def test_a_law_file_with_a_key_that_only_designs_have_is_refused_with_the_file_and_the_keys_of_a_law(tmp_path):
+    file = tmp_path / "worn.toml"
+    file.write_text('[crease]\nstiffness = "0.2 N m/rad/m"\nfriction = "0.01 N m/m"\n', "utf-8")
+    with pytest.raises(
+        InputError, match=r"worn.toml: crease.friction: unknown key, .*allowed here: stiffness, rest_an"
+    ):
+        strip(law=str(file))

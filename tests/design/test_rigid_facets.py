@@ -80,7 +80,7 @@ def test_a_sheet_that_is_built_folded_starts_in_that_shape():
         hinge.built for hinge in structure_of(plates(miura(2))).hinges
     ]
     refused("crease.start: need 0 deg for a sheet that starts as built, got 5 deg", miura(2), crease='start = "5 deg"')
-    refused(r"pattern: need >= -0 deg .* <= 20 deg .* at crease \d+, got", miura(2), crease='fold_limit = "20 deg"')
+    refused(r"pattern: need >= 0 deg .* <= 20 deg .* at crease \d+, got", miura(2), crease='fold_limit = "20 deg"')
 
 
 def test_creases_open_between_rigid_facets_only():

@@ -200,6 +200,14 @@ def test_the_path_of_a_later_transition_starts_where_the_one_before_ends():
         quasi_static_path(structure("letter-fold"), "clse")
 
 
+def test_a_transition_of_a_structure_without_transitions_is_refused_with_the_reason():
+    bent = ff.load_design("miura-sheet", {"protocol.stages": [
+        {"name": "fold", "drive": "fold", "until": "rest", "state": "folded", "hold": "0 s", "time_limit": "1 s"}
+    ]})  # fmt: skip
+    with pytest.raises(ff.InputError, match=r'transition: .* has none, because no driven stage .*, got "folded"'):
+        quasi_static_path(structure_of(bent), "folded")
+
+
 def test_a_structure_without_a_drive_has_no_path():
     idle = ff.load_design("miura-sheet", {"drive": [], "protocol.stages": [
         {"name": "settle", "drive": "none", "until": "rest", "hold": "0 s", "time_limit": "1 s"}

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from forficula.design import AnyDesign, Protocol, as_design, stage_drives
 from forficula.errors import InputError
 from forficula.names import one_of
+from forficula.quantities import as_written
 from forficula.statics.drag import DraggedPoint
 from forficula.statics.landscape import EnergyLandscape
 from forficula.statics.net.driven.net_drag import net_drag
@@ -245,6 +246,11 @@ def _check_rest_angles(structure: Structure, drive: Drive, results: str) -> None
 def _driven_transition(structure: Structure, name: str | None) -> tuple[Drive, Transition | None]:
     """Return a drive and the transition that it makes; None for a structure without transitions."""
     names = [transition.name for transition in structure.transitions]
+    if name is not None and not names:
+        raise InputError(
+            f"transition: {structure.name} has none, because no driven stage ends at a goal and leads to a named state;"
+            f" leave it out, got {as_written(name)}"
+        )
     if name is not None and name not in names:
         raise InputError(f"transition: need {one_of(names, name)}")
     for transition in structure.transitions:

@@ -144,7 +144,7 @@ def check_rigid_creases(design: SheetDesign) -> None:
         if not low <= (crease.start or folded) <= high:
             key = start if unfolded else "pattern"
             raise InputError(
-                f"{key}: need >= {_shown(low)} (-{back}) and <= {_shown(high)} ({fold}) at crease {edge},"
+                f"{key}: need >= {_shown(low + 0.0)} (-{back}) and <= {_shown(high)} ({fold}) at crease {edge},"
                 f" got {_shown(crease.start or folded)}"
             )
     if starts.any():

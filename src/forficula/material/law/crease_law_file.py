@@ -27,6 +27,7 @@ CREASE_DAMPING = Unit(display="N m s/rad/m", si="N m s/rad/m", example="1e-3 N m
 FORMS = ("linear", "locking")
 _TEXTS = ("name", "source", "thickness", "width")
 _TABLES = ("crease", "chosen", "interval", "facts")
+LAW_VALUES = ("stiffness", "rest_angle", "yield_moment", "hardening", "damping", "kind")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -124,6 +125,7 @@ def _read(file: str, tables: Mapping[str, Any]) -> CreaseLawFile:
             raise InputError("need a law of creases with a table [crease], got a law of tendons")
         check_known(tables, (*_TEXTS, *_TABLES), "")
         values = _table("crease", tables.get("crease"))
+        check_known(values, LAW_VALUES, "crease.")
         if "stiffness" not in values:
             raise InputError("crease.stiffness: is missing; a law of creases needs it")
         for section in ("chosen", "interval"):

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 
 from forficula.analysis import Outcome, Verdict, measure
 from forficula.analysis.confirmation import same_ending
-from forficula.analysis.resolution import unresolved_stops
 from forficula.analysis.verdict import UNSETTLED
 from forficula.design import Design, put
 from forficula.dynamics import (
@@ -21,6 +20,7 @@ from forficula.dynamics import (
     check_available,
     check_device,
     compile_model,
+    contact_timestep,
     design_in_model_units,
     design_trial,
     simulate_each,
@@ -161,9 +161,10 @@ def run_each(
                 yield attempt.number, result
                 continue
             outcome = measure(result)
-            # a timestep that resolves contacts does not keep parts apart whose contact is too soft
-            soft = result.overlaps and not unresolved_stops(result)
-            following = None if soft else _following(attempt, outcome)
+            # a timestep shorter than one that resolves contacts does not keep parts apart whose contact is too soft
+            longest = contact_timestep(result.structure)
+            resolves = float(attempt.design.protocol.timestep) <= longest
+            following = None if result.overlaps and resolves else _following(attempt, outcome, longest)
             if following is not None:
                 steps = float(attempt.design.protocol.timestep) / float(following.design.protocol.timestep)
                 expected = steps * (time.perf_counter() - start)
@@ -254,14 +255,19 @@ def _simulated(
                 yield from _simulated(half, options)
 
 
-def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
-    """Return the next attempt, or None if this one suffices or if no further one is allowed."""
+def _following(attempt: _Attempt, outcome: Outcome, resolving: float) -> _Attempt | None:
+    """Return the next attempt, or None if this one suffices or if no further one is allowed.
+
+    The residual shows how short a timestep must be only at timesteps that resolve contacts, up to `resolving`, s.
+    """
     if attempt.halvings is None or attempt.halvings >= _HALVINGS:
         return None
     halvings = 1
     residual, limit = outcome.ending.residual, attempt.design.protocol.residual_limit
     if outcome.verdict is Verdict.UNTRUSTED and residual is not None and math.isfinite(residual):
         halvings = max(1, round(math.log2(residual / limit) / _RESIDUAL_ORDER))
+        if (present := float(attempt.design.protocol.timestep)) > resolving:
+            halvings = min(halvings, math.ceil(math.log2(present / resolving)))
     elif len(attempt.before) >= attempt.agreeing - 1 and all(_agree(earlier, outcome) for _, earlier in attempt.before):
         return None
     total = min(attempt.halvings + halvings, _HALVINGS)
