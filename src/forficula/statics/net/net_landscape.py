@@ -11,6 +11,7 @@ from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 
 from forficula.design import Design
 from forficula.errors import InputError
+from forficula.quantities import show_value
 from forficula.statics.friction import friction_remarks
 from forficula.statics.landscape import EnergyLandscape, NetSurvey, Pass, Rest
 from forficula.statics.net.contact.contact_of import contact_remarks
@@ -65,8 +66,30 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
         states=tuple(states),
         passes=passes,
         courses=courses,
-        remarks=(*left, *refused, *_remarks(structure, search, states, passes, courses), *contact_remarks(structure)),
+        remarks=(
+            *left,
+            *refused,
+            *_remarks(structure, search, states, passes, courses),
+            *contact_remarks(structure),
+            *_lower_remarks(structure, first, states),
+        ),
         net=NetSurvey(net=net, built=mobility(structure, net, built), search=search),
+    )
+
+
+def _lower_remarks(structure: Structure, first: NetRest, states: Sequence[NetState]) -> tuple[str, ...]:
+    """Return a remark if rigid plates that touch do not come to their state of lowest energy after the release.
+
+    Every corner of a plate has the same damper, but a run has dampers in its hinges. Both motions may end in different
+    states, and with them the states that the protocol names.
+    """
+    lowest = min(states, key=lambda state: state.energy)
+    if structure.contact is None or not structure.plates or first.energy <= (1 + _SAME) * lowest.energy:
+        return ()
+    return (
+        f"released as built, the {structure.appearance.whole} comes to a state of {show_value(first.energy, 'J')} here,"
+        f" although {lowest.name} has only {show_value(lowest.energy, 'J')}; a run may come to another state, and then"
+        " the names of states and the effects of drives are not those of the run",
     )
 
 
