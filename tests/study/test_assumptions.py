@@ -30,7 +30,7 @@ OF_WINGS = EVERYWHERE | {
     *("half other damping", "twice other damping", "tendon height", "membrane mass", "tendon mass", "hinge mass"),
     *("medium", "contact", "stiffer stops", "softer stops", "start", "dry friction"),
 }
-OF_BENDING = EVERYWHERE | {"no rise", "half other damping", "twice other damping", "medium"}
+OF_BENDING = EVERYWHERE | {"no rise", "half other damping", "twice other damping", "medium", "contact"}
 APPLY = {
     "binder2025": OF_WINGS | {"armature"},
     "binder2025-built": OF_WINGS,
@@ -41,7 +41,7 @@ APPLY = {
     "bistable-clasp": OF_BENDING,
     "kresling-cell": OF_BENDING,
     # its timestep is "auto", which is determined first
-    "four-plate-snap": EVERYWHERE - {"timestep"} | {"no rise", "medium"},
+    "four-plate-snap": EVERYWHERE - {"timestep"} | {"no rise", "medium", "contact"},
 }
 
 
