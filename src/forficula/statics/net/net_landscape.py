@@ -83,8 +83,10 @@ def _lower_remarks(structure: Structure, first: NetRest, states: Sequence[NetSta
     Every corner of a plate has the same damper, but a run has dampers in its hinges. Both motions may end in different
     states, and with them the states that the protocol names.
     """
+    if structure.contact is None or not structure.plates or not states:
+        return ()
     lowest = min(states, key=lambda state: state.energy)
-    if structure.contact is None or not structure.plates or first.energy <= (1 + _SAME) * lowest.energy:
+    if first.energy <= (1 + _SAME) * lowest.energy:
         return ()
     return (
         f"released as built, the {structure.appearance.whole} comes to a state of {show_value(first.energy, 'J')} here,"
