@@ -1,4 +1,4 @@
-"""Laws of creases by name or file: their values, values that override them, and what is written about their source."""
+"""Laws of creases by name or file: their values, values that override them, and sentences about their source."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Gravity, table, supports and dry friction of designs: keys, structures, and what is refused."""
+"""Gravity, table, supports and dry friction of designs: keys, structures and refusals."""
 
 import mujoco
 import numpy as np

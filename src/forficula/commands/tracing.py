@@ -51,7 +51,7 @@ def trace(
     ] = Path("out/trace"),
     open_report: OpenReport = False,
 ) -> None:
-    """Trace a drawn crease pattern: red mountains, blue valleys, black border; what is doubtful is unassigned."""
+    """Trace a drawn crease pattern: red mountains, blue valleys, black border; doubtful creases are unassigned."""
     from forficula.goals.clicks.clicks_file import is_clicks
 
     if is_clicks(picture):

@@ -39,7 +39,7 @@ _LEAST_DISTANCE = 2.0  # [chosen] pixels between the two points of a length
 
 
 def scale_response(request: ScaleRequest) -> dict[str, Any]:
-    """Return the matrix that maps pixels to m, and the size of what was clicked, for JSON.
+    """Return the matrix that maps pixels to m, and the size of the clicked sheet or length, for JSON.
 
     Raises:
         InputError: a length or points that give no scale.

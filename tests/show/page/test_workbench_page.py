@@ -546,7 +546,7 @@ def test_a_pattern_is_traced_by_pointer_touch_and_keys_and_folds_beside_the_pict
     page.keyboard.press("Control+z")
     assert pattern() == (6, "BBBBBB")
     page.keyboard.press("Control+y")
-    # a vertex is moved by an arrow key, and back by undo; what is selected is deleted
+    # a vertex is moved by an arrow key, and back by undo; a selected vertex is deleted
     page.get_by_label("Select and move").check()
     pointer("mouse", (right, top))
     page.locator(".trace-drawing").focus()

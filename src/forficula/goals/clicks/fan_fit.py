@@ -123,7 +123,7 @@ class FanFit(Result):
         freedoms: number of coordinates minus the 7 unknowns.
         veins: deviations by vein.
         points: clicked and fitted points.
-        doubts: what is doubtful, as sentences.
+        doubts: about the clicks and the fit, as sentences.
         homography: matrix that maps pixels to m, shape (3, 3).
         different: fit of a fan with different veins; None where there are too few points.
         design: design with the fitted pattern; None where the fan family does not allow it.

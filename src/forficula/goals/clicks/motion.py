@@ -121,7 +121,7 @@ class ObservedMotion(Result):
         accuracy: standard uncertainty of a click, pixels.
         angles: angles over time.
         passages: times at which angles pass values.
-        remarks: what one view can measure and what was left out, as sentences.
+        remarks: quantities that one view measures, and points that are not used, as sentences.
         observations: observations file as tables.
     """
 

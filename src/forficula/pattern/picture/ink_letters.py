@@ -1,4 +1,4 @@
-"""Kinds of edges by the colour and the dashes of their lines; what is doubtful is unassigned."""
+"""Kinds of edges by the colour and the dashes of their lines; a doubtful edge is unassigned."""
 
 from __future__ import annotations
 
@@ -191,7 +191,7 @@ def _dashes(inked: Flags, line_width: float) -> Dashes:
 
 
 def letters_of_ink(inks: Sequence[InkOfEdge], face_counts: Indices) -> tuple[list[str], list[str]]:
-    """Decide on the letters of edges: by colour, and by the dashes of black lines; what is doubtful is "U".
+    """Decide on the letters of edges: by colour, and by the dashes of black lines; a doubtful edge is "U".
 
     Red is mountain, blue valley, yellow flat, green cut and magenta unassigned. Black is border at the rim of the
     sheet. Between two faces a dashed black line is a valley and a dash-dotted one a mountain (Yoshizawa and Randlett);

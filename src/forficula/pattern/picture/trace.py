@@ -1,4 +1,4 @@
-"""Traces: crease patterns that were found in pictures, with their scale and what is doubtful in them."""
+"""Traces: crease patterns that were found in pictures, with their scale and their doubts."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ class Trace(Result):
         edges: edges.
         free_ends: ends of lines that lead nowhere; these lines are left out.
         left_over: other ink that belongs to no edge.
-        doubts: what is doubtful in the whole, as sentences.
+        doubts: about the whole pattern, as sentences.
         straightening: correction to symmetry and flat-foldability; None without.
     """
 
@@ -143,7 +143,7 @@ class Trace(Result):
 
 
 def write_trace(trace: Trace, path: Path) -> None:
-    """Write the pattern of a trace to a FOLD file, with the scale of the picture and what is doubtful.
+    """Write the pattern of a trace to a FOLD file, with the scale of the picture and the doubts.
 
     Args:
         trace: the trace.

@@ -72,7 +72,7 @@ def print_motion(motion: ObservedMotion) -> None:
 
 
 def motion_table(motion: ObservedMotion) -> RenderableType:
-    """Return the angles over time, the facts, and what one view can measure."""
+    """Return the angles over time, the facts, and the remarks on the view."""
     count = len(motion.angles[0].times)
     heading = (
         f"{motion.name or 'film'}: {count} pictures of {motion.design}, transition {motion.transition};"

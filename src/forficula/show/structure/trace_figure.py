@@ -42,7 +42,7 @@ _BAR = 0.55  # inch, height of the scale
 
 
 def draw_trace(trace: Trace, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the found lines and vertices over the photograph, and mark what is doubtful.
+    """Draw the found lines and vertices over the photograph, and mark doubtful ones.
 
     Args:
         trace: trace of a picture.

@@ -28,7 +28,7 @@ def print_trace(trace: Trace) -> None:
 
 
 def trace_table(trace: Trace) -> RenderableType:
-    """Return the size and the accuracy of a trace, and what is doubtful."""
+    """Return the size and the accuracy of a trace, and its doubts."""
     parts: list[RenderableType] = [Text(_heading(trace), style="bold"), Text(), _facts(trace)]
     doubts = Counter((edge.letter, edge.doubt) for edge in trace.edges if edge.doubt)
     if doubts:
