@@ -218,6 +218,7 @@ def test_every_key_that_a_file_has_is_known():
             '[[measure]]\nname = "a"\nkind = "distance"\nfrom = "vertex 0"\nto = "edge 3 at 2"',
             "measure.0.to: need a share of edge 3 from 0 to 1, got 2",
         ),
+        ("[crease.damage]\nloss = 0.3", "crease.damage.turn: is missing; give it, or leave out crease.damage"),
         ('[protocol]\ntimestep = "1 h"', "protocol.timestep: need >= "),
     ],
 )

@@ -148,6 +148,10 @@ def _remedy(place: list[str], model: type[Section], which: str) -> str:
         return f"give it, or leave out [{place[0]}]"
     if any(part.isdecimal() for part in place):
         return f"needed here: {', '.join(needed_keys(place, model, which))}"
+    within = {} if section is None else getattr(section.annotation, "model_fields", {})
+    if len(place) > 2 and place[1] in within and within[place[1]].default is None:
+        # a section within a section that the reference design does not have
+        return f"give it, or leave out {place[0]}.{place[1]}"
     return to_inherit
 
 
