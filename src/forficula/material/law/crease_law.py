@@ -300,14 +300,11 @@ class CreaseLaw:
             slope = slope + np.where(stopped != 0, self.stop_stiffness, 0.0)
         return np.asarray(spring), np.asarray(slope)
 
-    def expansion(self, angle: Array, sets: Array | None = None) -> tuple[Array, Array, Array]:
-        """Compute the results of `energy`, `moment` and `slope` together, in the shape of `angle` (rad).
+    def expansion(self, angle: Array) -> tuple[Array, Array, Array]:
+        """Compute the results of `energy`, `moment` and `slope` of new creases together, in the shape of `angle` (rad).
 
-        For creases that yield, they are those of a turn in one sense from a state with these sets, rad (None for 0),
-        and the energy contains what is dissipated on the way.
+        For creases with memory see `crease_turn`.
         """
-        if self.yields:
-            return self._yielding_expansion(angle, np.zeros_like(angle) if sets is None else sets)
         within = (np.maximum(self.lock_below, self.lower) <= angle) & (angle <= np.minimum(self.lock_above, self.upper))
         if self.bends or not within.all():
             return (self.energy(angle), *self.moment_and_slope(angle))
@@ -315,13 +312,6 @@ class CreaseLaw:
         moment = np.asarray(self.stiffness * turned)
         slope = np.asarray(self.stiffness, dtype=np.float64)
         return moment * turned / 2, moment, slope if slope.shape == angle.shape else np.broadcast_to(slope, angle.shape)
-
-    def _yielding_expansion(self, angle: Array, before: Array) -> tuple[Array, Array, Array]:
-        sets = self.next_set(angle, 0.0, before)
-        shift = self.rest_shift(sets)
-        moment, slope = self.moment_and_slope(angle, 0.0, shift)
-        energy = self.energy(angle, 0.0, shift) + self.set_energy(sets) + self.yield_loss(sets - before)
-        return energy, moment, slope - np.where(sets != before, self.yielding_stiffness, 0.0)
 
     def _locked(self, angle: Array) -> tuple[Array, Array, Array]:
         """Return the angle clipped to the linear range, the share of the locking range that is used, and this range.

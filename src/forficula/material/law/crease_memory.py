@@ -55,7 +55,7 @@ def turned_memory(law: CreaseLaw, before: Array, turned: Array | float, time: Ar
     """Return the memory of creases after a turn without yield, with the arguments of `next_memory`."""
     if len(before) == 1:
         return before
-    times, stiffness = _branches(law, before)
+    times, stiffness = branch_numbers(law, before)
     after = np.empty_like(before)
     after[0] = before[0]
     after[1] = before[1] + np.where(law.damage_by_set, 0.0, np.abs(turned))
@@ -81,7 +81,7 @@ def stored_energy(law: CreaseLaw, angle: Array, further: Array | float, memory: 
         energy = energy + law.set_energy(memory[0])
     if len(memory) == 1:
         return energy
-    _, stiffness = _branches(law, memory)
+    _, stiffness = branch_numbers(law, memory)
     squares = np.divide(memory[2:] ** 2, stiffness, out=np.zeros_like(memory[2:]), where=stiffness > 0)
     energy = energy + np.sum(squares, axis=0) / 2
     of_stops = np.asarray(law.stop_stiffness) / 2 * law.beyond_stops(angle) ** 2
@@ -99,7 +99,7 @@ def acting_moment(
     moment, slope = law.moment_and_slope(angle, *_rests(law, further, memory))
     if len(memory) == 1:
         return moment, slope
-    times, stiffness = _branches(law, memory)
+    times, stiffness = branch_numbers(law, memory)
     moment = moment + np.sum(followed_share(times, time) * memory[2:], axis=0)
     slope = slope + np.sum(working_share(times, time) * stiffness, axis=0)
     if not law.wears:
@@ -127,7 +127,7 @@ def memory_losses(
         return yielded, np.zeros_like(angle), np.zeros_like(angle)
     left, relaxed, worn = remaining_share(law, before), np.zeros_like(angle), np.zeros_like(angle)
     if law.relaxes and time:
-        times, stiffness = _branches(law, before)
+        times, stiffness = branch_numbers(law, before)
         squares, last, first = square_integrals(times, time), after[2:], before[2:]
         total = squares[0] * first**2 + squares[1] * first * last + squares[2] * last**2
         scale = stiffness * times
@@ -144,7 +144,7 @@ def yielding_slope(law: CreaseLaw, before: Array, after: Array) -> Array:
     """Return the part of the slope that creases lack while they yield or slide, N m/rad, from their memories, (...)."""
     lacking = np.where(after[0] != before[0], np.asarray(law.stiffness) - law.hardening, 0.0)
     if law.rubs:
-        lacking = lacking + np.sum(np.where(_sliding(law, after), _branches(law, after)[1], 0.0), axis=0)
+        lacking = lacking + np.sum(np.where(_sliding(law, after), branch_numbers(law, after)[1], 0.0), axis=0)
     return np.asarray(remaining_share(law, after) * lacking)
 
 
@@ -157,7 +157,7 @@ def friction_loss(law: CreaseLaw, turned: Array, before: Array, after: Array) ->
         before: memory at the start, (slot, ...).
         after: memory at the end, (slot, ...).
     """
-    stiffness = np.where(np.isfinite(_of_branches(law.branch_limit, before)), _branches(law, before)[1], 0.0)
+    stiffness = np.where(np.isfinite(_of_branches(law.branch_limit, before)), branch_numbers(law, before)[1], 0.0)
     sticking = np.where(_sliding(law, before), 0.0, stiffness)
     work = np.where(stiffness > 0, before[2:], 0.0) * turned + sticking / 2 * turned**2
     gained = np.divide(after[2:] ** 2 - before[2:] ** 2, 2 * stiffness, out=np.zeros_like(work), where=stiffness > 0)
@@ -177,7 +177,7 @@ def _rests(law: CreaseLaw, further: Array | float, memory: Array) -> tuple[Array
     return (further, shift) if law.bends else (further + shift, 0.0)
 
 
-def _branches(law: CreaseLaw, memory: Array) -> tuple[Array, Array]:
+def branch_numbers(law: CreaseLaw, memory: Array) -> tuple[Array, Array]:
     """Return the relaxation times and the stiffnesses of the branches, which broadcast with those of a memory."""
     return _of_branches(law.branch_time, memory), _of_branches(law.branch_stiffness, memory)
 
