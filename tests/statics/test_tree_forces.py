@@ -14,8 +14,9 @@ from forficula.dynamics import compile_model, energy_balance, simulate
 from forficula.statics import energy_landscape, landscape_summary
 from forficula.statics.net.driven.net_rest import net_rest_path
 from forficula.statics.survey import stage_rest_path
+from forficula.statics.tree.ensemble import ensemble
 from forficula.statics.tree.pose import pose, tree_of
-from forficula.statics.tree.potential import ensemble, hinge_angles, potential, rest, start_angles
+from forficula.statics.tree.potential import hinge_angles, potential, rest, start_angles
 from forficula.statics.tree.quasi_static import start_state
 from forficula.statics.tree.saddle import level_between
 from forficula.statics.tree.tree_path import place_positions, tree_path
@@ -42,6 +43,7 @@ def slow_path(structure, start, before, after):
         goal=StageGoal(name="time", kind="time", least=-none, most=none),
         built_on=points,
         rest_speed=math.radians(2),
+        duration=1.0,
     )
     return stage_rest_path(structure, shape, load)
 
@@ -252,6 +254,7 @@ def test_slow_stages_of_trees_and_nets_agree_where_a_crease_opens(kind):
         goal=StageGoal(name="less", kind=kind, least=-bounds, most=most),
         built_on=shown.points,
         rest_speed=math.radians(2),
+        duration=1.0,
     )
     one, other = (solve(built, shown, load) for solve in (tree_rest_path, net_rest_path))
     assert one.ended == other.ended

@@ -71,8 +71,8 @@ class DraggedPoint:
     def to(self, target: Array, near: QuasiStaticPoint | None = None) -> DraggedShape:
         """Pull the point to a target.
 
-        Where creases fold permanently, the point moves straight to the target in short increments. In each increment
-        every crease turns in one sense.
+        Where creases fold permanently or wear out, the point moves straight to the target in short increments. In each
+        increment every crease turns in one sense.
 
         Args:
             target: m, (3,).
@@ -82,7 +82,7 @@ class DraggedPoint:
         if target.shape != (3,) or not np.isfinite(target).all():
             raise InputError(f"target: need three finite coordinates in m, got {target}")
         near = self.start if near is None else near
-        if near.sets is None:
+        if near.memory is None:
             return self.pull(near, target)
         begin = np.sum([weight * near.positions[place] for place, weight in self.places.items()], axis=0)
         away = float(np.linalg.norm(target - begin)) / (_INCREMENT * self.structure.span)

@@ -9,8 +9,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.material.law.crease_turn import CreaseTurn, remembers, turn_losses
 from forficula.quantities import show_value
-from forficula.statics.quasi_static_path import EventKind, PathMark, QuasiStaticPath, QuasiStaticPoint
+from forficula.statics.quasi_static_path import EventKind, PathMark, QuasiStaticPath, QuasiStaticPoint, slow_law
 from forficula.structure import Drive, Structure, drive_unit
 
 _STILL = 1e-12  # of the length of a path: displacement between two equal shapes
@@ -152,6 +153,9 @@ def path_of(
     share = length / length[-1] if length[-1] > 0 else np.linspace(0.0, 1.0, len(points))
     strength = np.array([point.strength for point in points])
     unit = drive_unit(structure, drive)
+    memory = np.stack(
+        [np.zeros((1, len(point.angles))) if point.memory is None else point.memory for point in points], axis=1
+    )
     marks = [
         PathMark(
             kind=event.kind,
@@ -177,7 +181,8 @@ def path_of(
         coordinates=np.array([point.coordinates for point in points]),
         energy={part: np.array([point.energy[part] for point in points]) for part in points[0].energy},
         force=np.array([point.force for point in points]),
-        sets=np.array([np.zeros_like(point.angles) if point.sets is None else point.sets for point in points]),
+        memory=memory,
+        losses=_losses(structure, points, memory, events),
         length=float(length[-1]),
         marks=tuple(sorted(marks, key=lambda mark: mark.share)),
         reached=reached,
@@ -198,6 +203,33 @@ def path_of(
         " grows and reduces it by the same amount while it falls"
     )
     return replace(path, remarks=(*remarks, remark))
+
+
+def _losses(
+    structure: Structure, points: Sequence[QuasiStaticPoint], memory: Array, events: Sequence[NumberedEvent]
+) -> dict[str, Array]:
+    """Return the energies that creases have dissipated since the first point of a path, J, (point,) each.
+
+    The creases turn in one sense from one equilibrium to the next, to every shape of a snap from the equilibrium before
+    the snap, and after the release of a drive from the shape at its release.
+    """
+    law = slow_law(structure)
+    if not remembers(law) or len(memory) < law.slots:
+        return {}
+    released = next((event.last for event in events if event.kind == "goal"), len(points))
+    begins, last = np.zeros(len(points), dtype=np.int64), 0
+    for number, point in enumerate(points):
+        begins[number] = last
+        last = number if point.resting or number == released else last
+    angles = np.array([point.angles for point in points])
+    turn = CreaseTurn(memory=memory[:, begins], angle=angles[begins])
+    lost = turn_losses(law, angles, turn)
+    present = (("crease yielding", lost.yielding, law.yields), ("crease damage", lost.damage, law.wears))
+    losses = {name: np.sum(energies, axis=1) for name, energies, dissipates in present if dissipates}
+    for energies in losses.values():
+        for number in range(1, len(points)):
+            energies[number] += energies[begins[number]]
+    return losses
 
 
 def _sentence(structure: Structure, drive: Drive, event: NumberedEvent, strength: str) -> str:

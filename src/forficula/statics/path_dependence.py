@@ -12,13 +12,13 @@ def path_dependence(structure: Structure) -> str:
     """Return why the rest states of a structure depend on what happened before, as a clause; empty if they do not."""
     yielding = next((hinge for hinge in structure.hinges if math.isfinite(hinge.yield_angle)), None)
     if yielding is None:
-        return wear(structure)
+        return _wear(structure)
     name = yielding.label or yielding.name
     return f"{name} folds permanently, so that where it rests depends on how it was folded before"
 
 
-def wear(structure: Structure) -> str:
-    """Return why no result of statics has the moments of a structure, as a clause; empty if its creases do not wear."""
+def _wear(structure: Structure) -> str:
+    """Return why the moments of a structure depend on what happened before, as a clause; empty without wear."""
     worn = next((hinge for hinge in structure.hinges if hinge.damage is not None), None)
     if worn is None:
         return ""
@@ -37,18 +37,10 @@ def refuse_path_dependence(structure: Structure, results: str) -> None:
     """
     refuse_table(structure, results)
     if reason := path_dependence(structure):
-        follows = "wear" if reason == wear(structure) else "permanent folds"
-        raise InputError(f"{structure.name}: has no {results}, because {reason}; a run follows {follows}")
-
-
-def refuse_wear(structure: Structure, results: str) -> None:
-    """Refuse a structure whose creases wear out; the arguments are those of `refuse_path_dependence`.
-
-    Raises:
-        InputError: a crease wears out.
-    """
-    if reason := wear(structure):
-        raise InputError(f"{structure.name}: has no {results}, because {reason}; a run follows wear")
+        follows = "wear" if reason == _wear(structure) else "permanent folds"
+        raise InputError(
+            f"{structure.name}: has no {results}, because {reason}; runs and quasi-static paths follow {follows}"
+        )
 
 
 def rest_angle_of_nonlinear(structure: Structure) -> str:

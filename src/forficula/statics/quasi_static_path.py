@@ -11,6 +11,9 @@ import numpy as np
 
 from forficula.arrays import Array, Flags
 from forficula.errors import InputError
+from forficula.material.law.crease_law import CreaseLaw
+from forficula.material.law.crease_memory import remaining_share
+from forficula.material.law.crease_turn import relaxed
 from forficula.results import pandas_module
 from forficula.statics.friction import friction_range
 from forficula.statics.path_dependence import path_dependence
@@ -36,8 +39,9 @@ class QuasiStaticPoint:
             the built shape, m.
         energy: stored by part, J; parts that the structure does not have are left out.
         force: total force along the displacement of the drive, N; 0 for other drives.
-        sets: permanent folds of all hinges in their own senses, rad, (hinge,); None if no hinge folds permanently.
         contacts: force between every pair of parts that touch, N, by the names of both.
+        memory: of all hinges in their own senses, see `crease_memory`, (slot, hinge); None if no hinge remembers
+            anything.
     """
 
     strength: float
@@ -47,8 +51,13 @@ class QuasiStaticPoint:
     coordinates: Array
     energy: Mapping[str, float]
     force: float = 0.0
-    sets: Array | None = None
     contacts: Mapping[str, float] = field(default_factory=dict)
+    memory: Array | None = None
+
+    @property
+    def sets(self) -> Array | None:
+        """Return the permanent folds of all hinges in their own senses, rad, (hinge,); None without memory."""
+        return None if self.memory is None else self.memory[0]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -96,7 +105,10 @@ class QuasiStaticPath:
         coordinates: what the solver moves, (point, coordinate).
         energy: stored energy by part, J, (point,) each.
         force: total force along the displacement of the drive, N, (point,); 0 for other drives.
-        sets: permanent folds of creases that yield, rad, (point, hinge); 0 for others.
+        memory: of all hinges in their own senses, see `crease_memory`, (slot, point, hinge). Maxwell branches are
+            relaxed, because the path is infinitely slow.
+        losses: energies that creases have dissipated since the beginning of the path, J, (point,): by permanent folds
+            ("crease yielding") and by wear ("crease damage"), without those that no crease can dissipate.
         contacts: force between every pair of parts that touch anywhere on the path, N, (point,), by the names of both
             parts; 0 where they are apart. Statics ignores friction.
         length: distance along the path in the measure of `share`, m.
@@ -120,7 +132,8 @@ class QuasiStaticPath:
     coordinates: Array
     energy: Mapping[str, Array]
     force: Array
-    sets: Array
+    memory: Array
+    losses: Mapping[str, Array]
     length: float
     marks: tuple[PathMark, ...]
     reached: bool
@@ -162,13 +175,18 @@ class QuasiStaticPath:
         spring reduces the angle. A drive that changes rest angles changes the moments accordingly.
         """
         further = self.strength[:, None] * rest_changes(self.structure, self.drive)
-        return spring_moments(self.structure, self.angles, further, self._rest_shifts)
+        return spring_moments(self.structure, self.angles, further, self.memory)
 
     @property
-    def _rest_shifts(self) -> Array:
-        """Return the changes of rest angles that have the effect of the permanent folds, rad, (point, hinge)."""
-        law = crease_law(self.structure, np.arange(len(self.structure.hinges)), rigid_stops=True)
-        return law.rest_shift(self.sets)
+    def sets(self) -> Array:
+        """Return the permanent folds of creases that yield, rad, (point, hinge); 0 for others."""
+        return np.asarray(self.memory[0])
+
+    @cached_property
+    def remaining(self) -> Array:
+        """Return the share of the moments of all hinges that wear has left, (point, hinge)."""
+        left = remaining_share(slow_law(self.structure), self.memory)
+        return np.broadcast_to(left, self.angles.shape)
 
     @cached_property
     def strains(self) -> Mapping[str, Array]:
@@ -193,11 +211,12 @@ class QuasiStaticPath:
         return result
 
     def to_dataframe(self) -> DataFrame:
-        """Return a pandas table of every point: share, drive and its friction, energies, contact forces and rest."""
+        """Return a pandas table of every point: share, drive and its friction, energies, losses, contacts and rest."""
         pandas = pandas_module()
         unit = self.unit.replace(" ", "_")
         columns: dict[str, object] = {"share": self.share, f"drive_{unit}": self.strength}
         columns |= {f"{part.replace(' ', '_')}_J": values for part, values in self.energy.items()}
+        columns |= {f"{part.replace(' ', '_')}_J": values for part, values in self.losses.items()}
         columns |= {f"contact_{parts.replace(' ', '_')}_N": forces for parts, forces in self.contacts.items()}
         if self.friction.any():
             columns[f"friction_{unit}"] = self.friction
@@ -234,8 +253,8 @@ class QuasiStaticPath:
             coordinates=between(self.coordinates),
             energy={part: float(between(values)) for part, values in self.energy.items()},
             force=float(between(self.force)),
-            sets=between(self.sets) if path_dependence(self.structure) else None,
             contacts={parts: float(between(forces)) for parts, forces in self.contacts.items()},
+            memory=np.array([between(slot) for slot in self.memory]) if path_dependence(self.structure) else None,
         )
 
     def _lengths(self, pairs: Sequence[tuple[int, int]]) -> Array:
@@ -261,8 +280,13 @@ def rest_changes(structure: Structure, drive: Drive) -> Array:
     return changes
 
 
+def slow_law(structure: Structure) -> CreaseLaw:
+    """Return the law of all hinges in their own senses, (hinge,), in infinitely slow motions."""
+    return relaxed(crease_law(structure, np.arange(len(structure.hinges)), rigid_stops=True))
+
+
 def spring_moments(
-    structure: Structure, angles: Array, further: Array | float = 0.0, shift: Array | float = 0.0
+    structure: Structure, angles: Array, further: Array | float = 0.0, memory: Array | None = None
 ) -> Array:
     """Return the moments of the springs of all hinges, N m, (..., hinge).
 
@@ -270,10 +294,16 @@ def spring_moments(
         structure: the structure.
         angles: of all hinges in their own senses, rad, (..., hinge).
         further: changes of the rest angles, rad.
-        shift: changes of the rest angles by permanent folds, rad.
+        memory: of the hinges, (slot, ..., hinge); None for new hinges.
     """
-    law = crease_law(structure, np.arange(len(structure.hinges)), rigid_stops=True)
+    law = slow_law(structure)
+    memory = np.zeros((law.slots, *angles.shape)) if memory is None else memory
+    shift, left = law.rest_shift(memory[0]), remaining_share(law, memory)
     creases = np.array([hinge.flaps is not None for hinge in structure.hinges], dtype=np.bool_)
-    alone = law.rest_moment(angles, further, shift)
+    alone = left * law.rest_moment(angles, further, shift)
+    stopped = law.moment_and_slope(angles, further, shift)[0]
+    if law.wears:
+        of_stops = np.asarray(law.stop_stiffness) * law.beyond_stops(angles)
+        stopped = of_stops + left * (stopped - of_stops)
     # the stops of joints bound their angles and have no stiffness
-    return np.where(creases, law.moment_and_slope(angles, further, shift)[0], alone)
+    return np.where(creases, stopped, alone)

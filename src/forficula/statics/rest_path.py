@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import Generic, Literal, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
 from forficula.arrays import Array, Flags
+from forficula.material.law.crease_law import CreaseLaw
+from forficula.material.law.crease_turn import TurnLosses
 from forficula.structure import GrowingLoad, RestPath, RestShape
 
 State = TypeVar("State")
+# energies that creases dissipate, J, by the names of `RestPath.creases`
+CreaseLosses = Mapping[str, float]
 
 _STEP = 0.04  # first and longest step of the share
 _SHORTEST = 1e-9  # step of the share at which a lost equilibrium or a goal is located
@@ -52,8 +56,8 @@ class LoadedSystem(Protocol[State]):
         """
         ...
 
-    def yield_loss(self, before: State, after: State, /) -> float:
-        """Return the energy that permanent folds dissipate between two states, J."""
+    def crease_losses(self, before: State, after: State, /) -> CreaseLosses:
+        """Return the energies that creases dissipate between two states."""
         ...
 
     @property
@@ -87,8 +91,7 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
         creep = system.creep(load.begin, start)
         if creep is None:
             none = np.zeros((0, motors))
-            empty = np.zeros(0)
-            return RestPath(share=empty, shapes=(), work=none, lost=0.0, yielded=empty, forces=none, ended="away")
+            return RestPath(share=np.zeros(0), shapes=(), work=none, lost=0.0, creases={}, forces=none, ended="away")
         first, lost = creep
         moved = system.conjugates(load.begin, first) - system.conjugates(load.begin, start)
         crept = np.where(system.prescribes, 0.0, load.settings(load.begin) * moved)
@@ -109,16 +112,27 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
         states.append(state)
         ended = "goal" if reached else ended
         step, steady = min(2 * step, _STEP) if steady else step, True
+    losses = [system.crease_losses(*pair) for pair in pairwise([start, *states])]
     conjugates = np.array([system.conjugates(share, state) for share, state in zip(shares, states, strict=True)])
     return RestPath(
         share=np.array(shares),
         shapes=tuple(system.shape(state) for state in states),
         work=crept + _works(system, load, shares, states, conjugates),
         lost=lost,
-        yielded=np.cumsum([system.yield_loss(*pair) for pair in pairwise([start, *states])]),
+        creases={name: np.cumsum([loss[name] for loss in losses]) for name in losses[0]},
         forces=np.where(system.prescribes, conjugates, 0.0),
         ended=ended,
     )
+
+
+def crease_losses(laws: Sequence[CreaseLaw], losses: TurnLosses) -> CreaseLosses:
+    """Return the energies that creases with some laws dissipate in a turn, without those that none can dissipate."""
+    present = (
+        ("yield", losses.yielding, any(law.yields for law in laws)),
+        ("branch", losses.branches, any(law.relaxes for law in laws)),
+        ("damage", losses.damage, any(law.wears for law in laws)),
+    )
+    return {name: float(np.sum(lost)) for name, lost, dissipates in present if dissipates}
 
 
 def _works(

@@ -21,12 +21,10 @@ from forficula.statics.path_dependence import (
     path_dependence,
     refuse_path_dependence,
     refuse_table,
-    refuse_wear,
     rest_angle_of_nonlinear,
-    wear,
 )
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
-from forficula.statics.tree.potential import ensemble
+from forficula.statics.tree.ensemble import ensemble
 from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
 from forficula.statics.tree.tree_drag import tree_drag
 from forficula.statics.tree.tree_path import tree_path
@@ -113,7 +111,6 @@ def quasi_static_path(
         raise InputError(f"error: need a number above 0 and up to 1, got {error}")
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
     refuse_table(structure, "quasi-static path")
-    refuse_wear(structure, "quasi-static path")
     drive, made = _driven_transition(structure, transition)
     _check_rest_angles(structure, drive, "quasi-static path")
     if is_net(structure):
@@ -169,9 +166,7 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
     laws = [tendon.law for tendon in structure.tendons]
     if any(law.branches for law in laws):
         return "the law of a tendon has Maxwell branches, whose force depends on time"
-    if any(hinge.branches for hinge in structure.hinges):
-        return "a crease has Maxwell branches, whose moment depends on time"
-    if reason := wear(structure) or rest_angle_of_nonlinear(structure):
+    if reason := rest_angle_of_nonlinear(structure):
         return reason
     if any(law.yield_extension is not None for law in laws):
         return "a tendon yields, and statics ignores permanent extensions"
@@ -216,7 +211,6 @@ def start_drag(
             drive changes rest angles of creases that fold permanently.
     """
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
-    refuse_wear(structure, "point that can be dragged")
     if transition is None and not any(any(drive.strengths) for drive in structure.drives):
         shares = tuple(0.0 for _ in structure.motors)
         drive, made = Drive(name="none", shares=shares, rise=0.0, key="", strength=0.0), None

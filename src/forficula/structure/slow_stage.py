@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -20,14 +20,15 @@ class RestShape:
         points: positions of the points, m, (point, 3).
         origins: of the bodies, m, (body, 3).
         frames: rotations from the bodies' axes to the ground's, (body, 3, 3).
-        sets: permanent folds of all hinges in their own senses, rad, (hinge,); None if no hinge folds permanently.
+        memory: of all hinges in their own senses, see `crease_memory`, SI, (slot, hinge); None if no hinge remembers
+            anything.
     """
 
     angles: Array
     points: Array
     origins: Array
     frames: Array
-    sets: Array | None = None
+    memory: Array | None = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -41,6 +42,7 @@ class GrowingLoad:
         goal: ends the path; a goal without bounds ends it at the share 1.
         built_on: positions of the points at the share 0, m, (point, 3), from which a motor displaces points.
         rest_speed: speed below which a hinge counts as at rest, rad/s.
+        duration: time in which the share grows from 0 to 1, s.
     """
 
     before: Array
@@ -49,6 +51,7 @@ class GrowingLoad:
     goal: StageGoal
     built_on: Array
     rest_speed: float
+    duration: float
 
     def settings(self, share: float) -> Array:
         """Return the settings of the motors at a share of the stage, SI, (motor,)."""
@@ -64,7 +67,8 @@ class RestPath:
         shapes: at these shares.
         work: of the motors since the start, J, (row, motor).
         lost: energy that dampers dissipate while the structure creeps from the start to the first row, J.
-        yielded: energy that permanent folds have dissipated since the start, J, (row,).
+        creases: energies that creases have dissipated since the start, J, (row,): by permanent folds ("yield"), by the
+            dampers of Maxwell branches ("branch") and by wear ("damage"), without those that no crease can dissipate.
         forces: of motors that displace points, N; 0 for other motors, (row, motor).
         ended: "goal"; "full" at the share 1; "lost" if no stable equilibrium is near the last one at a larger share;
             "away" if no stable equilibrium is near the start, so that there are no rows.
@@ -74,7 +78,7 @@ class RestPath:
     shapes: tuple[RestShape, ...]
     work: Array
     lost: float
-    yielded: Array
+    creases: Mapping[str, Array]
     forces: Array
     ended: Literal["goal", "full", "lost", "away"]
 

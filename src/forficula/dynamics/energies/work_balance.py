@@ -174,13 +174,13 @@ class WorkBalance:
         self._jumped[row] += jump
         if path.lost:
             self._done.setdefault("hinge_damping_work", np.zeros(len(self._models)))[row] -= path.lost
-        yielded = path.yielded if path.yielded.any() else None
-        if yielded is not None:
-            self._done.setdefault("crease_yield_work", np.zeros(len(self._models)))
+        lost = {f"crease_{name}_work": energies for name, energies in path.creases.items() if energies.any()}
+        for name in lost:
+            self._done.setdefault(name, np.zeros(len(self._models)))
         values = {name: np.full(len(places), done[row]) for name, done in self._done.items()}
-        if yielded is not None:
-            values["crease_yield_work"] = values["crease_yield_work"] - yielded[places]
-            self._done["crease_yield_work"][row] -= yielded[-1]
+        for name, energies in lost.items():
+            values[name] = values[name] - energies[places]
+            self._done[name][row] -= energies[-1]
         for motor in range(len(self._motors)):
             work = path.work[places, motor]
             values[motor_work_name(motor)] = values[motor_work_name(motor)] + work

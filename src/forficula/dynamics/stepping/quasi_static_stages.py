@@ -65,6 +65,7 @@ class QuasiStaticStages:
             goal=goal_of(model.structure, model.design.protocol.stages[stage].until),
             built_on=self._begun[row][1],
             rest_speed=model.design.protocol.rest_speed,
+            duration=tracker.longest_stage(row) * float(model.design.protocol.timestep),
         )
         path = self._solver(model.structure, shape, load)
         if path.ended == "away":
@@ -75,7 +76,7 @@ class QuasiStaticStages:
         settings = np.array([load.settings(path.share[place]) for place in rows.values()])
         jump = _energy(model, _placed(stepper, row, path.shapes[0]), settings[0] / unit)
         jump -= _energy(model, reached, settings[0] / unit)
-        jump -= float(path.work[0].sum()) - path.lost - float(path.yielded[0])
+        jump -= float(path.work[0].sum()) - path.lost - sum(float(lost[0]) for lost in path.creases.values())
         final = _placed(stepper, row, path.shapes[-1])
         first = int(tracker.steps[row])
         recorder.add_at_rest(
@@ -100,7 +101,7 @@ class QuasiStaticStages:
 
 def _placed(stepper: Stepper, row: int, shape: RestShape) -> EngineState:
     """Put a structure at rest into a shape; return its state."""
-    return stepper.place(row, stepper.position_of(row, shape), shape.sets)
+    return stepper.place(row, stepper.position_of(row, shape), shape.memory)
 
 
 def _setting_units(model: Model) -> Array:

@@ -242,18 +242,38 @@ class Stepper:
             points=series["point_position"][0],
             origins=model.units.length * state.derived["xpos"][bodies],
             frames=state.derived["xmat"][bodies].reshape(-1, 3, 3),
-            sets=series["hinge_set"][0] if "hinge_set" in series else None,
+            memory=self._hinge_memory(row, series.get("hinge_set")),
         )
 
-    def place(self, row: int, position: Array, sets: Array | None = None) -> EngineState:
-        """Put a structure at rest into a position, (position,), with permanent folds, rad, (hinge,); return its state.
+    def _hinge_memory(self, row: int, sets: Array | None) -> Array | None:
+        """Return the memory of all hinges of a structure, SI, (slot, hinge); None if no hinge remembers anything.
 
-        The permanent folds stay as they are if they are not given.
+        Args:
+            row: number of the structure.
+            sets: permanent folds of all hinges, rad, (state, hinge); None if no hinge folds permanently.
+        """
+        model, past = self._structures[row], self._past[:, row]
+        if sets is None and len(past) == 1:
+            return None
+        memory = np.zeros((len(past), len(model.structure.hinges)))
+        memory[:, model.followed_hinges] = past
+        memory[2:] *= model.units.energy
+        memory[0] = 0.0 if sets is None else sets[0]
+        return memory
+
+    def place(self, row: int, position: Array, memory: Array | None = None) -> EngineState:
+        """Put a structure at rest into a position, (position,), with a memory of its hinges; return its state.
+
+        Args:
+            row: number of the structure.
+            position: of its joints and of bodies that slide or turn freely.
+            memory: of all hinges, SI, (slot, hinge), which stays as it is by default.
         """
         changed = self._state[row, self._moving]
-        if sets is not None:
-            model = self._structures[row]
-            self._past[0, row] = sets[model.followed_hinges]
+        if memory is not None:
+            model, sets = self._structures[row], memory[0]
+            self._past[:, row] = memory[:, model.followed_hinges]
+            self._past[2:, row] /= model.units.energy
             yielding = model.hinge_creep >= 0
             if yielding.any():
                 rests = np.array([hinge.rest_angle for hinge in model.structure.hinges])

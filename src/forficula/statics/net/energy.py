@@ -10,6 +10,8 @@ import numpy as np
 from scipy.sparse import bsr_array, csc_array
 
 from forficula.arrays import Array
+from forficula.material.law.crease_memory import start_memory, stored_energy
+from forficula.material.law.crease_turn import CreaseTurn, memory_after, remembers, turn_expansion
 from forficula.statics.net.contact.contact_energy import contact_terms
 from forficula.statics.net.factor import Matrix
 from forficula.statics.net.layout import Layout, layout_of
@@ -58,7 +60,7 @@ class Expansion:
         return whole if self.pressed is None else bsr_array(whole + self.pressed)
 
 
-def shape_at(net: Net, positions: Array, near: Array | None = None, sets: Array | None = None) -> NetShape:
+def shape_at(net: Net, positions: Array, near: Array | None = None, turn: CreaseTurn | None = None) -> NetShape:
     """Return the shape of a net with nodes at given positions.
 
     Args:
@@ -66,27 +68,32 @@ def shape_at(net: Net, positions: Array, near: Array | None = None, sets: Array 
         positions: m, (node, 3).
         near: reference angles, rad, (crease,); None for 0. The angle of a crease is chosen within half a turn of its
             reference.
-        sets: permanent folds of the creases, rad, (crease,); None for none.
+        turn: of the creases; None for new creases.
     """
     near = np.zeros(len(net.creases.points)) if near is None else near
-    return NetShape(positions=positions, angles=fold_angles(sides_of(net, positions)[2], near), sets=sets)
+    return NetShape(positions=positions, angles=fold_angles(sides_of(net, positions)[2], near), turn=turn)
 
 
 def moved_shape(net: Net, shape: NetShape, positions: Array) -> NetShape:
-    """Return the shape of a net that moves from a shape, with its permanent folds and contacts, to positions, m."""
-    return replace(shape_at(net, positions, shape.angles, shape.sets), pressing=shape.pressing)
+    """Return the shape of a net that moves from a shape, with memory and contacts, to positions, m."""
+    return replace(shape_at(net, positions, shape.angles, shape.turn), pressing=shape.pressing)
 
 
-def kept_folds(net: Net, shape: NetShape) -> NetShape:
-    """Return the shape of a net after a motion in which each crease turned in one sense: with its new permanent folds.
+def remembered(net: Net, shape: NetShape) -> NetShape:
+    """Return the shape of a net after a motion in which each crease turned in one sense: with the memory at its end.
 
-    Up to here the motion was computed with the permanent folds at its beginning, and with springs whose moment depends
-    on the angle alone (deformation theory of plasticity), which is exact for such motions.
+    Up to here the motion was computed with the memory at its beginning, and with moments that depend on the angle alone
+    (see `crease_turn`).
     """
-    if not net.creases.law.yields:
+    if not remembers(net.creases.law):
         return shape
-    before = np.zeros_like(shape.angles) if shape.sets is None else shape.sets
-    return replace(shape, sets=net.creases.law.next_set(shape.angles, 0.0, before))
+    return replace(shape, turn=CreaseTurn(memory=crease_memory(net, shape), angle=shape.angles))
+
+
+def crease_memory(net: Net, shape: NetShape) -> Array:
+    """Return the memory of the creases at the end of the motion to a shape, (slot, crease)."""
+    law = net.creases.law
+    return start_memory(law, shape.angles) if shape.turn is None else memory_after(law, shape.angles, shape.turn)
 
 
 def built_shape(net: Net) -> NetShape:
@@ -259,18 +266,17 @@ def _straight(net: Net, springs: Array, tendons: Array) -> Piece:
 
 
 def _crease_energies(net: Net, shape: NetShape, further: Array | float) -> Array:
-    """Return the stored energy of each crease, J, (crease,), without what yielding has dissipated."""
+    """Return the stored energy of each crease, J, (crease,), without what it has dissipated."""
     law = net.creases.law
-    if not law.yields:
+    if not remembers(law):
         return np.asarray(law.energy(shape.angles, further))
-    before = np.zeros_like(shape.angles) if shape.sets is None else shape.sets
-    sets = law.next_set(shape.angles, further, before)
-    return np.asarray(law.energy(shape.angles, further, law.rest_shift(sets)) + law.set_energy(sets))
+    return stored_energy(law, shape.angles, further, crease_memory(net, shape))
 
 
 def _folds(net: Net, frames: _Frames, shares: Array, slope: Array, shape: NetShape, torques: Array | None) -> Piece:
     angles = shape.angles
-    energy, moment, stiffness = net.creases.law.expansion(angles, shape.sets)
+    law = net.creases.law
+    energy, moment, stiffness = turn_expansion(law, angles, shape.turn) if remembers(law) else law.expansion(angles)
     acting = moment if torques is None else moment - torques
     blocks = np.empty((3, 3, 3, 3, len(angles)))
     np.multiply((stiffness * slope)[:, None, :, None], slope[None, :, None, :], out=blocks)

@@ -11,7 +11,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.statics.net.energy import Expansion, expand, expand_at, kept_folds, load_slope, moved_shape
+from forficula.statics.net.energy import Expansion, expand, expand_at, load_slope, moved_shape, remembered
 from forficula.statics.net.factor import Factorisation, factored, softest
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, NetShape
@@ -248,7 +248,7 @@ def _station(
     forwards = rising if before is None else float(np.sum(before * tangent)) > 0
     pace = (1.0 if forwards else -1.0) / length
     point = PathPoint(
-        shape=kept_folds(net, current.shape),
+        shape=remembered(net, current.shape),
         factor=factor,
         energy=current.stored,
         index=parts.index,
@@ -322,7 +322,7 @@ def intermediate_point(
         return None
     expansion, factor, corrections = corrected
     return PathPoint(
-        shape=kept_folds(net, expansion.shape),
+        shape=remembered(net, expansion.shape),
         factor=factor,
         energy=expansion.stored,
         index=before.index,

@@ -10,7 +10,7 @@ from scipy.sparse import csc_array
 
 from forficula.arrays import Array
 from forficula.statics.net.contact.contact_energy import passes_through, with_contact_forces
-from forficula.statics.net.energy import Expansion, expand, expand_at, kept_folds
+from forficula.statics.net.energy import Expansion, expand, expand_at, remembered
 from forficula.statics.net.factor import Factorisation, Matrix, definite, factored, largest_entry
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, NetShape
@@ -165,7 +165,7 @@ def _rest(net: Net, current: Expansion, pins: tuple[tuple[int, int], ...], steps
     near = _NEUTRAL * largest_entry(current.free)
     index = factored(current.free, near).index
     return NetRest(
-        shape=kept_folds(net, current.shape),
+        shape=remembered(net, current.shape),
         energy=current.stored,
         slope=float(np.abs(current.slope[net.free]).max(initial=0.0)),
         index=index,

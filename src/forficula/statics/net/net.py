@@ -12,6 +12,7 @@ from scipy.sparse import csr_array, diags_array
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
+from forficula.material.law.crease_turn import CreaseTurn
 from forficula.material.law.tendon_law import ElasticLaw
 from forficula.statics.net.contact.net_contact import NetContact, Pressing
 
@@ -179,11 +180,12 @@ class NetShape:
     Attributes:
         positions: of the nodes, m, (node, 3).
         angles: of the creases, rad, (crease,); beyond +-pi if one panel went through the other.
-        sets: permanent folds of the creases when the motion to this shape began, rad, (crease,); None for none.
+        turn: of the creases, by which the net moved to this shape: their memory and angles when the motion began, and
+            its duration; None for new creases.
         pressing: forces between elements that touch, at equilibrium; None for none.
     """
 
     positions: Array
     angles: Array
-    sets: Array | None = None
+    turn: CreaseTurn | None = None
     pressing: Pressing | None = None

@@ -13,9 +13,10 @@ from scipy.sparse import csr_array, eye_array
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
+from forficula.material.law.crease_turn import relaxed
 from forficula.material.law.tendon_law import stacked_laws
 from forficula.statics.net.contact.contact_of import with_contact
-from forficula.statics.net.energy import kept_folds, shape_at
+from forficula.statics.net.energy import remembered, shape_at
 from forficula.statics.net.load import Load, no_load, point_forces
 from forficula.statics.net.net import Net, NetCreases, NetShape, NetTable, Springs, Tendons, Triangles
 from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, stiffness_of
@@ -76,7 +77,7 @@ def net_of(structure: Structure) -> Net:
             stiffness=np.concatenate([[spring.stiffness for spring in structure.springs], stiffness]),
             rest_length=np.concatenate([[spring.rest_length for spring in structure.springs], rest]),
         ),
-        creases=NetCreases(points=laid.creases, law=valley_law(structure)),
+        creases=NetCreases(points=laid.creases, law=relaxed(valley_law(structure))),
         tendons=Tendons(
             points=_pairs([tendon.points for tendon in structure.tendons]),
             law=stacked_laws([tendon.law.elastic for tendon in structure.tendons]),
@@ -123,7 +124,7 @@ def panels(structure: Structure) -> Indices:
 def start_shape(structure: Structure, net: Net) -> NetShape:
     """Return the shape as built, with start angles that distinguish panels that lie on one another."""
     start = np.array([hinge.start for hinge in structure.hinges])
-    return kept_folds(net, shape_at(net, net.nodes, valley_angles(structure, start)))
+    return remembered(net, shape_at(net, net.nodes, valley_angles(structure, start)))
 
 
 def own_angles(structure: Structure, shape: NetShape) -> Array:
@@ -131,9 +132,22 @@ def own_angles(structure: Structure, shape: NetShape) -> Array:
     return np.asarray(_senses(structure) * shape.angles)
 
 
-def own_sets(structure: Structure, shape: NetShape) -> Array | None:
-    """Return the permanent folds of the hinges in their own senses, rad, (hinge,); None if no hinge folds so."""
-    return None if shape.sets is None else np.asarray(_senses(structure) * shape.sets)
+def own_memory(structure: Structure, shape: NetShape) -> Array | None:
+    """Return the memory of the hinges at a shape in their own senses, (slot, hinge); None for new hinges.
+
+    Args:
+        structure: the structure.
+        shape: from `remembered`.
+    """
+    return None if shape.turn is None else memory_in_senses(structure, shape.turn.memory)
+
+
+def memory_in_senses(structure: Structure, memory: Array) -> Array:
+    """Return the memory of hinges in their own senses instead of that by fold angles, or the inverse, (slot, hinge)."""
+    memory, senses = memory.copy(), _senses(structure)
+    # wear has no sense
+    memory[0], memory[2:] = senses * memory[0], senses * memory[2:]
+    return memory
 
 
 def valley_angles(structure: Structure, angles: Array) -> Array:

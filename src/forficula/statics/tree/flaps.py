@@ -8,7 +8,7 @@ angle of `forficula.structure.flap_angles`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -16,6 +16,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
+from forficula.material.law.crease_turn import CreaseTurn, turn_expansion
 from forficula.statics.tree.elements import Elements, Expansion, LinePiece, elements, stretched
 from forficula.statics.tree.pose import Pose, Span, Tree, places_of, pose
 from forficula.structure import Hinge, Structure, crease_law, crease_numbers
@@ -119,7 +120,7 @@ def folded_energy(flaps: Flaps, angles: Array, further: Array) -> Array:
 
 
 def crease_energy(
-    flaps: Flaps, angles: Array, torques: Array | None = None, at: Pose | None = None, sets: Array | None = None
+    flaps: Flaps, angles: Array, torques: Array | None = None, at: Pose | None = None, turn: CreaseTurn | None = None
 ) -> Expansion:
     """Compute the energy of the creases' springs, minus the work of torques on the creases.
 
@@ -128,23 +129,24 @@ def crease_energy(
         angles: of all joints, in their own senses, rad, (case, joint).
         torques: on the creases in their own senses, N m, (case, crease); None for none.
         at: pose of the tree at these angles; computed by default.
-        sets: permanent folds at the beginning of the motion, rad, (case, crease); None for none.
+        turn: of the creases, (case, crease); None for creases without memory.
 
     Returns:
         Energy, J, (case,); gradient, N m, (case, joint), and Hessian, N m/rad, (case, joint, joint), by the angles.
     """
     acting = np.zeros((len(angles), len(flaps.senses))) if torques is None else torques
-    laws = [partial(_folded, flaps, group.pieces, acting, sets) for group in flaps.laid.groups]
+    laws = [partial(_folded, flaps, group.pieces, acting, turn) for group in flaps.laid.groups]
     return stretched(flaps.laid, angles, laws, at)
 
 
-def _folded(flaps: Flaps, pieces: Span, torques: Array, sets: Array | None, sides: Array) -> Expansion:
+def _folded(flaps: Flaps, pieces: Span, torques: Array, turn: CreaseTurn | None, sides: Array) -> Expansion:
     """Compute the energy of some creases from their directions, (case, crease, 6, 3)."""
     senses, law = flaps.senses[pieces], flaps.law.some(np.arange(len(flaps.senses))[pieces])
     angle, slope, curvature = _angle_expansion(sides.reshape(*sides.shape[:2], 18))
     folded = _unwrapped(senses * angle, flaps.middles[pieces])
-    if law.yields:
-        stored, moment, stiffness = law.expansion(folded, None if sets is None else sets[:, pieces])
+    if turn is not None:
+        turn = replace(turn, memory=turn.memory[:, :, pieces], angle=turn.angle[:, pieces])
+        stored, moment, stiffness = turn_expansion(law, folded, turn)
     else:
         stored, (moment, stiffness) = law.energy(folded), law.moment_and_slope(folded)
     acting = torques[:, pieces]

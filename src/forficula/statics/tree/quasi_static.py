@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.errors import InputError
+from forficula.statics.tree.ensemble import Ensemble
 from forficula.statics.tree.equilibrium import Equilibria
 from forficula.statics.tree.hinge_landscape import CrossedHinge
 from forficula.statics.tree.pose import carried_points, places_of, pose
-from forficula.statics.tree.potential import Ensemble, hinge_angles, rest, start_angles
+from forficula.statics.tree.potential import hinge_angles, rest, start_angles
 from forficula.structure import (
     Drive,
     StageGoal,
@@ -66,7 +67,7 @@ class SlowTransition:
             torques does.
         position: angles under the least torque, or under the largest one tried, rad, (case, hinge).
         paths: path to the goal, by case; empty if paths were not recorded.
-        structures: with the permanent folds at these angles; None where the folds do not matter.
+        structures: with the memory of the hinges at these angles; None where it does not matter.
     """
 
     torque: Array
@@ -134,8 +135,8 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
     when released, are released from the stops instead, see `state_beyond`. With a slack tendon, hinges can rest
     anywhere in a range, and the next torque can lead along another path from either end of the range.
 
-    If springs between points, creases between flaps or closures couple the joints, if hinges fold permanently, or if
-    the drive is a force, structures are always released from where the drive brought them.
+    If springs between points, creases between flaps or closures couple the joints, if hinges have a memory, or if the
+    drive is a force, structures are always released from where the drive brought them.
 
     Args:
         structures: side by side.
@@ -144,7 +145,7 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
         position: angles under this torque, rad, (case, hinge).
     """
     led = rest(structures, position)
-    if structures.sets is not None or is_led(structures, drive_of(structures.structure, transition.drive)):
+    if structures.memory is not None or is_led(structures, drive_of(structures.structure, transition.drive)):
         return led
     stays = np.isfinite(torque) & at_goal(structures, led.position, goal_of(structures.structure, transition.released))
     if stays.all():
@@ -287,7 +288,7 @@ def least_slow_torque(
     step of 1 % of the torque as well, the equilibrium has become unstable and the structure snaps: it follows the
     steepest descent of the energy, like a motion with equal dampers and without inertia, to the next equilibrium, from
     which the torque grows further. The first step is 1e-4 of the largest torque, and no shorter steps are tried.
-    Permanent folds are those of hinges that turn in one sense during each step, and during each snap.
+    Hinges with memory turn in one sense during each step, and during each snap.
 
     Args:
         structures: side by side.

@@ -21,8 +21,9 @@ from forficula.statics.drag import (
 )
 from forficula.statics.quasi_static_path import QuasiStaticPoint
 from forficula.statics.tree.elements import Expansion, LinePiece, elements, stretched
+from forficula.statics.tree.ensemble import Ensemble, ensemble
 from forficula.statics.tree.pose import carried_points, moves_of, places_of, pose
-from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, start_angles, torque_scale
+from forficula.statics.tree.potential import potential, rest, start_angles, torque_scale
 from forficula.statics.tree.tree_path import place_carriers, tree_points
 from forficula.structure import GROUND, Drive, Structure
 
@@ -68,7 +69,7 @@ def tree_drag(
     if not any(tree.chain(body) for body in bodies if body != GROUND):
         raise InputError("places: need a point that can move, got one that no hinge moves")
     if near is None:
-        structures = structures.turned(start_angles(structures))
+        structures = structures.new(start_angles(structures))
         near = _point(structures, drive, 0.0, rest(structures, start_angles(structures)).position[0], resting=True)
     structures = _from(structures, near)
     pulled = _PulledTree(
@@ -86,14 +87,15 @@ def tree_drag(
 
 
 def _point(structures: Ensemble, drive: Drive, strength: float, angles: Array, *, resting: bool) -> QuasiStaticPoint:
-    folds = structures.turned(angles[None]).folds
+    memory = structures.turned(angles[None]).memory
     rests = np.array([resting], dtype=np.bool_)
-    return tree_points(structures, drive, np.array([strength]), angles[None], rests, folds)[0]
+    return tree_points(structures, drive, np.array([strength]), angles[None], rests, memory)[0]
 
 
 def _from(structures: Ensemble, near: QuasiStaticPoint) -> Ensemble:
-    """Return the tree with the permanent folds of a shape."""
-    return structures if near.sets is None else structures.with_sets(near.sets[None])
+    """Return the tree with the memory of its hinges in a shape."""
+    memory = None if near.memory is None else near.memory[:, None]
+    return structures.beginning(memory, near.coordinates[None])
 
 
 def _torques(pulled: _PulledTree, near: QuasiStaticPoint) -> Array:

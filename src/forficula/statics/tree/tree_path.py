@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -19,18 +19,11 @@ from forficula.statics.growing_path import (
     path_of,
 )
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint, rest_changes
+from forficula.statics.tree.ensemble import Ensemble, ensemble
 from forficula.statics.tree.hinge_landscape import crossed_hinges
-from forficula.statics.tree.permanent_folds import PermanentFolds
+from forficula.statics.tree.hinge_memory import HingeMemory
 from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
-from forficula.statics.tree.potential import (
-    Ensemble,
-    ensemble,
-    hinge_angles,
-    potential,
-    rest,
-    start_angles,
-    stored_energy,
-)
+from forficula.statics.tree.potential import hinge_angles, potential, rest, start_angles, stored_energy
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
     TorquePath,
@@ -83,7 +76,7 @@ def tree_path(
 ) -> QuasiStaticPath:
     """Follow a tree under a slowly growing drive; see `forficula.statics.survey.quasi_static_path`."""
     driven, start = _start(structure, drive, transition)
-    if driven.structures.folds is not None:
+    if driven.structures.memory is not None:
         near = None  # the path depends on what happened before this shape
     name = drive.name if transition is None else transition.name
     near_rest = None if near is None else _near_rest(driven, near)
@@ -117,7 +110,7 @@ def tree_path(
 def _start(structure: Structure, drive: Drive, transition: Transition | None) -> tuple[_DrivenTree, Array]:
     """Return a tree with its drive, and the angles at which it rests before the transition, rad, (hinge,)."""
     structures, sign = ensemble([structure]), -1.0 if drive.strength < 0 else 1.0
-    structures = structures.turned(start_angles(structures))
+    structures = structures.new(start_angles(structures))
     before, hinges = start_state(structures), crossed_hinges(structure)
     structures = structures.turned(before.position)
     for earlier in structure.transitions if transition is not None else ():
@@ -140,9 +133,11 @@ def _followed(driven: _DrivenTree, start: Array, growing: GrowingPath, begin: fl
 
     def watch(torque: float, angles: Array, resting: bool) -> None:
         nonlocal at
-        at = now = at.turned(angles[None])
+        now = at.turned(angles[None])
+        # the motions to all steps of a snap begin before the snap
+        at = now if resting else at
         strength, rests = np.array([driven.sign * torque]), np.array([resting], dtype=np.bool_)
-        growing.add(lambda: tree_points(now, driven.drive, strength, angles[None], rests, now.folds)[0])
+        growing.add(lambda: tree_points(now, driven.drive, strength, angles[None], rests, now.memory)[0])
 
     return least_slow_torque(
         driven.structures,
@@ -183,6 +178,24 @@ def _snapping(path: TorquePath) -> Flags:
     return snapping
 
 
+def _along(structures: Ensemble, path: TorquePath) -> Array | None:
+    """Return the memory of the hinges along a path of the only case, (slot, step, hinge); None without memory.
+
+    The motions to all steps of a snap begin with the memory before the snap.
+    """
+    if structures.memory is None:
+        return None
+    begins, before, values = dict[int, int](), structures.memory, list[Array]()
+    for first, last in path.snaps:
+        begins |= dict.fromkeys(range(first + 1, last + 1), first)
+    for step, at in enumerate(path.position):
+        reached = before.turned(at[None])
+        values.append(reached.values[:, 0])
+        # the last step of a snap is followed by motions from there
+        before = before if step in begins and step + 1 in begins and begins[step + 1] == begins[step] else reached
+    return np.stack(values, axis=1)
+
+
 def _refined(driven: _DrivenTree, path: TorquePath, bound: float) -> TorquePath:
     """Add a step in the middle of every interval between equilibria whose error exceeds a bound, m."""
     structures = driven.structures
@@ -193,8 +206,9 @@ def _refined(driven: _DrivenTree, path: TorquePath, bound: float) -> TorquePath:
             break
         torque = (path.torque[rows] + path.torque[rows + 1]) / 2
         middle = (path.position[rows] + path.position[rows + 1]) / 2
-        sets = None if structures.folds is None else structures.folds.along(path.position)
-        between = structures.repeated(len(rows)).with_sets(None if sets is None else sets[rows])
+        memory = _along(structures, path)
+        repeated = structures.repeated(len(rows))
+        between = repeated.beginning(None if memory is None else memory[:, rows], path.position[rows])
         rested = rest(between, middle, torque[:, None] * driven.torques)
         # a shape outside the interval belongs to another path
         low, high = (bounds(path.position[rows], path.position[rows + 1]) for bounds in (np.minimum, np.maximum))
@@ -231,20 +245,21 @@ def _points(
     ends = sorted({0, len(resting) - 1, *(end for snap in path.snaps for end in snap)})
     kept = kept_frames(time, positions, time[ends], most=_MOST_POINTS, tolerance=bound)
     numbers = {row: number for number, row in enumerate(kept.tolist())}
-    folds = driven.structures.folds
-    sets = None if folds is None else folds.along(path.position)
+    memory = _along(driven.structures, path)
     points = tree_points(
         driven.structures,
         driven.drive,
         driven.sign * path.torque[kept],
         path.position[kept],
         resting[kept],
-        None if folds is None or sets is None else replace(folds, sets=sets[kept]),
+        None if memory is None else driven.structures.beginning(memory[:, kept], path.position[kept]).memory,
     )
     events = list[NumberedEvent]()
     for first, last in path.snaps:
         torque = float(path.torque[last])
-        both = driven.structures.repeated(2).with_sets(None if sets is None else sets[[first, first]])
+        start = [first, first]
+        repeated = driven.structures.repeated(2)
+        both = repeated.beginning(None if memory is None else memory[:, start], path.position[start])
         energy = potential(both, path.position[[first, last]], torque * driven.torques)[0]
         events.append(
             NumberedEvent(
@@ -264,7 +279,7 @@ def tree_points(
     strength: Array,
     angles: Array,
     resting: Flags,
-    folds: PermanentFolds | None = None,
+    memory: HingeMemory | None = None,
 ) -> list[QuasiStaticPoint]:
     """Return shapes of a tree as points of a quasi-static path.
 
@@ -274,10 +289,10 @@ def tree_points(
         strength: of the drive, in its SI unit, with its sign, (point,).
         angles: of all joints, rad, (point, joint).
         resting: whether the tree is at rest, (point,).
-        folds: permanent folds of all points; None if no hinge folds permanently.
+        memory: of the hinges at all points; None if no hinge remembers anything.
     """
     further = strength[:, None] * rest_changes(structures.structure, drive)
-    energy = stored_energy(structures.repeated(len(strength)), angles, further, folds)
+    energy = stored_energy(structures.repeated(len(strength)), angles, further, memory)
     positions, every = place_positions(structures.structure, angles), hinge_angles(structures, angles)
     return [
         QuasiStaticPoint(
@@ -287,7 +302,7 @@ def tree_points(
             positions=positions[number],
             coordinates=angles[number],
             energy={part: float(values[number]) for part, values in energy.items()},
-            sets=None if folds is None else folds.sets[number],
+            memory=None if memory is None else memory.values[:, number],
         )
         for number in range(len(strength))
     ]

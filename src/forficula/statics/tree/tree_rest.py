@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 import scipy
 
 from forficula.arrays import Array, Flags
-from forficula.statics.rest_path import Creep, rest_path
+from forficula.statics.rest_path import CreaseLosses, Creep, crease_losses, rest_path
 from forficula.statics.tree.elements import Expansion
+from forficula.statics.tree.ensemble import Ensemble, ensemble
 from forficula.statics.tree.pose import pose, tree_of
-from forficula.statics.tree.potential import Ensemble, ensemble, hinge_angles, potential, rest, torque_scale
+from forficula.statics.tree.potential import hinge_angles, potential, rest, torque_scale
 from forficula.statics.tree.tree_path import place_positions
 from forficula.structure import (
     GrowingLoad,
@@ -36,20 +38,33 @@ _SOFT = 1e-12  # share of the largest stiffness below which a stiffness counts a
 def tree_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) -> RestPath:
     """Follow the equilibria of a tree under a growing load; see `forficula.statics.rest_path.rest_path`."""
     system = _LoadedTree(structure, load)
-    sets = np.zeros(0) if start.sets is None else start.sets
-    return rest_path(system, np.concatenate([start.angles[: system.size], sets]), load)
+    return rest_path(system, system.state(start), load)
+
+
+class _TreeState(NamedTuple):
+    """Angles of a tree, and the beginning of the motion to them.
+
+    The motion to an equilibrium has ended, so that the share, the memory and the angles are those of the equilibrium.
+
+    Attributes:
+        angles: of the joints, rad, (joint,).
+        share: share of the load at which the motion began.
+        memory: of all hinges at its beginning, (slot, hinge); None if no hinge remembers anything.
+        begin: angles of the joints at its beginning, rad, (joint,).
+    """
+
+    angles: Array
+    share: float
+    memory: Array | None
+    begin: Array
 
 
 class _LoadedTree:
-    """A tree under a load.
-
-    Its states are the angles of the joints, rad, (joint,), and then, if a hinge folds permanently, the permanent folds
-    of all hinges, rad, (hinge,).
-    """
+    """A tree under a load."""
 
     def __init__(self, structure: Structure, load: GrowingLoad) -> None:
         self._structure, self._load = structure, load
-        self._structures: Ensemble = ensemble([structure])
+        self._structures: Ensemble = ensemble([structure], timed=True)
         self._tree = tree_of(structure)
         self._lower, self._upper = self._structures.lower[None], self._structures.upper[None]
         self._damping = np.array([hinge.damping for hinge in structure.hinges[: self._structures.size]])
@@ -58,36 +73,37 @@ class _LoadedTree:
             self._spread = ties.spread
             self._lower, self._upper = ties.bounds(self._lower, self._upper)
 
-    @property
-    def size(self) -> int:
-        """Return the number of joints."""
-        return self._structures.size
+    def state(self, start: RestShape) -> _TreeState:
+        """Return the state of a shape."""
+        angles = start.angles[: self._structures.size]
+        return _TreeState(angles, self._load.begin, start.memory, angles)
 
     @property
     def prescribes(self) -> Flags:
         return np.zeros(len(self._structure.motors), dtype=np.bool_)
 
-    def _at(self, state: Array) -> tuple[Ensemble, Array]:
-        """Return the tree with the permanent folds of a state, and the angles of the joints, rad, (joint,)."""
-        angles, sets = state[: self.size], state[self.size :]
-        structures = self._structures
-        return structures.with_sets(sets[None]), angles
+    def _moving(self, state: _TreeState, share: float) -> Ensemble:
+        """Return the tree in the motion from the beginning of a state to a share of the load."""
+        if state.memory is None:
+            return self._structures
+        time = (share - state.share) * self._load.duration
+        return self._structures.beginning(state.memory[:, None], state.begin[None], time)
 
     @staticmethod
-    def _state(structures: Ensemble, angles: Array) -> Array:
+    def _reached(structures: Ensemble, angles: Array, share: float) -> _TreeState:
         """Return the state after a motion of the tree to some angles, rad, (joint,)."""
-        sets = structures.turned(angles[None]).sets
-        return angles if sets is None else np.concatenate([angles, sets[0]])
+        memory = structures.turned(angles[None]).memory
+        return _TreeState(angles, share, None if memory is None else memory.values[:, 0], angles)
 
-    def rest(self, share: float, near: Array) -> Array | None:
-        torques, (structures, start) = self._load.settings(share), self._at(near)
+    def rest(self, share: float, near: _TreeState) -> _TreeState | None:
+        torques, structures, start = self._load.settings(share), self._moving(near, share), near.angles
         descended = rest(structures, start[None], torques, within=2 * _NEAR)
         if not descended.rests[0] or np.abs(descended.position[0] - start).max(initial=0.0) > _NEAR:
             return None
         angles = self._corrected(structures, descended.position[0], torques)
         if angles is None or np.abs(angles - start).max(initial=0.0) > _NEAR:
             return None
-        return self._state(structures, angles)
+        return self._reached(structures, angles, share)
 
     def _corrected(self, structures: Ensemble, angles: Array, torques: Array) -> Array | None:
         """Return the stable equilibrium near angles by Newton's method, to the last digits; None if there is none.
@@ -115,17 +131,18 @@ class _LoadedTree:
                 return np.asarray(np.clip(angles, self._structures.lower, self._structures.upper))
         return None
 
-    def creep(self, share: float, start: Array) -> Creep[Array] | None:
+    def creep(self, share: float, start: _TreeState) -> Creep[_TreeState] | None:
         """Return the motion to an equilibrium under the dampers of the joints, without inertia.
 
         Every step is one of Euler's implicit method: it minimises the potential plus the dissipation of the step. Steps
         grow, so that the dissipation vanishes and the potential alone decides where the structure rests. Other dampers
-        are left out. They slow the motion down, so the speed is not underestimated.
+        are left out. They slow the motion down, so the speed is not underestimated. The time of the stage does not
+        advance, so Maxwell branches follow like springs.
         """
         torques, first = self._load.settings(share), start
         shortest = step = _NEAR / self._load.rest_speed
         for _ in range(_MOST_CREEPS):
-            structures, angles = self._at(start)
+            structures, angles = self._moving(start, share), start.angles
             descended = rest(structures, angles[None], torques, pull=_drag(self._damping / step, angles))
             turned = float(np.abs(descended.position[0] - angles).max(initial=0.0))
             if not descended.rests[0] or turned > _FURTHEST:
@@ -135,46 +152,45 @@ class _LoadedTree:
                 continue
             if turned > self._load.rest_speed * step:
                 return None
-            start, step = self._state(structures, descended.position[0]), 2 * step
+            start, step = self._reached(structures, descended.position[0], share), 2 * step
             end = self.rest(share, start) if turned <= _NEAR else None
             if end is not None:
-                # both energies with their own permanent folds, without what these dissipate
-                energies = [float(potential(*self._single(at), torques)[0][0]) for at in (first, end)]
-                return Creep(end, energies[0] - energies[1] - self.yield_loss(first, end))
+                # both energies with their own memory, without what the hinges dissipate
+                energies = [
+                    float(potential(self._moving(at, at.share), at.angles[None], torques)[0][0]) for at in (first, end)
+                ]
+                return Creep(end, energies[0] - energies[1] - sum(self.crease_losses(first, end).values()))
         return None
 
-    def _single(self, state: Array) -> tuple[Ensemble, Array]:
-        structures, angles = self._at(state)
-        return structures, angles[None]
+    def crease_losses(self, before: _TreeState, after: _TreeState) -> CreaseLosses:
+        if (memory := self._moving(before, after.share).memory) is None:
+            return {}
+        return crease_losses(memory.laws, memory.losses(after.angles[None]))
 
-    def yield_loss(self, before: Array, after: Array) -> float:
-        folds = self._at(before)[0].folds
-        return 0.0 if folds is None else folds.loss(after[self.size :])
+    def middle(self, one: _TreeState, other: _TreeState) -> _TreeState:
+        # the motion begins with the memory of the first state
+        return one._replace(angles=(one.angles + other.angles) / 2)
 
-    def middle(self, one: Array, other: Array) -> Array:
-        # the motion begins with the permanent folds of the first state
-        return np.concatenate([(one + other)[: self.size] / 2, one[self.size :]])
-
-    def conjugates(self, _share: float, state: Array) -> Array:
+    def conjugates(self, _share: float, state: _TreeState) -> Array:
         # the potential is linear in the torques and forces
         count = len(self._structure.motors)
         torques = np.concatenate([np.zeros((1, count)), np.eye(count)])
-        structures, angles = self._at(state)
+        structures, angles = self._moving(state, state.share), state.angles
         energy = potential(structures.repeated(count + 1), np.tile(angles, (count + 1, 1)), torques)[0]
         return np.asarray(energy[0] - energy[1:])
 
-    def short_of_goal(self, state: Array) -> float:
+    def short_of_goal(self, state: _TreeState) -> float:
         goal = self._load.goal
         if goal.kind != "bounds":
             return np.inf
         distances = point_distances(self._structure, self.shape(state).points)
         return distance_to_goal(goal_coordinates(self._structure, self._hinge_angles(state), distances), goal)
 
-    def _hinge_angles(self, state: Array) -> Array:
-        return np.asarray(hinge_angles(self._structures, state[None, : self.size])[0])
+    def _hinge_angles(self, state: _TreeState) -> Array:
+        return np.asarray(hinge_angles(self._structures, state.angles[None])[0])
 
-    def shape(self, state: Array) -> RestShape:
-        structure, angles = self._structure, state[None, : self.size]
+    def shape(self, state: _TreeState) -> RestShape:
+        structure, angles = self._structure, state.angles[None]
         at = pose(self._tree, angles)
         count = len(structure.bodies)
         return RestShape(
@@ -182,7 +198,7 @@ class _LoadedTree:
             points=place_positions(structure, angles)[0][: len(structure.points)],
             origins=at.origins[0, :count],
             frames=at.frames[0, :count],
-            sets=None if self._structures.sets is None else state[self.size :],
+            memory=state.memory,
         )
 
 

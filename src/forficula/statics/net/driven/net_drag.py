@@ -10,6 +10,7 @@ from scipy.sparse import block_array, csr_array, hstack
 
 from forficula.arrays import Array
 from forficula.errors import InputError
+from forficula.material.law.crease_turn import CreaseTurn
 from forficula.statics.drag import (
     STIFF,
     DraggedPoint,
@@ -29,7 +30,7 @@ from forficula.statics.net.factor import factored
 from forficula.statics.net.load import Load
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_of import net_of, place_points, start_shape, valley_angles
+from forficula.statics.net.net_of import memory_in_senses, net_of, place_points, start_shape, valley_angles
 from forficula.statics.net.net_state import STRAINED, strength
 from forficula.statics.net.supports import supported
 from forficula.statics.quasi_static_path import QuasiStaticPoint
@@ -149,20 +150,22 @@ def _factor(driven: DrivenNet, near: QuasiStaticPoint) -> float:
 def _shape(driven: DrivenNet, net: Net, near: QuasiStaticPoint) -> NetShape:
     """Return the shape of a net at a point of a path."""
     positions = net.nodes + near.coordinates.reshape(-1, 3)
-    sets = None if near.sets is None else valley_angles(driven.structure, near.sets)
-    return shape_at(net, positions, valley_angles(driven.structure, near.angles), sets)
+    angles, turn = valley_angles(driven.structure, near.angles), None
+    if near.memory is not None:
+        turn = CreaseTurn(memory=memory_in_senses(driven.structure, near.memory), angle=angles)
+    return shape_at(net, positions, angles, turn)
 
 
 def _held(pulled: _PulledNet, shape: NetShape, aim: Array, factor: float) -> Held[NetShape]:
     """Find the equilibrium near a shape while the spring ends at an aim, m, (3,).
 
-    The permanent folds of the returned shape are those at the beginning of the move.
+    The memory of the creases in the returned shape is that at the beginning of the move.
     """
     start = replace(shape, positions=np.concatenate([shape.positions, aim[None]]))
     rest = minimum(pulled.net, start, pulled.load, factor)
     position = pulled.weights @ rest.shape.positions[:-1]
     return Held(
-        shape=replace(rest.shape, positions=rest.shape.positions[:-1], sets=shape.sets),
+        shape=replace(rest.shape, positions=rest.shape.positions[:-1], turn=shape.turn),
         position=position,
         force=pulled.spring * (aim - position),
         stable=rest.stable,

@@ -12,6 +12,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.kept_frames import kept_frames
+from forficula.material.law.crease_turn import remembers
 from forficula.statics.growing_path import (
     GrowingPath,
     NumberedEvent,
@@ -27,14 +28,14 @@ from forficula.statics.net.contact.stable_path import stable_point_between
 from forficula.statics.net.driven.driven_net import DrivenNet, driven_net, follow_drive, prescribes_displacement
 from forficula.statics.net.driven.net_course import drive_course, reaction, released
 from forficula.statics.net.driven.slow_path import SlowPath, Snap
-from forficula.statics.net.energy import kept_folds, shape_at
+from forficula.statics.net.energy import remembered, shape_at
 from forficula.statics.net.load_path import PathPoint, intermediate_point, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import (
     net_of,
     own_angles,
-    own_sets,
+    own_memory,
     place_points,
     point_positions,
     start_shape,
@@ -71,7 +72,7 @@ def net_path(
         points = [net_point(driven, start.shape, 0.0)]
         lost = [last_event(points, reached=False)]
         return path_of(structure, driven.name, drive, points, lost, reached=False, remarks=(*remarks, _LOOSE))
-    if driven.net.creases.law.yields or driven.net.contact is not None:
+    if remembers(driven.net.creases.law) or driven.net.contact is not None:
         # the path depends on what happened before this shape, or may not lead back to the start
         near = None
     near_rest = None if near is None else _near_rest(driven, near)
@@ -398,8 +399,8 @@ def net_point(driven: DrivenNet, shape: NetShape, factor: float, *, resting: boo
         coordinates=(shape.positions - driven.net.nodes).ravel(),
         energy=stored_parts(structure, driven.net, shape, further),
         force=reaction(structure, driven.net, drive, shape) if displaced else 0.0,
-        sets=own_sets(structure, kept_folds(driven.net, shape)),
         contacts=contact_forces(driven.net, shape) if resting else {},
+        memory=own_memory(structure, remembered(driven.net, shape)),
     )
 
 

@@ -1,24 +1,35 @@
 """Equilibria of a net under a load that grows evenly, for a quasi-static stage of a run.
 
-Nodes are at sliding points, or four of them at each plate.
+Nodes are at sliding points, or four of them at each plate. Maxwell branches of creases follow the time of the stage.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
 from forficula.arrays import Array, Flags
 from forficula.errors import InputError
+from forficula.material.law.crease_turn import CreaseTurn, turn_losses
 from forficula.statics.net.driven.driven_net import goal_values
 from forficula.statics.net.energy import expand, moved_shape, shape_at
 from forficula.statics.net.load import Load
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.net_of import motor_load, net_of, own_angles, own_sets, point_positions, valley_angles
+from forficula.statics.net.net_of import (
+    memory_in_senses,
+    motor_load,
+    net_of,
+    own_angles,
+    own_memory,
+    point_positions,
+    valley_angles,
+    valley_law,
+)
 from forficula.statics.net.plate_nodes import plate_nodes
-from forficula.statics.rest_path import rest_path
+from forficula.statics.rest_path import CreaseLosses, crease_losses, rest_path
 from forficula.structure import (
     GROUND,
     GrowingLoad,
@@ -39,8 +50,18 @@ def net_rest_path(structure: Structure, start: RestShape, load: GrowingLoad) -> 
     return rest_path(system, system.state(start), load)
 
 
+class _NetState(NamedTuple):
+    """A shape of a net, and the share of the load at which the motion to this shape began.
+
+    The motion to an equilibrium has ended, so that the share is that of the equilibrium.
+    """
+
+    share: float
+    shape: NetShape
+
+
 class _LoadedNet:
-    """A net under a load; its states are the shapes of the net."""
+    """A net under a load."""
 
     def __init__(self, structure: Structure, load: GrowingLoad) -> None:
         self._structure, self._load = structure, load
@@ -56,7 +77,8 @@ class _LoadedNet:
                     " points along these only"
                 )
             held[list(motor.points), axes[0]] = False
-        self._net: Net = replace(net, free=held)
+        creases = replace(net.creases, law=valley_law(structure))
+        self._net: Net = replace(net, free=held, creases=creases)
         self._displaced = net.free & ~held
         # number of the first of the four nodes of each body
         self._first = plate_nodes(structure).first if structure.plates else ()
@@ -71,7 +93,7 @@ class _LoadedNet:
     def prescribes(self) -> Flags:
         return np.array([motor.kind in ("displacement", "rest-angle") for motor in self._structure.motors])
 
-    def state(self, start: RestShape) -> NetShape:
+    def state(self, start: RestShape) -> _NetState:
         """Return the state of a shape."""
         positions = start.points
         if self._structure.plates:
@@ -81,47 +103,54 @@ class _LoadedNet:
                 turn = start.frames[body] @ frames[body].T
                 arms = self._net.nodes[first : first + 4] - origins[body]
                 positions[first : first + 4] = start.origins[body] + arms @ turn.T
-        sets = None if start.sets is None else valley_angles(self._structure, start.sets)
-        return shape_at(self._net, positions, valley_angles(self._structure, start.angles), sets)
+        angles, turn = valley_angles(self._structure, start.angles), None
+        if start.memory is not None:
+            turn = CreaseTurn(memory=memory_in_senses(self._structure, start.memory), angle=angles)
+        return _NetState(self._load.begin, shape_at(self._net, positions, angles, turn))
 
-    def rest(self, share: float, near: NetShape) -> NetShape | None:
-        load = self._motor_load(self._load.settings(share))
-        positions = near.positions
+    def rest(self, share: float, near: _NetState) -> _NetState | None:
+        load, before = self._motor_load(self._load.settings(share)), near.shape
+        if before.turn is not None:
+            time = (share - near.share) * self._load.duration
+            before = replace(before, turn=replace(before.turn, time=time))
+        positions = before.positions
         if self._displaced.any():
             moved = self._motor_load(self._load.settings(share) - self._load.before).displacements
             positions = np.where(self._displaced, self._load.built_on + moved, positions)
-        start = moved_shape(self._net, near, positions)
+        start = moved_shape(self._net, before, positions)
 
         def is_far(shape: NetShape) -> bool:
-            return bool(np.abs(shape.positions - near.positions).max() > _NEAR * self._net.size)
+            return bool(np.abs(shape.positions - before.positions).max() > _NEAR * self._net.size)
 
         rest = minimum(self._net, start, load, 1.0, stop=is_far)
-        return rest.shape if rest.stable and not is_far(rest.shape) else None
+        return _NetState(share, rest.shape) if rest.stable and not is_far(rest.shape) else None
 
     def _motor_load(self, settings: Array) -> Load:
         return motor_load(self._structure, self._net, tuple(settings.tolist()))
 
-    def creep(self, _share: float, _start: NetShape) -> None:
+    def creep(self, _share: float, _start: _NetState) -> None:
         """Return no creep: dampers between nodes are not a part of the net."""
         return
 
-    def yield_loss(self, before: NetShape, after: NetShape) -> float:
-        law = self._net.creases.law
-        if not law.yields:
-            return 0.0
-        sets = [np.zeros_like(shape.angles) if shape.sets is None else shape.sets for shape in (before, after)]
-        return float(law.yield_loss(sets[1] - sets[0]).sum())
+    def crease_losses(self, before: _NetState, after: _NetState) -> CreaseLosses:
+        law, turn = self._net.creases.law, before.shape.turn
+        if turn is None:
+            return {}
+        time = (after.share - before.share) * self._load.duration
+        return crease_losses([law], turn_losses(law, after.shape.angles, replace(turn, time=time)))
 
-    def middle(self, one: NetShape, other: NetShape) -> NetShape:
-        return moved_shape(self._net, one, (one.positions + other.positions) / 2)
+    def middle(self, one: _NetState, other: _NetState) -> _NetState:
+        # the motion begins with the memory of the first state
+        positions = (one.shape.positions + other.shape.positions) / 2
+        return _NetState(one.share, moved_shape(self._net, one.shape, positions))
 
-    def conjugates(self, share: float, state: NetShape) -> Array:
-        structure, settings = self._structure, self._load.settings(share)
-        angles = own_angles(structure, state)
-        slope = expand(self._net, state, self._motor_load(settings), 1.0).slope
+    def conjugates(self, share: float, state: _NetState) -> Array:
+        structure, settings, shape = self._structure, self._load.settings(share), state.shape
+        angles = own_angles(structure, shape)
+        slope = expand(self._net, shape, self._motor_load(settings), 1.0).slope
         further = np.where([motor.kind == "rest-angle" for motor in structure.motors], settings, 0.0) @ self._gains
         moments = np.asarray(self._law.rest_moment(angles, further))
-        moved = self._net.points @ (state.positions - self._net.nodes)
+        moved = self._net.points @ (shape.positions - self._net.nodes)
         values = np.zeros(len(structure.motors))
         for number, motor in enumerate(structure.motors):
             if motor.kind == "torque":
@@ -133,30 +162,30 @@ class _LoadedNet:
                 values[number] = np.sum(vectors[list(motor.points)] @ motor.direction)
         return values
 
-    def short_of_goal(self, state: NetShape) -> float:
+    def short_of_goal(self, state: _NetState) -> float:
         if self._load.goal.kind != "bounds":
             return np.inf
-        return distance_to_goal(goal_values(self._structure, self._net, state), self._load.goal)
+        return distance_to_goal(goal_values(self._structure, self._net, state.shape), self._load.goal)
 
-    def shape(self, state: NetShape) -> RestShape:
-        structure, (origins, frames) = self._structure, self._built
+    def shape(self, state: _NetState) -> RestShape:
+        structure, shape, (origins, frames) = self._structure, state.shape, self._built
         origins, frames = origins.copy(), frames.copy()
         for body, first in enumerate(self._first):
-            built, moved = (places[first : first + 4] for places in (self._net.nodes, state.positions))
+            built, moved = (places[first : first + 4] for places in (self._net.nodes, shape.positions))
             # bars between the nodes are stretched slightly
             turn = _nearest_rotation((moved[1:] - moved[0]).T @ np.linalg.inv((built[1:] - built[0]).T))
             origins[body] = moved[0] + turn @ (origins[body] - built[0])
             frames[body] = turn @ frames[body]
-        points = point_positions(self._net, state)[: len(structure.points)]
+        points = point_positions(self._net, shape)[: len(structure.points)]
         for number, point in enumerate(() if self._first else structure.points):
             if point.body != GROUND:
                 origins[point.body] = points[number]
         return RestShape(
-            angles=own_angles(structure, state),
+            angles=own_angles(structure, shape),
             points=points,
             origins=origins,
             frames=frames,
-            sets=own_sets(structure, state),
+            memory=own_memory(structure, shape),
         )
 
 

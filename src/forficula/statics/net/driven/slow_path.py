@@ -170,7 +170,7 @@ def _snap(
 
         rest = minimum(net, pushed, load, factor, longest_step=_STEP * net.size, stop=follow)
         # with the energy that creases dissipate during the snap
-        end = replace(rest.shape, sets=pushed.sets)
+        end = replace(rest.shape, turn=pushed.turn)
         landed.append((expand(net, end, load, factor).energy, rest, descent))
     energy, after, descent = min(landed, key=lambda landing: landing[0])
     moved = np.abs(after.shape.positions - before.positions).max()
