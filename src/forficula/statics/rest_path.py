@@ -21,6 +21,8 @@ _STEP = 0.04  # first and longest step of the share
 _SHORTEST = 1e-9  # step of the share at which a lost equilibrium or a goal is located
 _ACCURACY = 1e-9  # of the work in a step, relative to the largest setting times the largest change of its conjugate
 _DEPTH = 12  # halvings of a step for the integral of the work
+_FOLLOWED = 1e-5  # rad, largest difference of an angle between one step and two steps of half the size
+_BRIEFEST = 1e-4  # shortest step of the share that is halved for this reason
 
 
 class Creep(NamedTuple, Generic[State]):
@@ -61,6 +63,11 @@ class LoadedSystem(Protocol[State]):
         ...
 
     @property
+    def relaxes(self) -> bool:
+        """Return whether the moment of any hinge depends on time, by Maxwell branches."""
+        ...
+
+    @property
     def prescribes(self) -> Flags:
         """Return whether each motor sets a displacement or a rest angle instead of a torque or a force, (motor,)."""
         ...
@@ -79,6 +86,9 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
 
     The share of the load grows in steps. A step is halved if there is no stable equilibrium near the one before. If
     there is none after a step of 1e-9 either, the equilibrium is lost.
+
+    Maxwell branches follow every hinge at a constant rate in a step. A step of a structure with such branches is halved
+    if a hinge turns by a noticeably different angle in two steps of half the size.
 
     Args:
         system: the structure under the load.
@@ -101,6 +111,14 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
     while ended != "goal" and shares[-1] < 1:
         share = min(shares[-1] + step, 1.0)
         state = system.rest(share, states[-1])
+        between = (shares[-1] + share) / 2
+        middle = system.rest(between, states[-1]) if system.relaxes and state is not None else None
+        if middle is not None:
+            single, state = state, system.rest(share, middle)
+            followed = state is not None and _turned(system, single, state) <= _FOLLOWED
+            if not followed and step > _BRIEFEST:
+                step, steady = step / 2, False
+                continue
         reached = state is not None and system.short_of_goal(state) <= 0
         if step > _SHORTEST and (state is None or reached):
             step, steady = step / 2, False
@@ -108,6 +126,9 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
         if state is None:
             ended = "lost"
             break
+        if middle is not None:
+            shares.append(between)
+            states.append(middle)
         shares.append(share)
         states.append(state)
         ended = "goal" if reached else ended
@@ -156,13 +177,20 @@ def _works(
     def small(error: Array) -> bool:
         return float(np.abs(rate * error).max(initial=0.0)) <= allowed
 
+    # the steps of structures with branches are short enough
+    depth = -1 if system.relaxes else _DEPTH
     nodes = [_Node(*node) for node in zip(shares, states, conjugates, strict=True)]
     works = [np.zeros(len(rate))]
     for one, other in pairwise(nodes):
-        area = _integral(one, middle(one, other), other, middle, small, _DEPTH)
+        area = _integral(one, middle(one, other), other, middle, small, depth)
         by_parts = load.settings(other.share) * other.value - load.settings(one.share) * one.value
         works.append(works[-1] + np.where(system.prescribes, rate * area, by_parts - rate * area))
     return np.array(works)
+
+
+def _turned(system: LoadedSystem[State], one: State, other: State) -> float:
+    """Return the largest difference of the angle of a hinge between two states, rad."""
+    return float(np.abs(system.shape(one).angles - system.shape(other).angles).max(initial=0.0))
 
 
 class _Node(NamedTuple, Generic[State]):
@@ -189,11 +217,13 @@ def _integral(
         other: last node.
         between: returns the node between two others; None if there is none.
         small: returns whether an error of the integral is small enough.
-        depth: number of further halvings.
+        depth: number of further halvings; < 0 for Simpson's rule alone.
     """
     if middle is None:
         return (other.share - one.share) / 2 * (one.value + other.value)
     whole = _simpson(one, middle, other)
+    if depth < 0:
+        return whole
     left, right = between(one, middle), between(middle, other)
     if left is None or right is None:
         return whole

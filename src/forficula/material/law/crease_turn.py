@@ -24,7 +24,9 @@ from forficula.material.law.crease_memory import (
 )
 from forficula.material.law.relaxation import followed_share, working_share
 
-_NODES = 6  # of the quadrature between two kinks of the moment
+# nodes and weights of the quadrature between two kinks of the moment, from 0 to 1
+_NODES, _WEIGHTS = (values / 2 for values in np.polynomial.legendre.leggauss(6))
+_NODES = _NODES + 0.5
 _TINY = 1e-300
 
 
@@ -141,10 +143,11 @@ def turn_losses(law: CreaseLaw, angle: Array, turn: CreaseTurn) -> TurnLosses:
         memory = np.zeros((len(turn.memory), *at.shape))
         memory[0] = law.next_set(at, 0.0, turn.memory[0]) if law.yields else turn.memory[0]
         if len(turn.memory) > 2:
-            for node, share in enumerate(part):
-                # the branches follow the turn at its constant rate
-                at_node = turned_memory(law, turn.memory, share * (angle - turn.angle), turn.time * share)
-                memory[2:, node] = at_node[2:]
+            # the branches follow the turn at its constant rate
+            new = (1,) * (at.ndim - angle.ndim)
+            begin = turn.memory.reshape(len(turn.memory), *new, *angle.shape)
+            begin = np.broadcast_to(begin, memory.shape)
+            memory[2:] = turned_memory(law, begin, part * (angle - turn.angle), part * turn.time)[2:]
         # new creases: without wear
         return stored_energy(law, at, 0.0, memory)
 
@@ -220,18 +223,16 @@ def _worn(
     wear out in short turns.
     """
     parts = _segments(law, angle, turn) if parts is None else parts
-    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     sense, whole = np.where(angle < turn.angle, -1.0, 1.0), np.asarray(law.damage_turn)
     lost = -np.expm1(-parts.worn / whole)
-    total = np.zeros_like(turn.angle)
-    for node, weight in zip((nodes + 1) / 2, weights / 2, strict=True):
-        further = -whole * np.log(np.maximum(1 - node * lost, _TINY))
-        at = turn.angle + sense * (parts.begin + np.minimum(further, parts.length))
-        values = energy(at) - np.asarray(law.stop_stiffness) / 2 * law.beyond_stops(at) ** 2
-        # an energy may be infinite beyond the contact of panels
-        shares = weight * parts.start * lost
-        total = total + np.sum(np.where(shares > 0, shares, 0.0) * np.where(shares > 0, values, 0.0), axis=0)
-    return np.asarray(_kept(law, turn.memory[1]) * total)
+    nodes = _NODES.reshape(-1, *(1,) * lost.ndim)
+    further = -whole * np.log(np.maximum(1 - nodes * lost, _TINY))
+    at = turn.angle + sense * (parts.begin + np.minimum(further, parts.length))
+    values = energy(at) - np.asarray(law.stop_stiffness) / 2 * law.beyond_stops(at) ** 2
+    shares = parts.start * lost
+    # an energy may be infinite beyond the contact of panels
+    means = np.tensordot(_WEIGHTS, np.where(shares > 0, values, 0.0), axes=1)
+    return np.asarray(_kept(law, turn.memory[1]) * np.sum(shares * means, axis=0))
 
 
 def _kept(law: CreaseLaw, wear: Array) -> Array:

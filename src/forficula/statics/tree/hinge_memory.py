@@ -107,7 +107,8 @@ class HingeMemory:
         return TurnLosses(*(sum(np.sum(lost, axis=1) for lost in part) for part in zip(*parts, strict=True)))
 
     def _hinge_angles(self, angles: Array) -> Array:
-        angles = angles[:, : self._size]
+        # a copy, because callers change angles in place
+        angles = np.array(angles[:, : self._size])
         return angles if self.flaps is None else np.concatenate([angles, crease_angles(self.flaps, angles)], axis=1)
 
     @property

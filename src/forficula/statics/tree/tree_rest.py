@@ -79,6 +79,11 @@ class _LoadedTree:
         return _TreeState(angles, self._load.begin, start.memory, angles)
 
     @property
+    def relaxes(self) -> bool:
+        memory = self._structures.memory
+        return memory is not None and any(law.relaxes for law in memory.laws)
+
+    @property
     def prescribes(self) -> Flags:
         return np.zeros(len(self._structure.motors), dtype=np.bool_)
 

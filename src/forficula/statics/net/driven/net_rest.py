@@ -90,6 +90,10 @@ class _LoadedNet:
         self._law = crease_law(structure, np.arange(count), rigid_stops=True)
 
     @property
+    def relaxes(self) -> bool:
+        return self._net.creases.law.relaxes
+
+    @property
     def prescribes(self) -> Flags:
         return np.array([motor.kind in ("displacement", "rest-angle") for motor in self._structure.motors])
 
