@@ -13,9 +13,9 @@ from forficula.dynamics.engine.model import compile_model
 from forficula.dynamics.engine.portable_model import why_not_portable
 from forficula.errors import InputError
 from forficula.show.run.strength_rows import strength_rows
-from forficula.statics import quasi_static_path
-from forficula.statics.survey import check_quasi_static
+from forficula.statics import quasi_static_path, start_drag
 from forficula.structure import structure_of
+from tests.dynamics.test_yielding_creases import VERTEX
 from tests.memory_strips import (
     BRANCHES,
     DAMAGE,
@@ -165,19 +165,50 @@ def test_a_crease_that_yields_and_is_nonlinear_has_the_sum_of_both_moments(facet
 
 
 @pytest.mark.parametrize("facets", FACETS)
-def test_statics_refuses_creases_that_wear_out(facets):
+def test_a_quasi_static_path_folds_as_far_as_a_run_in_which_a_crease_wears_out(facets):
+    path, run = quasi_static_path(changed(facets, worn=DAMAGE)), record(facets, wears=True)
+    folded = np.searchsorted(run.time, 0.1) - 1
+    assert path.angles[-1, 0] == pytest.approx(run.series["hinge_angle"][folded, 0], rel=3e-3)
+    assert path.remaining[-1, 0] == pytest.approx(run.series["hinge_remaining"][folded, 0], rel=3e-3)
+    assert path.to_dataframe()["crease_damage_J"].to_numpy() == pytest.approx(path.losses["crease damage"])
+
+
+@pytest.mark.parametrize("facets", FACETS)
+def test_a_dragged_panel_wears_its_crease_in_both_senses(facets):
     design = changed(facets, worn=DAMAGE)
-    with pytest.raises(InputError, match="strip: has no energy landscape, because crease 0 wears out"):
-        ff.landscape(design)
-    with pytest.raises(InputError, match="strip: has no quasi-static path, because crease 0 wears out"):
-        quasi_static_path(design)
+    drag = start_drag(design, int(np.argmax(quasi_static_path(design).positions[0][:, 0])))
+    corner, near, angles = drag.start.positions[next(iter(drag.places))], drag.start, [0.0]
+    for angle in (0.3, 0.1):
+        target = np.array([0.04 + 0.04 * np.cos(angle), corner[1], 0.04 * np.sin(angle)])
+        near = drag.to(target, near).point
+        angles.append(near.angles[0])
+    assert max(angles) > 0.15
+    assert near.memory[1, 0] == pytest.approx(np.abs(np.diff(angles)).sum(), abs=1e-6)
 
 
-def test_quasi_static_stages_and_pages_refuse_what_they_ignore():
-    design = changed("plates", laws=BRANCHES, slow={"protocol.stages.0.motion": "quasi-static"})
-    with pytest.raises(InputError, match="because a crease has Maxwell branches, whose moment depends on time"):
-        check_quasi_static(structure_of(design), design.protocol)
-    assert "remember" in why_not_portable(compile_model(changed("plates", laws=BRANCHES)))
+def test_the_work_on_a_loop_of_rigid_facets_that_wears_out_is_stored_or_dissipated():
+    path = quasi_static_path(with_values(design_from_text(VERTEX), DAMAGE))
+    turned = path.angles[:, [hinge.assignment == "V" for hinge in path.structure.hinges]].sum(axis=1)
+    lost = sum(energies[-1] for energies in path.losses.values())
+    assert path.losses["crease damage"][-1] > 0.05 * lost
+    assert np.trapezoid(path.strength, turned) == pytest.approx(path.stored[-1] - path.stored[0] + lost, rel=1e-3)
+
+
+def test_statics_refuses_results_without_a_history_of_creases_that_wear_out():
+    with pytest.raises(
+        InputError, match=r"no energy landscape, because crease 0 wears out.*; runs and quasi-static paths"
+    ):
+        ff.landscape(changed("plates", worn=DAMAGE))
+    drive = {"drive.0.kind": "rest-angle", "drive.0.value": "20 deg"}
+    with pytest.raises(InputError, match="which changes rest angles, because crease 0 wears out"):
+        quasi_static_path(changed("nodes", worn=DAMAGE, drive=drive))
+
+
+def test_pages_refuse_creases_that_remember_and_paths_state_that_branches_are_relaxed():
+    design = changed("plates", laws=BRANCHES)
+    assert "remember" in why_not_portable(compile_model(design))
+    (remark,) = quasi_static_path(design).remarks
+    assert remark.startswith("the path is infinitely slow, so the Maxwell branches of crease 0 are relaxed")
 
 
 def test_a_group_switches_off_what_all_creases_have():

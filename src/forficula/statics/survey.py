@@ -117,7 +117,18 @@ def quasi_static_path(
         path = net_path(structure, drive, made, error=error, near=near, follow=follow)
     else:
         path = tree_path(structure, drive, made, error=error, near=near, follow=follow)
-    return replace(path, remarks=(*path.remarks, *_contact_remarks(structure)))
+    return replace(path, remarks=(*path.remarks, *_relaxed_remarks(structure), *_contact_remarks(structure)))
+
+
+def _relaxed_remarks(structure: Structure) -> tuple[str, ...]:
+    """Return a remark on Maxwell branches of creases, which a path without time relaxes; none without branches."""
+    relaxing = next((hinge for hinge in structure.hinges if hinge.branches), None)
+    if relaxing is None:
+        return ()
+    name = relaxing.label or relaxing.name
+    return (
+        f"the path is infinitely slow, so the Maxwell branches of {name} are relaxed; a quasi-static stage has a time",
+    )
 
 
 def _contact_remarks(structure: Structure) -> tuple[str, ...]:
@@ -208,7 +219,7 @@ def start_drag(
 
     Raises:
         InputError: the design cannot be built, there is no such transition or place, the point cannot move, or the
-            drive changes rest angles of creases that fold permanently.
+            drive changes rest angles of creases that fold permanently or wear out.
     """
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
     if transition is None and not any(any(drive.strengths) for drive in structure.drives):
@@ -223,10 +234,10 @@ def start_drag(
 
 
 def _check_rest_angles(structure: Structure, drive: Drive, results: str) -> None:
-    """Refuse a drive that changes rest angles of a structure whose creases fold permanently.
+    """Refuse a drive that changes rest angles of a structure whose creases fold permanently or wear out.
 
     Raises:
-        InputError: the drive changes rest angles, and a crease folds permanently.
+        InputError: the drive changes rest angles, and a crease folds permanently or wears out.
     """
     if (reason := path_dependence(structure)) and any(
         setting and motor.kind == "rest-angle" for setting, motor in zip(drive.strengths, structure.motors, strict=True)

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
+from forficula.material.law.crease_turn import CreaseTurn, turn_expansion
 
 STIFFNESS, HARDENING, YIELD = 2.0, 0.5, 0.3
 LAW = CreaseLaw(stiffness=STIFFNESS, rest_angle=0.1, yield_angle=YIELD, hardening=HARDENING)
@@ -59,10 +60,10 @@ def test_the_work_on_any_path_is_stored_or_dissipated(targets):
 @given(st.floats(-2.5, 2.5), st.floats(-1.5, 1.5))
 def test_moment_and_slope_of_a_turn_are_the_derivatives_of_its_energy(angle, before):
     step = 1e-6
-    sets = np.array([before])
     ends = np.array([angle - step, angle + step])
-    energy, moment, _ = LAW.expansion(ends, sets)
-    _, middle, slope = LAW.expansion(np.array([angle]), sets)
+    energy, moment, _ = turn_expansion(LAW, ends, CreaseTurn(memory=np.full((1, 2), before), angle=ends))
+    at = np.array([angle])
+    _, middle, slope = turn_expansion(LAW, at, CreaseTurn(memory=np.full((1, 1), before), angle=at))
     assert (energy[1] - energy[0]) / (2 * step) == pytest.approx(middle[0], abs=1e-5)
     corner = abs(abs(angle - 0.1 - before) - YIELD) < 2 * step
     assert corner or (moment[1] - moment[0]) / (2 * step) == pytest.approx(slope[0], abs=1e-5)

@@ -55,11 +55,11 @@ def turned_memory(law: CreaseLaw, before: Array, turned: Array | float, time: Ar
     """Return the memory of creases after a turn without yield, with the arguments of `next_memory`."""
     if len(before) == 1:
         return before
-    times, stiffness = branch_numbers(law, before)
     after = np.empty_like(before)
     after[0] = before[0]
     after[1] = before[1] + np.where(law.damage_by_set, 0.0, np.abs(turned))
     if len(before) > 2:
+        times, stiffness = branch_numbers(law, before)
         after[2:] = np.exp(-time / times) * before[2:] + stiffness * followed_share(times, time) * turned
         if law.rubs:
             limit = _of_branches(law.branch_limit, before)
