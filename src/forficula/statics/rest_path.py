@@ -113,12 +113,13 @@ def rest_path(system: LoadedSystem[State], start: State, load: GrowingLoad) -> R
         state = system.rest(share, states[-1])
         between = (shares[-1] + share) / 2
         middle = system.rest(between, states[-1]) if system.relaxes and state is not None else None
-        if middle is not None:
-            single, state = state, system.rest(share, middle)
-            followed = state is not None and _turned(system, single, state) <= _FOLLOWED
+        if state is not None and middle is not None:
+            after = system.rest(share, middle)
+            followed = after is not None and _turned(system, state, after) <= _FOLLOWED
             if not followed and step > _BRIEFEST:
                 step, steady = step / 2, False
                 continue
+            state = after
         reached = state is not None and system.short_of_goal(state) <= 0
         if step > _SHORTEST and (state is None or reached):
             step, steady = step / 2, False
