@@ -5,16 +5,21 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from forficula.statics.net import energy
-from forficula.statics.net.energy import fold_angles
+from forficula.statics.net.fold_angle import (
+    add_curvature,
+    angle_gradients,
+    corner_shares,
+    crease_frames,
+    fold_angles,
+)
 
 
 def fold_angle_derivatives(sides):
     """Return the gradient of fold angles by coordinate and side, and their Hessian by pairs of these."""
-    frames, curvature = energy._frames(sides), np.zeros((3, 3, 3, 3, sides.shape[2]))
-    shares = energy._shares(sides, frames)
-    slope = energy._slopes(frames, shares)
-    energy._add_curvature(curvature, frames, shares, slope, np.ones(sides.shape[2]))
+    frames, curvature = crease_frames(sides), np.zeros((3, 3, 3, 3, sides.shape[2]))
+    shares = corner_shares(sides, frames)
+    slope = angle_gradients(frames, shares)
+    add_curvature(curvature, frames, shares, slope, np.ones(sides.shape[2]))
     return slope, curvature
 
 

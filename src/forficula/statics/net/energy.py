@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 from scipy.sparse import bsr_array, csc_array
@@ -14,6 +13,16 @@ from forficula.material.law.crease_memory import start_memory, stored_energy
 from forficula.material.law.crease_turn import CreaseTurn, memory_after, remembers, turn_expansion
 from forficula.statics.net.contact.contact_energy import contact_terms
 from forficula.statics.net.factor import Matrix
+from forficula.statics.net.fold_angle import (
+    CreaseFrames,
+    add_curvature,
+    angle_gradients,
+    corner_shares,
+    crease_frames,
+    fold_angles,
+    side_lengths,
+    turned_angles,
+)
 from forficula.statics.net.layout import Layout, layout_of
 from forficula.statics.net.load import Load
 from forficula.statics.net.net import Net, NetShape, Triangles
@@ -22,8 +31,6 @@ from forficula.statics.net.net import Net, NetShape, Triangles
 Piece = tuple[float, Array, Array]
 
 _SHORTEST = 1e-12  # of the net's size; a shorter side has no direction
-_SIGNS = np.array([[1.0], [-1.0]])  # of the angle of a panel on the left and on the right of a crease
-_CYCLE = np.array([0, 1, 2, 0, 1])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -111,14 +118,14 @@ def expand(net: Net, shape: NetShape, load: Load | None = None, factor: float = 
         factor: of the load.
     """
     sides = sides_of(net, shape.positions)
-    return _expanded(net, shape, sides, _frames(sides[2]), load, factor)
+    return _expanded(net, shape, sides, crease_frames(sides[2]), load, factor)
 
 
 def expand_at(net: Net, positions: Array, near: NetShape, load: Load | None = None, factor: float = 0.0) -> Expansion:
     """Compute the expansion about a shape that is given as for `moved_shape`, in less time than both together."""
     sides = sides_of(net, positions)
-    frames = _frames(sides[2])
-    shape = replace(near, positions=positions, angles=_turned(frames, near.angles))
+    frames = crease_frames(sides[2])
+    shape = replace(near, positions=positions, angles=turned_angles(frames, near.angles))
     return _expanded(net, shape, sides, frames, load, factor)
 
 
@@ -126,15 +133,15 @@ def _expanded(
     net: Net,
     shape: NetShape,
     sides: tuple[Array, Array, Array, Array],
-    frames: _Frames,
+    frames: CreaseFrames,
     load: Load | None,
     factor: float,
 ) -> Expansion:
     layout = layout_of(net)
     springs, tendons, creases, triangles = sides
     torques = None if load is None else factor * load.torques
-    shares = _shares(creases, frames)
-    turning = _slopes(frames, shares)
+    shares = corner_shares(creases, frames)
+    turning = angle_gradients(frames, shares)
     pieces = [
         _straight(net, springs, tendons),
         _folds(net, frames, shares, turning, shape, torques),
@@ -186,9 +193,9 @@ def stored_by_part(net: Net, shape: NetShape, further: Array | float = 0.0) -> t
     """
     springs, tendons, _, triangles = sides_of(net, shape.positions)
     return (
-        float(net.springs.stiffness @ (_length(springs) - net.springs.rest_length) ** 2) / 2,
+        float(net.springs.stiffness @ (side_lengths(springs) - net.springs.rest_length) ** 2) / 2,
         _crease_energies(net, shape, further),
-        float(np.sum(net.tendons.law.energy(_length(tendons)))),
+        float(np.sum(net.tendons.law.energy(side_lengths(tendons)))),
         0.0 if net.membranes is None else _stretched(net.membranes, triangles)[0],
         -float(np.sum(layout_of(net).weight * shape.positions)),
     )
@@ -197,8 +204,8 @@ def stored_by_part(net: Net, shape: NetShape, further: Array | float = 0.0) -> t
 def angle_slopes(net: Net, shape: NetShape) -> tuple[Array, Layout]:
     """Return gradients of the creases' angles by their sides, 1/m, (3, side, crease), and the layout of the sides."""
     creases = sides_of(net, shape.positions)[2]
-    frames = _frames(creases)
-    return _slopes(frames, _shares(creases, frames)), layout_of(net)
+    frames = crease_frames(creases)
+    return angle_gradients(frames, corner_shares(creases, frames)), layout_of(net)
 
 
 def load_slope(net: Net, shape: NetShape, load: Load, turning: Array | None = None) -> Array:
@@ -235,22 +242,18 @@ def _work(net: Net, shape: NetShape, load: Load) -> float:
     return float(np.sum(load.forces * (shape.positions - net.nodes)) + load.torques @ shape.angles)
 
 
-def _length(sides: Array) -> Array:
-    return np.asarray(np.sqrt(np.einsum("is,is->s", sides, sides)))
-
-
 def _straight(net: Net, springs: Array, tendons: Array) -> Piece:
     """Return the piece of bars and tendons."""
     shortest = _SHORTEST * net.size
     stiffness, rest_length = net.springs.stiffness, net.springs.rest_length
-    apart = _length(springs)
+    apart = side_lengths(springs)
     length, rise = np.maximum(apart, shortest), apart - rest_length
     pull = stiffness * rise
     energy = float(pull @ rise) / 2
     per_length = np.where(rest_length > 0, pull / length, stiffness)
     sides = springs
     if tendons.shape[1]:
-        span = _length(tendons)
+        span = side_lengths(tendons)
         energies, force, slope = net.tendons.law.expansion(span)
         energy += float(np.sum(energies))
         known = np.maximum(span, shortest)
@@ -273,14 +276,16 @@ def _crease_energies(net: Net, shape: NetShape, further: Array | float) -> Array
     return stored_energy(law, shape.angles, further, crease_memory(net, shape))
 
 
-def _folds(net: Net, frames: _Frames, shares: Array, slope: Array, shape: NetShape, torques: Array | None) -> Piece:
+def _folds(
+    net: Net, frames: CreaseFrames, shares: Array, slope: Array, shape: NetShape, torques: Array | None
+) -> Piece:
     angles = shape.angles
     law = net.creases.law
     energy, moment, stiffness = turn_expansion(law, angles, shape.turn) if remembers(law) else law.expansion(angles)
     acting = moment if torques is None else moment - torques
     blocks = np.empty((3, 3, 3, 3, len(angles)))
     np.multiply((stiffness * slope)[:, None, :, None], slope[None, :, None, :], out=blocks)
-    _add_curvature(blocks, frames, shares, slope, acting)
+    add_curvature(blocks, frames, shares, slope, acting)
     return float(np.sum(energy)), (acting * slope).reshape(3, -1), blocks.reshape(9, -1)
 
 
@@ -344,104 +349,3 @@ def _flat(built: Array) -> tuple[Array, Array]:
     shape[:, 0, 1] = -along / doubled
     shape[:, 1, 1] = length / doubled
     return shape, doubled / 2
-
-
-def fold_angles(sides: Array, near: Array) -> Array:
-    """Compute fold angles: 0 flat, valleys positive, without a jump at +-pi.
-
-    Args:
-        sides: vectors from tail to head, from the tail to the left corner, and to the right corner, m, (3, side,
-            crease): by coordinate. For an open crease, the first is the mean of the vectors of its two panels.
-        near: reference angles, rad, (crease,): each result is within pi of its reference.
-
-    Returns:
-        Angles, rad, (crease,).
-    """
-    return _turned(_frames(sides), near)
-
-
-class _Frames(NamedTuple):
-    """Unit vectors at creases and at the panels on their left and right.
-
-    Attributes:
-        along: along each crease, (3, crease).
-        length: of each crease, m, (crease,).
-        normal: to each panel, (3, panel, crease).
-        across: in each panel, normal x along, (3, panel, crease).
-        height: of the corner of each panel above the crease, m, (panel, crease).
-    """
-
-    along: Array
-    length: Array
-    normal: Array
-    across: Array
-    height: Array
-
-
-def _frames(sides: Array) -> _Frames:
-    length = _length(sides[:, 0])
-    cycled = sides[_CYCLE]
-    along = cycled[:, :1] / length
-    normal = _cross(along, cycled[:, 1:])
-    height = np.sqrt(np.einsum("ipc,ipc->pc", normal, normal))
-    normal = normal / height
-    return _Frames(along[:3, 0], length, normal, _cross(normal[_CYCLE], along), height)
-
-
-def _turned(frames: _Frames, near: Array) -> Array:
-    """Return the fold angles, rad, (crease,), within pi of references."""
-    right = frames.normal[:, 1]
-    sine = np.einsum("ic,ic->c", frames.across[:, 0], right)
-    angles = np.arctan2(-sine, -np.einsum("ic,ic->c", frames.normal[:, 0], right))
-    return np.asarray(angles + 2 * np.pi * np.round((near - angles) / (2 * np.pi)))
-
-
-def _slopes(frames: _Frames, shares: Array) -> Array:
-    """Compute the gradient of fold angles by their sides, 1/m, (3, side, crease).
-
-    With e along the crease, u to a corner at the height h above it, n the unit normal of its panel and t = n x e / |e|,
-    the gradient by u is n / h. The gradients by e follow from invariance under rotation and sliding (Bridson, Marino
-    and Fedkiw 2003, doi 10.2312/SCA03/028-036; Hessian as in Tamstorf and Grinspun 2013,
-    doi 10.1016/j.gmod.2013.07.001, here by sides instead of corners). No angle is singular.
-    """
-    slope = np.empty((3, 3, len(frames.length)))
-    np.multiply(frames.normal, _SIGNS / frames.height, out=slope[:, 1:])
-    by_along = shares * slope[:, 1:]
-    np.add(by_along[:, 0], by_along[:, 1], out=slope[:, 0])
-    slope[:, 0] *= -1
-    return slope
-
-
-def _shares(sides: Array, frames: _Frames) -> Array:
-    """Return the positions of corners along their creases, divided by the creases' lengths, (panel, crease)."""
-    return np.asarray(np.einsum("ipc,ic->pc", sides[:, 1:], frames.along) / frames.length)
-
-
-def _add_curvature(blocks: Array, frames: _Frames, shares: Array, slope: Array, factor: Array) -> None:
-    """Add the Hessian of fold angles, times a factor, to blocks of pairs of coordinates, then of sides.
-
-    Args:
-        blocks: changed in place, (3, 3, side, side, crease).
-        frames: of the creases.
-        shares: positions of corners along their creases, (panel, crease).
-        slope: gradient of the angles, 1/m, (3, side, crease).
-        factor: for each crease, (crease,).
-    """
-    along, length, _, across, height = frames
-    by_corner = factor * slope[:, 1:]
-    bent = by_corner[:, None] * (across / height)
-    bent = bent + bent.swapaxes(0, 1)
-    lifted = (along / length)[:, None, None] * by_corner
-    tilted = shares * bent - lifted
-    pairs = blocks.reshape(3, 3, 9, -1)
-    pairs[:, :, 4::4] -= bent
-    pairs[:, :, 3::3] += tilted
-    pairs[:, :, 1:3] += tilted.swapaxes(0, 1)
-    twisted = shares * (lifted + lifted.swapaxes(0, 1)) - (shares**2 + (height / length) ** 2 / 2) * bent
-    pairs[:, :, 0] += twisted[:, :, 0]
-    pairs[:, :, 0] += twisted[:, :, 1]
-
-
-def _cross(a: Array, b: Array) -> Array:
-    """Return the cross product of vectors whose first two coordinates follow the third one again, (5, ...)."""
-    return np.asarray(a[1:4] * b[2:5] - a[2:5] * b[1:4])
