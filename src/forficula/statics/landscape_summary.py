@@ -25,10 +25,10 @@ from forficula.statics.landscape import (
 )
 from forficula.statics.net.driven.driven_net import prescribes_displacement
 from forficula.statics.net.driven.net_course import Course, drive_displacement, reaction
-from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import point_positions
 from forficula.statics.net.net_state import Mobility, NetState
+from forficula.statics.net.path_increment import PathPoint
 from forficula.statics.tree.fold_path import FoldPath, rigid_fold
 from forficula.statics.tree.hinge_landscape import HingeLandscape
 from forficula.statics.tree.inertial_help import InertialHelp

@@ -15,7 +15,7 @@ from forficula.show.page.data.shown_path import fold_of, without_crossing
 from forficula.show.page.run_page import run_page
 from forficula.statics import quasi_static_path
 from forficula.statics.landscape import net_courses
-from forficula.statics.net.driven.net_path import place_positions
+from forficula.statics.net.driven.net_point import place_positions
 from forficula.structure import structure_of
 from tests.plate_sheets import pushed, stage
 from tests.show.page.conftest import until

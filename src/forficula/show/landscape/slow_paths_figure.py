@@ -31,8 +31,8 @@ from forficula.statics import EnergyLandscape
 from forficula.statics.landscape import net_courses
 from forficula.statics.net.driven.driven_net import prescribes_displacement
 from forficula.statics.net.driven.net_course import Course, drive_displacement, reaction
-from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import NetShape
+from forficula.statics.net.path_increment import PathPoint
 from forficula.structure import drive_unit, driven_motor
 
 _MOST = 6  # largest number of pictures of a path

@@ -9,11 +9,13 @@ from forficula.statics.net.load import (
     point_forces,
     pressure,
 )
-from forficula.statics.net.load_path import LoadPath, PathEvent, PathPoint, load_path
+from forficula.statics.net.load_path import LoadPath, load_path
 from forficula.statics.net.minimum import NetRest, minimum, stationary
 from forficula.statics.net.modes import Modes, natural_modes
 from forficula.statics.net.net import Net, NetCreases, NetShape, Springs, Tendons, Triangles
 from forficula.statics.net.net_state import Strength, strength
+from forficula.statics.net.path_events import PathEvent
+from forficula.statics.net.path_increment import PathPoint
 from forficula.statics.net.rigidity import NetRigidity, rigidity, rigidity_matrix
 from forficula.statics.net.saddle import Saddle, find_saddle
 from forficula.statics.net.stable_states import StableStates, find_stable_states, same_shape

@@ -13,9 +13,10 @@ from forficula.errors import InputError
 from forficula.statics.net.contact.stable_path import stable_path
 from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.load import Load, crease_torques
-from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
+from forficula.statics.net.load_path import LoadPath, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net
+from forficula.statics.net.path_increment import PathPoint
 
 _BEYOND = 1e-3
 

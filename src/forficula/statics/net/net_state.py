@@ -15,12 +15,12 @@ from forficula.statics.net.collapse import Collapse, collapse
 from forficula.statics.net.contact.contact_energy import contact_forces
 from forficula.statics.net.energy import membrane_stresses, sides_of, stored_by_part
 from forficula.statics.net.load import Load, acceleration, pressure, same_load
-from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.minimum import NetRest
 from forficula.statics.net.modes import natural_modes
 from forficula.statics.net.net import Net, NetShape, Springs
 from forficula.statics.net.net_of import bends, motor_load, own_angles, panels, point_positions
 from forficula.statics.net.panel_crossing import panels_cross
+from forficula.statics.net.path_increment import PathPoint
 from forficula.statics.net.rigidity import rigidity
 from forficula.structure import Measure, Motor, Structure, read_angles, springs_name
 

@@ -14,9 +14,11 @@ from forficula.statics.net.contact.contact_energy import contact_forces, passes_
 from forficula.statics.net.energy import expand, load_slope, moved_shape
 from forficula.statics.net.factor import factored, softest
 from forficula.statics.net.load import Load
-from forficula.statics.net.load_path import LoadPath, PathEvent, PathPoint
+from forficula.statics.net.load_path import LoadPath
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
+from forficula.statics.net.path_events import PathEvent
+from forficula.statics.net.path_increment import PathPoint
 from forficula.statics.net.supports import supported
 
 _QUICK = 0.5  # of the longest displacement, below which the next step may be longer

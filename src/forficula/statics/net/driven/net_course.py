@@ -20,10 +20,11 @@ from forficula.statics.net.driven.slow_path import SlowPath
 from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.factor import softest
 from forficula.statics.net.load import Load
-from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
+from forficula.statics.net.load_path import LoadPath, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import own_angles
+from forficula.statics.net.path_increment import PathPoint
 from forficula.statics.net.supports import supported
 from forficula.structure import (
     Drive,

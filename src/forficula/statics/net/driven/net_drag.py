@@ -24,7 +24,7 @@ from forficula.statics.drag import (
 from forficula.statics.net.contact.contact_energy import contact_forces
 from forficula.statics.net.driven.driven_net import DrivenNet, driven_net
 from forficula.statics.net.driven.net_course import released
-from forficula.statics.net.driven.net_path import net_point
+from forficula.statics.net.driven.net_point import net_point
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import factored
 from forficula.statics.net.load import Load

@@ -23,26 +23,22 @@ from forficula.statics.growing_path import (
     nearest_point,
     path_of,
 )
-from forficula.statics.net.contact.contact_energy import contact_forces
 from forficula.statics.net.contact.stable_path import stable_point_between
-from forficula.statics.net.driven.driven_net import DrivenNet, driven_net, follow_drive, prescribes_displacement
-from forficula.statics.net.driven.net_course import drive_course, reaction, released
+from forficula.statics.net.driven.driven_net import DrivenNet, driven_net, follow_drive
+from forficula.statics.net.driven.net_course import drive_course, released
+from forficula.statics.net.driven.net_point import net_point, place_positions
 from forficula.statics.net.driven.slow_path import SlowPath, Snap
-from forficula.statics.net.energy import remembered, shape_at
-from forficula.statics.net.load_path import PathPoint, intermediate_point, load_path
+from forficula.statics.net.energy import shape_at
+from forficula.statics.net.load_path import load_path
 from forficula.statics.net.minimum import NetRest, minimum
-from forficula.statics.net.net import Net, NetShape
+from forficula.statics.net.net import NetShape
 from forficula.statics.net.net_of import (
     net_of,
-    own_angles,
-    own_memory,
-    place_points,
-    point_positions,
     start_shape,
     valley_angles,
 )
-from forficula.statics.net.net_state import stored_parts
-from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint, rest_changes
+from forficula.statics.net.path_increment import PathPoint, intermediate_point
+from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
 from forficula.structure import Drive, Structure, Transition, drive_of
 
 _INCREMENTS = 500  # of each path
@@ -384,26 +380,3 @@ def _path_remarks(
         reason = "was followed only as far as shown" if slow.ended == "lost" else "ends before its goal"
         remarks.append(f'the path under "{driven.name}" {reason}')
     return tuple(remarks)
-
-
-def net_point(driven: DrivenNet, shape: NetShape, factor: float, *, resting: bool = True) -> QuasiStaticPoint:
-    """Return a shape of a net under its drive as a point of a quasi-static path."""
-    structure, drive, strength = driven.structure, driven.drive, factor * driven.drive.strength
-    further = valley_angles(structure, strength * rest_changes(structure, drive))
-    displaced = prescribes_displacement(structure, drive)
-    return QuasiStaticPoint(
-        strength=float(strength),
-        resting=resting,
-        angles=own_angles(structure, shape),
-        positions=place_positions(structure, driven.net, shape),
-        coordinates=(shape.positions - driven.net.nodes).ravel(),
-        energy=stored_parts(structure, driven.net, shape, further),
-        force=reaction(structure, driven.net, drive, shape) if displaced else 0.0,
-        contacts=contact_forces(driven.net, shape) if resting else {},
-        memory=own_memory(structure, remembered(driven.net, shape)),
-    )
-
-
-def place_positions(structure: Structure, net: Net, shape: NetShape) -> Array:
-    """Return the positions of a structure's points, then of the nodes of its membranes, m, (place, 3)."""
-    return point_positions(net, shape)[place_points(structure)]

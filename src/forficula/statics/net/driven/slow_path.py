@@ -12,9 +12,11 @@ import numpy as np
 from forficula.statics.net.contact.stable_path import stable_path, with_contact_begins
 from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.load import Load
-from forficula.statics.net.load_path import LoadPath, PathEvent, PathPoint, load_path
+from forficula.statics.net.load_path import LoadPath, load_path
 from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
+from forficula.statics.net.path_events import PathEvent
+from forficula.statics.net.path_increment import PathPoint
 
 _MOST_SNAPS = 12
 _BEYOND = 1e-4  # share of the factor by which the load exceeds a limit after the snap
