@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from forficula.arrays import Array, Indices
-from forficula.quantities import reading_unit
+from forficula.quantities import reading_unit, show_value
 from forficula.show.page.data.crease_lines import crease_data, reading_signs, sprung_hinges
 from forficula.show.page.data.landscape_curves import tendon_energies
 from forficula.show.page.data.packing import packed, packed_steps
@@ -335,7 +335,18 @@ def _notes(path: QuasiStaticPath) -> list[str]:
         f" {_contact_words(path.structure)}."
     )
     remarks = [f"{remark[:1].upper()}{remark[1:].removesuffix('.')}." for remark in path.remarks]
-    return [first, *(mark.text for mark in path.marks), *remarks]
+    return [first, *(mark.text for mark in path.marks), *_loss_notes(path), *remarks]
+
+
+def _loss_notes(path: QuasiStaticPath) -> list[str]:
+    """Return a sentence on the energies that creases dissipate on a path; none if they dissipate nothing."""
+    causes = {"crease yielding": "permanent folds", "crease damage": "wear"}
+    lost = [f"{show_value(float(values[-1]), 'J', 3)} by {causes[name]}" for name, values in path.losses.items()]
+    if not lost:
+        return []
+    least = _PERCENT * float(path.remaining[-1].min())
+    worn = f" At its end wear has left at least {least:.3g} % of the moment of every crease." * ("wear" in lost[-1])
+    return [f"On the path creases dissipate {' and '.join(lost)}.{worn}"]
 
 
 def _contact_words(structure: Structure) -> str:
