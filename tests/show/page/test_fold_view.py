@@ -262,6 +262,6 @@ def test_the_notes_state_what_creases_dissipate_and_how_much_wear_leaves():
     notes = fold_view(quasi_static_path(changed("plates", laws=DAMAGE | YIELD)), beside_run=False)["notes"]
     (note,) = [note for note in notes if "dissipate" in note]
     assert note == (
-        "On the path creases dissipate 4.23 mJ by permanent folds and 1.28 mJ by wear. At its end wear has left at least"
-        " 65.5 % of the moment of every crease."
+        "On the path creases dissipate 4.23 mJ by permanent folds and 1.28 mJ by wear. At its end wear has left at"
+        " least 65.5 % of the moment of every crease."
     )
