@@ -65,6 +65,22 @@ def test_a_path_has_the_moment_and_the_loss_of_a_crease_that_wears_out(facets, a
     assert set(path.losses) == {"crease damage"}
 
 
+@pytest.mark.parametrize(("facets", "error"), [("nodes", 1e-6), ("plates", 1e-2)])
+def test_a_crease_that_wears_out_fast_snaps_at_the_largest_moment(facets, error, agree):
+    """M = K a exp(-a / T) is largest at a = T, where it is K T / e. Least torques of trees are known to 1 %."""
+    worn_after = np.radians(30)
+    fast = {"crease.damage": {"loss": 1.0, "turn": "30 deg"}, "crease.fold_limit": "100 deg"}
+    path = quasi_static_path(changed(facets, laws=fast))
+    snap = path.marks[0]
+    assert (snap.kind, path.reached) == ("snap", True)
+    largest = STIFFNESS * worn_after / np.e
+    agree("moment at the snap", snap.strength, largest, by="largest moment", unit="N m", rel=error)
+    # the work of the drive is stored, dissipated by wear, or released by the snap
+    work = np.trapezoid(path.strength, path.angles[:, 0])
+    spent = path.stored[-1] + path.losses["crease damage"][-1] + snap.released
+    agree("work of the drive", work, spent, by="energies and losses", unit="J", rel=5e-3)
+
+
 def test_cycles_of_the_moment_wear_a_bilinear_crease_as_in_the_closed_form(agree, monkeypatch):
     """On each branch M = s(w) (H a +- (K - H) a_y) once the crease yields, and w grows by the turn."""
     # fewer digits of the work
