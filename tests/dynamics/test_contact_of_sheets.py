@@ -90,7 +90,17 @@ def test_forces_of_contact_have_no_resultant_and_no_moment():
     scale = np.abs(pushes).max()
     assert scale > 0
     np.testing.assert_allclose(pushes.sum(axis=0), 0, atol=1e-9 * scale)
-    # forces along sliding velocities act at both nearest points, a thickness apart
+    # friction springs of a shape that is displaced from the one at which facets began to touch
+    contact, still = ContactForces([model]), np.zeros_like(velocity[None])
+    contact.forces(np.array([0]), crumpled[None], still)
+    shifted = crumpled + 1e-4 * random.normal(size=places.size)
+    held, _, _ = contact.forces(np.array([0]), shifted[None], still)
+    _, moved, _ = geometry.nodes(shifted)
+    scale = np.abs(held).max()
+    assert contact.grips[0].energy > 0
+    np.testing.assert_allclose(held[0][slides].sum(axis=0), 0, atol=1e-9 * scale)
+    np.testing.assert_allclose(np.cross(moved, held[0][slides]).sum(axis=0), 0, atol=1e-9 * scale * np.ptp(moved))
+    # forces of dampers along sliding velocities act at both nearest points, a thickness apart
     smooth = compile_model(design.with_values({"contact.friction": 0.0}))
     forces, _, _ = ContactForces([smooth]).forces(np.array([0]), crumpled[None], velocity[None])
     moment = np.cross(places, forces[0][slides]).sum(axis=0)
@@ -117,13 +127,16 @@ def test_the_recorded_overlap_agrees_with_that_of_separate_geometry(closed):
 
 
 def test_structures_side_by_side_have_the_bits_of_each_alone():
-    designs = [closing(time=0.012, **{"crease.damping": damping}) for damping in (0.02, 0.01)]
+    values = [(0.02, 0.0), (0.01, 0.0), (0.01, 0.3)]
+    designs = [closing(time=0.012, **{"crease.damping": one, "contact.friction": other}) for one, other in values]
     models = [compile_model(design) for design in designs]
     for together, model in zip(simulate(models), models, strict=True):
         (alone,) = simulate([model])
         assert alone.series["contact_overlap"][-1] > 0
-        for name, values in alone.series.items():
-            np.testing.assert_array_equal(together.series[name], values)
+        assert alone.series.keys() == together.series.keys()
+        for name, series in alone.series.items():
+            np.testing.assert_array_equal(together.series[name], series)
+    assert alone.series["friction_spring_energy"].max() > 0
 
 
 def test_a_structure_that_follows_another_one_keeps_the_overlap_of_their_common_stages():
@@ -133,12 +146,14 @@ def test_a_structure_that_follows_another_one_keeps_the_overlap_of_their_common_
             {"name": "close", "drive": "close", "time_limit": 0.012, **ends},
             {"name": "rest", "drive": "none", "time_limit": time, **ends},
         ]
-        return closing(**{"protocol.stages": stages, "crease.damping": 0.01})
+        return closing(**{"protocol.stages": stages, "crease.damping": 0.01, "contact.friction": 0.3})
 
     designs = [closing_and_resting(time) for time in (0.002, 0.003)]
-    together = [record.series["contact_overlap"][-1] for _, record in run_each(designs)]
-    (alone,) = [record.series["contact_overlap"][-1] for _, record in run_each(designs[1:])]
-    assert together[1] == alone > 0
+    _, together = [record.series for _, record in run_each(designs)]
+    (alone,) = [record.series for _, record in run_each(designs[1:])]
+    assert alone["contact_overlap"][-1] > 0
+    for name in ("contact_overlap", "friction_spring_energy", "hinge_angle"):
+        assert together[name][-1] == alone[name][-1]
 
 
 def test_facets_that_bend_are_one_thickness_apart():

@@ -11,6 +11,7 @@ from forficula.design import StageSection, with_values
 from forficula.dynamics import compile_model, simulate
 from forficula.dynamics.stepping.stage_plan import stage_torques
 from forficula.structure import Measure, RestState, built_points, structure_of
+from tests.elastic_joint import joint, stage
 from tests.places import places
 from tests.structures import compiled
 
@@ -205,3 +206,19 @@ def test_nothing_is_stuck_while_its_torque_rises():
     assert (weak.ending.verdict, weak.status) == (Verdict.STUCK, "did not get closed")
     # 0.3 s flat, 2 s rise, a window to count as stuck
     assert weak.states["closed"].time == pytest.approx(2.4)
+
+
+@pytest.mark.parametrize(
+    ("drive", "rise", "ends"),
+    [("fold", 0.02, (0.02, 0.2)), ("none", 0.02, (0.0, 1e-3))],
+    ids=["driven", "undriven"],
+)
+def test_rest_is_a_goal_only_once_all_drives_of_the_stage_have_risen(drive, rise, ends):
+    loaded = stage("load", drive, "rest", limit=0.2)
+    values = {"protocol.rise": rise, "protocol.fold_torque": 0.05}
+    record = ff.run(joint(**values, **{"protocol.stages": [stage("settle", limit=0.2), loaded]}), confirm=False)
+    load = record.stages[1]
+    timestep = record.design.protocol.timestep
+    assert load.goal_time is not None
+    assert ends[0] < load.end - load.start < ends[1]
+    assert load.goal_time >= load.start + ends[0] - timestep / 2

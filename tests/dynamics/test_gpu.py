@@ -141,7 +141,9 @@ def test_structures_on_one_device_may_differ_in_tendons(joint):
 @pytest.mark.usefixtures("warp")
 def test_the_device_finds_the_same_ends_of_stages_as_the_processor():
     """Compare the passage through a chunk that the kernel finds with that of the same numbers on the processor."""
-    design = ff.load_design("two-clasps").with_values(ON_DEVICE)
+    pull = {"name": "pull", "drive": "pull", "until": "rest", "hold": "0 s", "time_limit": "0.2 s"}
+    stages = ff.load_design("two-clasps").as_tables()["protocol"]["stages"]
+    design = ff.load_design("two-clasps", {"protocol.stages": [pull, *stages]}).with_values(ON_DEVICE)
     models = [compile_model(design)] * 3
     stepper, tracker = Stepper(models, 1, True, 200), StageTracker(models)
     rows = np.arange(3)

@@ -88,6 +88,18 @@ time_limit = "0.3 s"
 """
 
 
+def test_a_push_below_the_limit_of_friction_does_not_move_a_sheet_on_a_table(holds):
+    friction, rise = 0.3, 0.01
+    values = SOFT | {"table.height": f"{-THICK / 2} m", "table.friction": friction, "drive.push.rise": f"{rise} s"}
+    values |= {"protocol.stages.free.drive": "push", "protocol.stages.free.time_limit": f"{3 * rise} s"}
+    values |= {"drive.push.value": f"{0.95 * friction * 2 * PANEL * G / 6} N"}
+    record = simulated(values, PUSH)
+    pushed = (record.time > 1.99 * rise) & (record.time < 3.01 * rise)
+    moved = np.ptp(record.series["point_position"][pushed, :, 0].mean(axis=1))
+    share = moved / (friction * G * rise**2 / 2)
+    holds("displacement in 10 ms / (mu g t^2 / 2)", share, below=1e-6, by="static friction")
+
+
 @pytest.mark.parametrize("friction", [0.2, 0.5])
 def test_a_sheet_slides_on_a_table_until_friction_has_taken_its_kinetic_energy(friction, agree, holds):
     pushed = 0.05

@@ -67,7 +67,9 @@ export function makeTracker(wing, protocol) {
 
   function follow(asked) {
     const resting = wing.velocity.every((speed, dof) => Math.abs(speed) <= protocol.restSpeeds[dof]);
-    const reached = asked.kind === "bounds" ? within(now, asked) : asked.kind === "rest" && resting;
+    // a structure is at rest before its torques rise
+    const risen = stageStart + Math.ceil(Math.max(0, ...asked.drives.map((number) => protocol.drives[number].rise)));
+    const reached = asked.kind === "bounds" ? within(now, asked) : asked.kind === "rest" && resting && steps > risen;
     if (!reached) goalSince = -1;
     else if (goalSince < 0) goalSince = steps;
     if (!resting) restSince = -1;
@@ -76,9 +78,8 @@ export function makeTracker(wing, protocol) {
     const taken = asked.kind === "bounds" ? goalSince - stageStart : 0;
     const held = reached && steps - goalSince >= Math.max(asked.hold, protocol.leastHold * taken);
     // a structure that rests short of its goal stays there, once the torques have reached their strength
-    const risen = Math.ceil(Math.max(0, ...asked.drives.map((number) => protocol.drives[number].rise)));
     const short = resting && !reached && asked.kind === "bounds" && asked.drives.length > 0;
-    const stuck = short && steps - Math.max(restSince, stageStart + risen) >= protocol.stuck;
+    const stuck = short && steps - Math.max(restSince, risen) >= protocol.stuck;
     if (!held && !stuck && steps - stageStart < asked.limit) return false;
     keep(true);
     end(held ? goalSince : null, resting, reached);

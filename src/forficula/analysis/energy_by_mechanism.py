@@ -46,7 +46,8 @@ class EnergyShares:
         stored: energy of each mechanism by name, J, (time,).
         weight: gravitational energy above its lowest value in the run, J, (time,); None without gravity.
         kinetic: kinetic energy of the whole structure, J, (time,).
-        lost: energy dissipated since the start by damping, stops, friction, contacts and drag, J, (time,).
+        lost: energy dissipated since the start by damping, stops, friction, contacts and drag, with the energy of
+            friction springs, J, (time,).
         supplied: energy at the start plus the work of all motors since then, J, (time,).
     """
 
@@ -83,6 +84,8 @@ def energy_shares(record: Record) -> EnergyShares:
     if "contact_work" in series:
         # real contacts only dissipate energy; energy that they supply counts as missing
         lost = lost + np.maximum(-series["contact_work"], 0.0)
+    # no mechanism has this energy, which is slight
+    lost = lost + series.get("friction_spring_energy", 0.0)
     first = EnergyShares(stored=stored, weight=weight, kinetic=kinetic, lost=lost, supplied=record.work).held[0]
     return EnergyShares(stored=stored, weight=weight, kinetic=kinetic, lost=lost, supplied=first + record.work)
 

@@ -51,7 +51,12 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
 # distances, Maxwell branches, tendons that yield or are clamped, quasi-static stages, and in air or water
 OPTIONAL_VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "friction_work": ((), "J", "work of the hinges' dry friction since the start"),
-    "contact_work": ((), "J", "work of contacts, their friction and rigid couplings since the start"),
+    "contact_work": (
+        (),
+        "J",
+        "work of contacts, their friction and rigid couplings since the start, except that stored in friction springs",
+    ),
+    "friction_spring_energy": ((), "J", "energy of the springs by which friction holds facets and plates that touch"),
     "hinge_energy": (("hinge",), "J", "energy of the hinge's spring"),
     "hinge_rest_angle": (("hinge",), "rad", "rest angle of the hinge's spring, which a drive changes"),
     "motor_force": (("motor",), "N", "total force on the points that the motor displaces, in its direction"),

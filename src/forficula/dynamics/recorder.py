@@ -234,6 +234,9 @@ class Recorder:
             series.pop("waited", None)
         if not any(stage.quasi_static for stage in self.model.design.protocol.stages):
             series.pop("settling_work", None)
+        contact = self.model.structure.contact
+        if contact is None or not contact.friction:
+            series.pop("friction_spring_energy", None)
         motors = range(len(self.model.structure.motors))
         for name, of_motor in (
             ("motor_work", motor_work_name),

@@ -29,6 +29,7 @@ from forficula.show.page.study_live import study_live
 from forficula.structure import structure_of
 from forficula.study.running.runs import run
 from forficula.study.search import SEARCH_TEXTS
+from tests.elastic_joint import joint, stage
 from tests.plate_sheets import miura, plates, vertex
 from tests.show.page.live_wing import check_as_recorded, shown_measures
 
@@ -111,6 +112,14 @@ def test_a_page_simulates_the_design_with_only_the_requested_values_changed(run_
 @pytest.mark.parametrize("name", ["binder2025-coupled", "binder2025-joint", "letter-fold"])
 def test_other_structures_move_in_a_page_as_recorded(run_in_page, name):
     record = run(load_design(name))
+    (result,) = outcomes(run_in_page(record.design, [{}]))
+    check_as_recorded(result, record)
+
+
+def test_rest_ends_a_driven_stage_in_a_page_only_once_its_drive_has_risen(run_in_page):
+    loaded = stage("load", "fold", "rest", limit=0.2)
+    values = {"protocol.rise": 0.02, "protocol.fold_torque": 0.05}
+    record = run(joint(**values, **{"protocol.stages": [stage("settle", limit=0.05), loaded]}))
     (result,) = outcomes(run_in_page(record.design, [{}]))
     check_as_recorded(result, record)
 

@@ -10,7 +10,7 @@ from forficula.arrays import Array
 from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
 from forficula.dynamics.engine.contact import has_engine_contact
 from forficula.dynamics.engine.model import Model
-from forficula.dynamics.stepping.steps import Steps
+from forficula.dynamics.stepping.steps import StepContacts, Steps
 
 
 def add_implicit_losses(
@@ -86,6 +86,15 @@ def divide_friction(work: dict[str, Array], models: Sequence[Model], steps: Step
             powers[place] += np.sum(torques * velocity[place], axis=1)
     work["friction_work"] = timestep[:, None] / 2 * powers
     work["stop_work"] = work["stop_work"] - work["friction_work"]
+
+
+def add_contacts(work: dict[str, Array], models: Sequence[Model], contacts: StepContacts, travel: Array) -> None:
+    """Add the work of contacts of facets and plates, without that which friction springs store, and their energy."""
+    work["contact_work"] = work.get("contact_work", 0.0) + np.sum(contacts.forces * travel, axis=2)
+    if any(model.structure.contact is not None and model.structure.contact.friction for model in models):
+        energies = np.array([[grip.energy for grip in row] for row in contacts.grips])
+        work["friction_spring_energy"] = np.diff(energies, axis=1)
+        work["contact_work"] = work["contact_work"] + work["friction_spring_energy"]
 
 
 def add_yielding(work: dict[str, Array], models: Sequence[Model], steps: Steps) -> None:

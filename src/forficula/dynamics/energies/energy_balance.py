@@ -38,6 +38,8 @@ class EnergyBalance:
             of the integration.
         friction: dissipated by the hinges' dry friction; None without friction.
         contacts: dissipated by contacts and their friction; includes the work of rigid couplings; None without contact.
+        friction_springs: change of the energy of the springs by which friction holds facets and plates that touch; None
+            without such friction.
         branches: change of the energy of the tendons' Maxwell branches; None without branches.
         branch_damping: dissipated by the dampers of these branches; None without branches.
         yielding: dissipated by the tendons' yielding; None if they never yield.
@@ -70,6 +72,7 @@ class EnergyBalance:
     stops: Joules
     friction: _Term = None
     contacts: _Term = None
+    friction_springs: Annotated[_Term, Key("friction_spring_energy_change")] = None
     branches: Annotated[_Term, Key("branch_energy_change")] = None
     branch_damping: _Term = None
     yielding: _Term = None
@@ -108,6 +111,7 @@ class EnergyBalance:
             self.letting_go,
             self.hinges,
             self.springs,
+            self.friction_springs,
         )
         taken = (self.friction, max(self.contacts or 0.0, 0.0), self.drag)
         others = sum(term or 0.0 for term in (*of_law, self.couplings, *taken))
@@ -148,6 +152,7 @@ def energy_balance(record: Record) -> EnergyBalance:
         stops=-change["stop_work"],
         friction=_loss(change, "friction_work"),
         contacts=_loss(change, "contact_work"),
+        friction_springs=change.get("friction_spring_energy"),
         branches=change.get("branch_energy"),
         branch_damping=_loss(change, "branch_damping_work"),
         yielding=_loss(change, "yield_work"),

@@ -15,6 +15,7 @@ from forficula.dynamics.energies.crease_work import (
     spring_works,
 )
 from forficula.dynamics.energies.dissipated_work import (
+    add_contacts,
     add_implicit_losses,
     add_yielding,
     divide_friction,
@@ -112,7 +113,6 @@ class WorkBalance:
             if "qfrc_applied" in steps.derived:
                 drag = steps.derived["qfrc_applied"] - (0.0 if steps.contact is None else steps.contact.forces)
                 work["drag_work"] = np.sum(drag * travel, axis=2)
-            touched = None if steps.contact is None else np.sum(steps.contact.forces * travel, axis=2)
             if self._explicit:
                 work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
                 divide_friction(work, models, steps, self._timestep[rows])
@@ -121,12 +121,12 @@ class WorkBalance:
                     (work[name] for name in (*outside, "drag_work", "friction_work") if name in work),
                     np.zeros(travel.shape[:2]),
                 )
-                done = done if touched is None else done + touched
+                done = done if steps.contact is None else done + np.sum(steps.contact.forces * travel, axis=2)
                 self._add_stops(work, done, rows, steps, taken)
             else:
                 add_implicit_losses(work, models, steps, travel, self._damping[rows], of_creases)
-            if touched is not None:
-                work["contact_work"] = work.get("contact_work", 0.0) + touched
+            if steps.contact is not None:
+                add_contacts(work, self._models, steps.contact, travel)
             if (self._models[0].hinge_creep >= 0).any():
                 add_yielding(work, models, steps)
             self._tendon_losses.add(work, rows, steps, travel)

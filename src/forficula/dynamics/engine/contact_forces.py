@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.contact_geometry import ContactGeometry, contact_geometry
@@ -51,21 +52,45 @@ class _Neighbours:
     slack: float = 0.0
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Grip:
+    """Friction springs of the touching pairs of one structure.
+
+    Attributes:
+        nodes: of each pair, (pair, 4).
+        anchors: weights of the nodes whose sum is the vector between the ends of each spring, (pair, 4); parts that did
+            not slide have the weights of the nearest points at the moment at which they began to touch.
+        energy: of all springs, in the model's units.
+    """
+
+    nodes: Indices
+    anchors: Array
+    energy: float = 0.0
+
+
+# nothing touches
+_FREE = Grip(nodes=np.zeros((0, 4), dtype=np.int64), anchors=np.zeros((0, 4)))
+
+
 class ContactForces:
     """Contact forces on structures of one topology.
 
     The law of a pair at a distance d of its middle surfaces, with touching distance t and s = 1 - d / t > 0, is that of
     `Stops` for slight overlaps: the energy is k t^2 (-s - ln(1 - s)) with k = m / (T zeta)^2, its force k t s / (1 - s)
     grows without bound as middle surfaces approach each other. The damper has the constant 2 m / T. 1 / m is the sum of
-    the mobilities of both shapes. The force never pulls. Friction is that of Coulomb; below its limit it is a damper
-    with the same constant. Where n pairs push one body, dampers have the factor 1 / sqrt(n), so that the damping ratio
-    stays the same.
+    the mobilities of both shapes. The force never pulls. Friction is that of Coulomb; below its limit it is a spring
+    with the stiffness k and a damper with the same constant (Cundall and Strack 1979). Where n pairs push one body,
+    dampers have the factor 1 / sqrt(n), so that the damping ratio stays the same.
+
+    Attributes:
+        grips: friction springs of each structure at the last computed forces, `Grip`, (structure,).
     """
 
     def __init__(self, models: Sequence[Model]) -> None:
         """Prepare for structures in their start states."""
         self._geometries = [geometry for model in models if (geometry := contact_geometry(model)) is not None]
         self._neighbours: dict[int, _Neighbours] = {}
+        self.grips: NDArray[np.object_] = np.full(len(models), _FREE, dtype=object)
 
     def forces(self, rows: Indices, position: Array, velocity: Array) -> tuple[Array, Array, int]:
         """Compute the generalised forces on structures, and the number of steps for which they hold.
@@ -112,6 +137,7 @@ class ContactForces:
             left = near.slack - geometry.most_moved(position - near.position)
             step = _FASTER * geometry.most_moved(self._rates(row, velocity)) * geometry.timestep
             if left > step:
+                self.grips[row] = _FREE
                 return 0.0, int(min(left / step, _MANY)) if step else _MANY
         if geometry.explicit:
             position = position.copy()
@@ -129,9 +155,11 @@ class ContactForces:
             deepest = max(deepest, 1.0)
         if active.any():
             near.slack = 0.0
-            pushes = _pushes(geometry, near.pairs.some(active), nearest.some(active), places, speeds)
+            touching = near.pairs.some(active), nearest.some(active)
+            pushes, self.grips[row] = _pushes(geometry, *touching, places, speeds, self.grips[row])
             forces += geometry.loads(pose, arms, pushes)
             return deepest, 1
+        self.grips[row] = _FREE
         clear = min(gap, geometry.skin - 2 * _largest(places - near.listed_at))
         near.known_at, near.position, near.slack = places, position, clear / 2
         return deepest, max(1, int(min(near.slack / step, _MANY))) if step else _MANY
@@ -151,8 +179,10 @@ class ContactForces:
         return near
 
 
-def _pushes(geometry: ContactGeometry, pairs: Pairs, nearest: Nearest, places: Array, speeds: Array) -> Array:
-    """Compute the forces of touching pairs on all nodes, (node, 3).
+def _pushes(
+    geometry: ContactGeometry, pairs: Pairs, nearest: Nearest, places: Array, speeds: Array, grip: Grip
+) -> tuple[Array, Grip]:
+    """Compute the forces of touching pairs on all nodes, (node, 3), and their friction springs.
 
     Args:
         geometry: the structure.
@@ -160,6 +190,7 @@ def _pushes(geometry: ContactGeometry, pairs: Pairs, nearest: Nearest, places: A
         nearest: their nearest points.
         places: positions of all nodes, (node, 3).
         speeds: velocities of all nodes, (node, 3).
+        grip: friction springs so far.
     """
     contact, nodes = geometry.contact, pairs.nodes
     weights, normals = nearest.weights, nearest.normals
@@ -176,15 +207,73 @@ def _pushes(geometry: ContactGeometry, pairs: Pairs, nearest: Nearest, places: A
     damper = faded * 2 * mass / contact.stops.time_constant / np.sqrt(_crowd(geometry, nodes, weights))
     total = np.maximum(faded * push - damper * along, 0.0)
     vectors = total[:, None] * normals
-    if contact.friction:
-        sliding = moving - along[:, None] * normals
-        speed = np.linalg.norm(sliding, axis=1)
-        resistance = np.minimum(damper, contact.friction * total / np.maximum(speed, np.finfo(float).tiny))
-        vectors = vectors - resistance[:, None] * sliding
     shares = weights[:, :, None] * vectors[:, None] - energy[:, None, None] * gradient
+    if contact.friction:
+        stiffness = faded * mass / (contact.stops.time_constant * contact.stops.damping_ratio) ** 2
+        sliding = moving - along[:, None] * normals
+        held, grip = _friction(pairs, nearest, places, stiffness, damper, sliding, contact.friction * total, grip)
+        shares = shares + held
     pushes = np.zeros_like(places)
     np.add.at(pushes, nodes, shares)
-    return pushes
+    return pushes, grip
+
+
+def _friction(
+    pairs: Pairs,
+    nearest: Nearest,
+    places: Array,
+    stiffness: Array,
+    damper: Array,
+    sliding: Array,
+    limit: Array,
+    grip: Grip,
+) -> tuple[Array, Grip]:
+    """Compute the forces of friction on the nodes of touching pairs, (pair, 4, 3), and the springs afterwards.
+
+    The ends of a spring are points of both shapes. Where its force exceeds the limit, these points slide towards the
+    nearest points. The forces have no resultant and no moment.
+
+    Args:
+        pairs: pairs that touch.
+        nearest: their nearest points.
+        places: positions of all nodes, (node, 3).
+        stiffness: of the spring of each pair, (pair,).
+        damper: constant of the damper of each pair, (pair,).
+        sliding: velocity of the first shape along the second one, (pair, 3).
+        limit: of the force of each pair, (pair,).
+        grip: friction springs so far.
+    """
+    weights, normals = nearest.weights, nearest.normals
+    anchors = _anchors(grip, pairs.nodes, weights)
+    stretch = np.einsum("pk,pkx->px", anchors, places[pairs.nodes])
+    across = np.einsum("px,px->p", stretch, normals)
+    stretch = stretch - across[:, None] * normals
+    size = stiffness * np.linalg.norm(stretch, axis=1)
+    kept = np.where(size > limit, limit / np.where(size > limit, size, 1.0), 1.0)
+    anchors = weights + kept[:, None] * (anchors - weights)
+    across = nearest.distances + kept * (across - nearest.distances)
+    pull = (kept * stiffness)[:, None] * stretch
+    # the largest share of the damper's force with which both together do not exceed the limit
+    drag = damper[:, None] * sliding
+    square, mixed = (np.einsum("px,px->p", drag, vector) for vector in (drag, pull))
+    left = np.maximum(limit**2 - (kept * size) ** 2, 0.0)
+    share = (np.sqrt(mixed**2 + square * left) - mixed) / np.maximum(square, np.finfo(float).tiny)
+    drag = np.minimum(share, 1.0)[:, None] * drag
+    shift = (stiffness * across)[:, None] * normals
+    forces = -anchors[:, :, None] * pull[:, None] - (anchors - weights)[:, :, None] * shift[:, None]
+    energy = float(np.sum((kept * size) ** 2 / np.maximum(2 * stiffness, np.finfo(float).tiny)))
+    return forces - weights[:, :, None] * drag[:, None], Grip(nodes=pairs.nodes, anchors=anchors, energy=energy)
+
+
+def _anchors(grip: Grip, nodes: Indices, weights: Array) -> Array:
+    """Return the weights of the ends of the springs of pairs, (pair, 4); those of the nearest points for new pairs."""
+    if np.array_equal(grip.nodes, nodes):
+        return grip.anchors
+    if not len(grip.nodes):
+        return weights
+    known = {tuple(pair): place for place, pair in enumerate(grip.nodes.tolist())}
+    places = np.array([known.get(tuple(pair), -1) for pair in nodes.tolist()])
+    return np.where((places >= 0)[:, None], grip.anchors[places], weights)
 
 
 def _law(mass: Array, depth: Array, thickness: Array, contact: Contact) -> tuple[Array, Array]:

@@ -157,7 +157,7 @@ def find_ends(
             break
         number = taken + wp.int64(step + 1)
         resting = rests(state, bounds, world, positions, dof)
-        reached = stage.ends_at_rest[world] != 0 and resting
+        reached = stage.ends_at_rest[world] != 0 and resting and number > stage.risen[world]
         if stage.has_bounds[world] != 0:
             reached = within(state, lengths[step, world], bounds, weights, tendons, world)
         met = met or reached

@@ -44,7 +44,7 @@ class Conditions:
         settled: number of steps at rest after which statics continues a quasi-static stage, (row,).
         taken: number of steps so far, (row,).
         start: step from which the steps to the goal count, (row,).
-        risen: step at which the torques have risen, (row,).
+        risen: step after which the torques have risen, (row,); a quasi-static stage ignores rises.
         limit: step at which the stage ends at the latest, (row,).
         goal_since: step since which the goal has held, or -1, (row,).
         rest_since: step since which the structure has rested, or -1, (row,).
@@ -116,7 +116,7 @@ def passage_of(steps: Steps, conditions: Conditions) -> Passage:
     sound = np.minimum(sound, _first(np.asarray(beyond), count))
     number = conditions.taken[:, None] + np.arange(1, count + 1)
     resting = np.all(np.abs(velocity) <= conditions.rest_speed[:, None], axis=2)
-    reached = _reached(steps, conditions, resting)
+    reached = _reached(steps, conditions, number, resting)
     goal_since = _holds_since(reached, number, conditions.goal_since)
     rest_since = _holds_since(resting, number, conditions.rest_since)
     held = _goal_held(conditions, number, reached, goal_since)
@@ -166,16 +166,19 @@ def _short(conditions: Conditions, number: Indices, reached: Flags, rest_since: 
     return np.asarray(~reached & conditions.may_stick[:, None] & (number - since >= conditions.window[:, None]))
 
 
-def _reached(steps: Steps, conditions: Conditions, resting: Flags) -> Flags:
-    """Return whether the goal of each structure's stage is met after each step, (row, step)."""
+def _reached(steps: Steps, conditions: Conditions, number: Indices, resting: Flags) -> Flags:
+    """Return whether the goal of each structure's stage is met after each step, (row, step).
+
+    Rest counts as a goal after a step with the full torques, because a structure is at rest before its torques rise.
+    """
     watched, angles = conditions.watched, conditions.watched.hinges
     if steps.angles is None:
         values = conditions.senses[:, None, angles] * steps.position[:, :, angles]
     else:
-        number = np.arange(1, resting.shape[1] + 1)
+        taken = np.arange(1, resting.shape[1] + 1)
         values = np.array(
             [
-                steps.angles_of(folds, place, steps.position[place], number, angles)
+                steps.angles_of(folds, place, steps.position[place], taken, angles)
                 for place, folds in enumerate(conditions.folds)
             ]
         )
@@ -187,7 +190,8 @@ def _reached(steps: Steps, conditions: Conditions, resting: Flags) -> Flags:
         parts.append(values @ watched.sums.T)
     coordinates = np.concatenate(parts, axis=2)
     within = np.all((coordinates >= conditions.least[:, None]) & (coordinates <= conditions.most[:, None]), axis=2)
-    return np.where(conditions.has_bounds[:, None], within, conditions.ends_at_rest[:, None] & resting)
+    at_rest = conditions.ends_at_rest[:, None] & resting & (number > conditions.risen[:, None])
+    return np.where(conditions.has_bounds[:, None], within, at_rest)
 
 
 def _first(holds: Flags, count: int) -> Indices:

@@ -116,8 +116,12 @@ class StagePlan:
 
     @property
     def risen(self) -> Numbers:
-        """Return the number of steps after which all torques of a stage have risen, (structure, stage)."""
-        return np.asarray(np.ceil(np.minimum(self.rise.max(axis=2), NEVER)).astype(np.int64))
+        """Return the number of steps after which all torques of a stage have risen, (structure, stage).
+
+        A quasi-static stage ignores rises.
+        """
+        rise = np.where(self.quasi_static, 0.0, self.rise.max(axis=2))
+        return np.asarray(np.ceil(np.minimum(rise, NEVER)).astype(np.int64))
 
 
 def stage_plan(models: Sequence[Model]) -> StagePlan:

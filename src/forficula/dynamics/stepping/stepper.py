@@ -90,16 +90,15 @@ class Stepper:
             self._names = tuple(dict.fromkeys((*self._names, *_OF_CONTACT)))
         if any(hinge.friction and not hinge.flaps for model in models for hinge in model.structure.hinges):
             self._names = (*self._names, "qacc")
-        if models[0].jacobian.any():
-            self._names = (*self._names, "actuator_force")
+        self._names += ("actuator_force",) if models[0].jacobian.any() else ()
         drags = [model.drag for model in models if model.drag is not None]
         self._drag = stacked_drag(drags) if drags else None
-        if drags:
-            self._names = (*self._names, "qfrc_applied")
+        self._names += ("qfrc_applied",) if drags else ()
         # last angles of creases, without jumps
         self._angles = np.array([start_creases(model) for model in models])
         # memory of creases, (slot, structure, crease)
         self._past = np.stack([start_crease_memory(model) for model in models], axis=1)
+        self._contact = ContactForces(models) if has_touching_facets(models[0].structure) else None
         self._data = mujoco.MjData(model)
         self._device = _device_engine(models, self._rollout.models, self._names, chunk)
         if self._device is not None:
@@ -116,11 +115,8 @@ class Stepper:
         # angles and memory of creases at the start of each block
         slots, blocks = 1 + len(self._past), chunk // models[0].followed
         self._blocks = deque([np.empty((slots, len(models), blocks, len(self._angles[0]))) for _ in range(2)])
-        self._contact = ContactForces(models) if has_touching_facets(models[0].structure) else None
-        memory = (len(models), chunk if self._contact else 0)
-        self._contacts = deque(
-            [StepContacts(np.zeros((*memory, models[0].engine.nv)), np.zeros(memory)) for _ in range(2)]
-        )
+        steps = chunk if self._contact else 0
+        self._contacts = deque([StepContacts.allocated(len(models), steps, model.nv) for _ in range(2)])
         self.threads = int(Batch(model, len(models), threads or usable_cores()).nthread)
         # least number of structures per worker, if there are enough
         self.together = 1 if not self._in_python else _TOGETHER
@@ -187,6 +183,8 @@ class Stepper:
     def take_back(self, rows: Indices, steps: Steps, taken: Indices) -> None:
         """Put structures into their states after the steps that count, (row,)."""
         self._state[np.ix_(rows, self._moving)] = steps.states(np.arange(len(rows)), taken)
+        if self._contact is not None and steps.contact is not None:
+            self._contact.grips[rows] = steps.contact.grips[np.arange(len(rows)), taken]
         if steps.angles is not None:
             for place, (row, step) in enumerate(zip(rows.tolist(), taken.tolist(), strict=True)):
                 block = min(step // steps.followed, steps.angles.shape[1] - 1)
@@ -199,6 +197,8 @@ class Stepper:
         """Copy the state of another structure."""
         self._state[row] = self._state[leader]
         self._angles[row], self._past[:, row] = self._angles[leader], self._past[:, leader]
+        if self._contact is not None:
+            self._contact.grips[row] = self._contact.grips[leader]
 
     def state(self, row: int) -> EngineState:
         """Return the state of a structure."""

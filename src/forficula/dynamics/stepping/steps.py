@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.crease_rows import without_jump
@@ -29,14 +30,22 @@ class StepContacts(NamedTuple):
     Attributes:
         forces: generalised forces in each step, (structure, step, dof).
         overlaps: largest overlap in each step as a share of the thickness, (structure, step).
+        grips: friction springs before the first step and after each step, `Grip`, (structure, step + 1).
     """
 
     forces: Array
     overlaps: Array
+    grips: NDArray[np.object_]
+
+    @classmethod
+    def allocated(cls, structures: int, steps: int, dof: int) -> StepContacts:
+        """Allocate memory for steps of some structures."""
+        shape = (structures, steps)
+        return cls(np.zeros((*shape, dof)), np.zeros(shape), np.empty((structures, steps + 1), dtype=object))
 
     def some(self, rows: slice) -> StepContacts:
         """Select structures."""
-        return StepContacts(self.forces[rows], self.overlaps[rows])
+        return StepContacts(self.forces[rows], self.overlaps[rows], self.grips[rows])
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -83,6 +83,8 @@ def stored_energies(record: Record) -> dict[str, tuple[Array, str]]:
         stored[springs_name(structure)] = (series["spring_energy"].sum(axis=1), BLACK)
     if "coupling_energy" in series:
         stored["couplings"] = (series["coupling_energy"].sum(axis=1), SKY)
+    if "friction_spring_energy" in series:
+        stored["friction springs"] = (series["friction_spring_energy"], BLUE)
     stored["kinetic"] = (series["kinetic_energy"], VERMILION)
     if "branch_energy" in series:
         stored["Maxwell branches"] = (series["branch_energy"].sum(axis=1), GREEN)

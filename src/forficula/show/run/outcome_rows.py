@@ -329,6 +329,7 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
         (f"+ change of {folds} energy", balance.hinges, True),
         (f"+ change of {spring} energy", balance.springs, True),
         ("+ change of coupling energy", balance.couplings, True),
+        ("+ change of energy of friction springs", balance.friction_springs, True),
         ("+ change of kinetic energy", balance.kinetic, True),
         ("+ change of gravitational energy", balance.gravitational, True),
         (f"+ dissipated by {folds} damping", balance.hinge_damping, True),
