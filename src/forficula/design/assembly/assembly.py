@@ -20,7 +20,7 @@ from forficula.design.assembly.joints import (
     drive_targets,
 )
 from forficula.design.chosen import Choice
-from forficula.design.design import Design
+from forficula.design.design import WITHOUT_GRAVITY, Design
 from forficula.design.named_protocol import Action, Drive, NamedProtocol
 from forficula.design.protocol import CommonProtocol, check_stages, read_goal
 from forficula.design.section import ANGLE
@@ -245,8 +245,10 @@ class AssemblyDesign(Design):
 
     @property
     def idle(self) -> tuple[str, ...]:
-        """Sentences about values of parts that have no effect."""
-        return tuple(f"{name}: {sentence}" for name, part in self.designs.items() for sentence in part.idle)
+        """Sentences about values of the assembly and of its parts that have no effect."""
+        of_parts = ((name, sentence) for name, part in self.designs.items() for sentence in part.idle)
+        inside = (f"{name}: {sentence}" for name, sentence in of_parts if sentence != WITHOUT_GRAVITY)
+        return (*super().idle, *inside)
 
     @property
     def method_papers(self) -> Mapping[str, str]:

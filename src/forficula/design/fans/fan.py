@@ -302,7 +302,8 @@ class FanDesign(Design):
     @property
     def idle(self) -> tuple[str, ...]:
         """Sentences about given values that have no effect."""
-        return () if self.contact is None or self.protocol.contact else (WITHOUT_CONTACT,)
+        without = self.contact is not None and not self.protocol.contact
+        return (*super().idle, *[WITHOUT_CONTACT] * without)
 
     @property
     def driven_veins(self) -> tuple[int, ...]:

@@ -127,9 +127,8 @@ class JointDesign(Design):
     @property
     def idle(self) -> tuple[str, ...]:
         """Sentences about given values that have no effect."""
-        if self.medium is None:
-            return ()
-        return ("medium.density and medium.viscosity have no effect, because a joint has no panels",)
+        without_panels = "medium.density and medium.viscosity have no effect, because a joint has no panels"
+        return (*super().idle, *[without_panels] * (self.medium is not None))
 
     @property
     def bar_lengths(self) -> tuple[tuple[float, float], ...]:
