@@ -31,7 +31,9 @@ _MOST_STEPS = 1e9
 _MOST_ROWS = 1e7
 
 # sentence about the direction of gravity in a design without gravity and without a table, which is normal to gravity
-WITHOUT_GRAVITY = "protocol.gravity_direction has no effect without gravity: need protocol.gravity > 0, such as 9.81 m/s^2, or a table"
+WITHOUT_GRAVITY = (
+    'protocol.gravity_direction has no effect without gravity: need protocol.gravity = "9.81 m/s^2" or a [table]'
+)
 
 
 @dataclass(frozen=True, kw_only=True)

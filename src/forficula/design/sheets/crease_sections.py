@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag, field_validator, model_validator
+from pydantic import (
+    BeforeValidator,
+    Discriminator,
+    Field,
+    ModelWrapValidatorHandler,
+    Tag,
+    ValidationError,
+    field_validator,
+    model_validator,
+)
 
 from forficula.design.section import ANGLE, SMALL_LENGTH, TIME, Section, quantity
 from forficula.design.sheets.sheet_names import checked_name
+from forficula.errors import InputError
 from forficula.material.law.crease_law_file import (
     CREASE_DAMPING,
     CREASE_MOMENT,
@@ -144,15 +154,32 @@ class CreaseLawSection(CreaseSpring):
     ] = ()
     kind: Annotated[Literal["linear", "locking"], Field(description="law of the elastic part of the spring")] = "linear"
 
-    @model_validator(mode="before")
+    @model_validator(mode="wrap")
     @classmethod
-    def _read_by_name(cls, value: object) -> object:
+    def _read_by_name(cls, value: object, read: ModelWrapValidatorHandler[Self]) -> Self:
         if isinstance(value, str | CreaseLawFile):
             value = {"based_on": value}
         if not isinstance(value, dict) or not isinstance(named := value.get("based_on"), str | CreaseLawFile):
-            return value
+            return read(value)
         file = named if isinstance(named, CreaseLawFile) else load_crease_law(named)
-        return file.tables | {key: inside for key, inside in value.items() if key != "based_on"}
+        values = {key: inside for key, inside in value.items() if key != "based_on"}
+        try:
+            return read(file.tables | values)
+        except ValidationError:
+            cls._check_file(file, named if isinstance(named, str) else file.name)
+            raise
+
+    @classmethod
+    def _check_file(cls, file: CreaseLawFile, name: str) -> None:
+        """Refuse values of a law file that are not allowed, with the name of the file and their keys in it."""
+        from forficula.design.files.rejection import rejected
+
+        try:
+            cls.model_validate(file.tables)
+        except ValidationError as error:
+            message = str(rejected(error, cls))
+            section = "" if message.partition(":")[0] in ("name", "source", "thickness", "width") else "crease."
+            raise InputError(f"{name}: {section}{message}") from None
 
     def hash_values(self) -> dict[str, Any]:
         """Return the values that affect a run: all but names, sources and the size of the specimen."""
