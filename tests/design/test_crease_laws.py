@@ -139,7 +139,8 @@ def test_warnings_name_chosen_values_and_another_thickness():
     chosen, other = ff.check_design(strip(yield_moment=0.1, **{"law": "paper"}).with_values({"facet.thickness": 2e-4}))
     assert chosen.startswith('crease.law "paper": stiffness and hardening are chosen, not measured (creased printing')
     assert other == (
-        'crease.law "paper" applies to a sheet of 0.11 mm, but facet.thickness is 0.2 mm; its values are not scaled'
+        'crease.law "paper" applies to a sheet of 0.11 mm, but facet.thickness is 0.2 mm; its values are not scaled:'
+        " change facet.thickness, or give the values for this sheet, such as crease.law.stiffness"
     )
 
 

@@ -88,8 +88,8 @@ def law_sentences(crease: Crease, thickness: float | None) -> tuple[str, ...]:
         if law.thickness is not None and not math.isclose(law.thickness, thickness or 0.0, rel_tol=_SAME_THICKNESS):
             sentences.append(
                 f'{key} "{law.name}" applies to a sheet of {show_quantity(law.thickness, SMALL_LENGTH)}, but'
-                f" facet.thickness is {show_quantity(thickness or 0.0, SMALL_LENGTH)}; its values are not scaled: change"
-                f" facet.thickness, or give the values for this sheet, such as {key}.stiffness"
+                f" facet.thickness is {show_quantity(thickness or 0.0, SMALL_LENGTH)}; its values are not scaled:"
+                f" change facet.thickness, or give the values for this sheet, such as {key}.stiffness"
             )
     return tuple(sentences)
 
