@@ -252,4 +252,4 @@ def test_the_command_writes_a_fold_file_that_designs_accept_and_a_report(tmp_pat
     said = capsys.readouterr().err
     assert "replaces" not in said
     assert "--straighten: need a tolerance < " in said
-    assert "half of the shortest distance between two vertices, got 1 m" in said
+    assert "half of the shortest distance between two vertices, got 100 cm" in said
