@@ -248,7 +248,22 @@ class AssemblyDesign(Design):
         """Sentences about values of the assembly and of its parts that have no effect."""
         of_parts = ((name, sentence) for name, part in self.designs.items() for sentence in part.idle)
         inside = (f"{name}: {sentence}" for name, sentence in of_parts if sentence != WITHOUT_GRAVITY)
-        return (*super().idle, *inside)
+        return (*super().idle, *self._replaced, *inside)
+
+    @property
+    def _replaced(self) -> Iterator[str]:
+        """Sentences about surroundings that parts give and that those of the assembly replace."""
+        for name in self.parts:
+            part = getattr(self, name)
+            sections = {key: (getattr(part, key), None) for key in ("medium", "table")}
+            values = {
+                f"protocol.{key}": (getattr(part.protocol, key), CommonProtocol.model_fields[key].default)
+                for key in _SURROUNDINGS
+            }
+            for key, (value, default) in (sections | values).items():
+                common: Any = self.protocol if key.startswith("protocol.") else self
+                if value not in (default, getattr(common, key.removeprefix("protocol."))):
+                    yield f"{name}.{key} has no effect in a part; set {key} of the assembly"
 
     @property
     def method_papers(self) -> Mapping[str, str]:
