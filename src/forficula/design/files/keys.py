@@ -19,7 +19,7 @@ from forficula.design.files.kinds import KINDS
 from forficula.design.files.tables import check_once, entry_index, numbered
 from forficula.design.law import LawSection
 from forficula.design.section import Quantity, Section, field_quantity
-from forficula.design.sheets.crease_sections import CreaseLawSection
+from forficula.design.sheets.crease_law_section import CreaseLawSection
 from forficula.errors import InputError
 from forficula.names import listed, unknown_key
 from forficula.quantities import as_written
@@ -303,7 +303,7 @@ def hint(place: Sequence[str], model: type[Section] = FanDesign) -> str:
     if kind and not section and (having := [name for name in KINDS if wrong in KINDS[name].model_fields]):
         return f"designs of kind {kind} do not have it, those of kind {listed(having)} do"
     if near and not (section and allowed and len(elsewhere[near[0]]) > _MOST_MEANT):
-        few = f" {here}" if section and 0 < len(allowed) <= _MOST_MEANT else ""
+        few = f" {here}" * (0 < len(section) * len(allowed) <= _MOST_MEANT)
         return f"did you mean {' or '.join(elsewhere[near[0]])}?{few}"
     # where the section itself is unknown, give a hint for the section
     return here if allowed or not section else hint(section, model)

@@ -17,7 +17,7 @@ from forficula.design.files.tables import (
     RejectedError,
 )
 from forficula.design.files.tendon_tables import entries_over, tendon_over, tendons_over
-from forficula.design.sheets.crease_sections import CreaseSpring
+from forficula.design.sheets.crease_law_section import CreaseSpring
 from forficula.errors import InputError
 from forficula.material.law.crease_law_file import FORMS, CreaseLawFile, load_crease_law
 from forficula.quantities import as_written

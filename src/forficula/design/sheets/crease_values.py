@@ -6,14 +6,8 @@ import math
 from typing import TYPE_CHECKING
 
 from forficula.design.section import SMALL_LENGTH
-from forficula.design.sheets.crease_sections import (
-    Crease,
-    CreaseGroup,
-    CreaseLawSection,
-    group_values,
-    named_laws_of,
-    with_law,
-)
+from forficula.design.sheets.crease_law_section import CreaseLawSection
+from forficula.design.sheets.crease_sections import Crease, CreaseGroup, group_values, named_laws_of, with_law
 from forficula.design.sheets.sheet_creases import creases_of, fold_edges
 from forficula.names import listed
 from forficula.quantities import show_quantity
