@@ -285,28 +285,24 @@ def hint(place: Sequence[str], model: type[Section] = FanDesign) -> str:
             law = ".".join(section[: depth + 1])
             return f"did you mean {' or '.join(f'{law}.{name}' for name in meant)}?"
     allowed = siblings(place, model)
-    meant_key = _MEANT.get(wrong.lower(), "")
+    word = _MEANT.get(wrong.lower(), "")
     # names of sections are short: "design" is not near "vein"
     cutoff = 0.6 if section else 0.65
-    if (
-        near := [meant_key]
-        if meant_key in allowed
-        else difflib.get_close_matches(wrong.lower(), allowed, n=1, cutoff=cutoff)
-    ):
+    if near := [word] if word in allowed else difflib.get_close_matches(wrong.lower(), allowed, n=1, cutoff=cutoff):
         return f"did you mean {'.'.join([*section, *near])}?"
     elsewhere: dict[str, list[str]] = {}
     for key in known_keys(model):
         elsewhere.setdefault(key.rpartition(".")[2], []).append(key)
     near = difflib.get_close_matches(wrong.lower(), elsewhere, n=1, cutoff=0.75)
-    here = f"allowed here: {', '.join(allowed)}"
+    listing = f"allowed here: {', '.join(allowed)}"
     kind = next((name for name in KINDS if KINDS[name] is model), "")
     if kind and not section and (having := [name for name in KINDS if wrong in KINDS[name].model_fields]):
         return f"designs of kind {kind} do not have it, those of kind {listed(having)} do"
     if near and not (section and allowed and len(elsewhere[near[0]]) > _MOST_MEANT):
-        few = f" {here}" * (0 < len(section) * len(allowed) <= _MOST_MEANT)
+        few = f" {listing}" * bool(section and 0 < len(allowed) <= _MOST_MEANT)
         return f"did you mean {' or '.join(elsewhere[near[0]])}?{few}"
     # where the section itself is unknown, give a hint for the section
-    return here if allowed or not section else hint(section, model)
+    return listing if allowed or not section else hint(section, model)
 
 
 def _fields_at(place: Sequence[str], model: type[Section]) -> dict[str, FieldInfo]:
