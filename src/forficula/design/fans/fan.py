@@ -240,21 +240,12 @@ class FanDesign(Design):
         speed = protocol.no_load_speed or math.inf
         proximal = Action(motor="proximal", hinges=tuple(f"turn{vein}" for vein in veins), no_load_speed=speed)
         distal = Action(motor="distal", hinges=("ring",), no_load_speed=speed)
-        fold = torque_drive(
-            protocol,
-            "fold",
-            (proximal,),
-            tries="0..50 N cm step 10",
-            where="on every proximal joint" if every else f"on {driven}",
-            part="proximal turn axis" if every else "driven proximal turn axis",
-        )
-        unfold = torque_drive(
-            protocol,
-            "unfold",
-            (replace(proximal, share=-1.0), distal),
-            tries="10..100 N cm step 10",
-            where="on every joint" if every else f"on every distal joint and {driven}",
-        )
+        where = "on every proximal joint" if every else f"on {driven}"
+        part = "proximal turn axis" if every else "driven proximal turn axis"
+        fold = torque_drive(protocol, "fold", (proximal,), tries="0..50 N cm step 10", where=where, part=part)
+        where = "on every joint" if every else f"on every distal joint and {driven}"
+        both = (replace(proximal, share=-1.0), distal)
+        unfold = torque_drive(protocol, "unfold", both, tries="10..100 N cm step 10", where=where)
         return folding_protocol(protocol, (fold, unfold))
 
     def _goals_within_stops(self) -> None:
