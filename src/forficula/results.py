@@ -146,6 +146,10 @@ def call(name: str) -> Any:
     return checked(getattr(import_module("forficula.calls"), name), name)
 
 
+# name of the JSON in a folder
+_JSON_FILE = "{json}.json"
+
+
 @dataclass(frozen=True, kw_only=True)
 class ResultKind:
     """Kind of results.
@@ -154,10 +158,11 @@ class ResultKind:
         name: name in messages, such as "convergence study".
         module: module of `forficula.show.folder` whose `PRESENTATION` draws and writes these results.
         classes: names of their classes.
-        data: file of the folder from which figures are drawn again.
         json: name of the JSON and of its schema; the file in the folder, if there is one, is this name and ".json".
         shape: data class that `forficula.serial` writes as this JSON, as "module:class".
-        marker: file of the folder that only this kind has; empty if the kind is an addition to folders of another kind.
+        data: file of the folder from which figures are drawn again; by default the JSON.
+        marker: file of the folder that only this kind has, by default the JSON; empty if the kind is an addition to
+            folders of another kind.
         named_by: key of the marker, a JSON file, whose value names the result.
         verdict: key of the marker that has the verdict; empty if there is none.
         has_rows: whether the folder may contain a journal of rows before the result is complete.
@@ -167,14 +172,18 @@ class ResultKind:
     name: str
     module: str
     classes: tuple[str, ...]
-    data: str
     json: str = ""
     shape: str = ""
-    marker: str = ""
+    data: str = _JSON_FILE
+    marker: str = _JSON_FILE
     named_by: str = "design"
     verdict: str = ""
     has_rows: bool = False
     covers: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        for name in ("data", "marker"):
+            object.__setattr__(self, name, getattr(self, name).format(json=self.json))
 
 
 KINDS: tuple[ResultKind, ...] = (
@@ -182,108 +191,90 @@ KINDS: tuple[ResultKind, ...] = (
         name="run",
         module="run_folder",
         classes=("Run", "Record"),
-        data="record.nc",
         json="summary",
         shape="forficula.analysis.summary:Summary",
-        marker="summary.json",
+        data="record.nc",
         verdict="status",
     ),
     ResultKind(
         name="cycles",
         module="cycling_folder",
         classes=("Cycling",),
-        data="cycles.json",
         json="cycles",
         shape="forficula.show.folder.cycling_folder:CyclingSummary",
+        marker="",
     ),
     ResultKind(
         name="landscape",
         module="landscape_folder",
         classes=("EnergyLandscape",),
-        data="landscape.json",
         json="landscape",
         shape="forficula.statics.landscape_summary:LandscapeSummary",
-        marker="landscape.json",
     ),
-    ResultKind(name="static map", module="static_map_folder", classes=(), data="map.nc"),
+    ResultKind(name="static map", module="static_map_folder", classes=(), data="map.nc", marker=""),
     ResultKind(
         name="convergence study",
         module="convergence_folder",
         classes=("Convergence",),
-        data="convergence.nc",
         json="convergence",
         shape="forficula.show.folder.convergence_folder:ConvergenceSummary",
-        marker="convergence.json",
+        data="convergence.nc",
         verdict="verdict",
     ),
     ResultKind(
         name="table of assumptions",
         module="assumptions_folder",
         classes=("Assumptions",),
-        data="assumptions.json",
         json="assumptions",
         shape="forficula.study.assumptions.assumptions:Assumptions",
-        marker="assumptions.json",
         verdict="verdict",
     ),
     ResultKind(
         name="material",
         module="material_folder",
         classes=("Characterisation",),
-        data="material.json",
         json="material",
         shape="forficula.material.characterisation:Characterisation",
-        marker="material.json",
         named_by="material",
     ),
     ResultKind(
         name="trace",
         module="trace_folder",
         classes=("Trace",),
-        data="trace.json",
         json="trace",
         shape="forficula.pattern.picture.trace:Trace",
-        marker="trace.json",
         named_by="name",
     ),
     ResultKind(
         name="law of creases",
         module="crease_folder",
         classes=("CreaseCharacterisation",),
-        data="crease.json",
         json="crease",
         shape="forficula.material.folding.crease_characterisation:CreaseCharacterisation",
-        marker="crease.json",
         named_by="law_of_creases",
     ),
     ResultKind(
         name="fan fit",
         module="fan_fit_folder",
         classes=("FanFit",),
-        data="fan.json",
         json="fan",
         shape="forficula.goals.clicks.fan_fit:FanFit",
-        marker="fan.json",
         named_by="name",
     ),
     ResultKind(
         name="observed motion",
         module="motion_folder",
         classes=("ObservedMotion",),
-        data="motion.json",
         json="motion",
         shape="forficula.goals.clicks.motion:ObservedMotion",
-        marker="motion.json",
     ),
     ResultKind(name="bill of parts", module="parts_folder", classes=("PartSet",), data="bill.json", marker="bill.json"),
     ResultKind(
         name="optimisation",
         module="optimum_folder",
         classes=("Optimum",),
-        data="optimum.json",
         json="optimum",
         shape="forficula.show.folder.optimum_folder:OptimumSummary",
-        marker="optimum.json",
         named_by="goal",
         has_rows=True,
         covers=("study",),
@@ -292,20 +283,18 @@ KINDS: tuple[ResultKind, ...] = (
         name="tolerance",
         module="tolerance_folder",
         classes=("ToleranceTable",),
-        data="tolerance.nc",
         json="tolerance",
         shape="forficula.show.folder.tolerance_folder:ToleranceSummary",
-        marker="tolerance.json",
+        data="tolerance.nc",
         has_rows=True,
     ),
     ResultKind(
         name="identification",
         module="identify_folder",
         classes=("IdentificationTable",),
-        data="identified.nc",
         json="identified",
         shape="forficula.show.folder.identify_folder:IdentificationSummary",
-        marker="identified.json",
+        data="identified.nc",
         named_by="name",
         has_rows=True,
     ),
@@ -313,9 +302,9 @@ KINDS: tuple[ResultKind, ...] = (
         name="study",
         module="study_folder",
         classes=("StudyTable",),
-        data="table.nc",
         json="row",
         shape="forficula.study.tables.table_rows:TableRow",
+        data="table.nc",
         marker="table.nc",
         has_rows=True,
     ),

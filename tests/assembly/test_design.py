@@ -350,3 +350,15 @@ def test_factors_that_the_assembly_replaces_are_refused(design):
 def test_a_key_with_part_before_it_is_named_without(design):
     with pytest.raises(InputError, match=r"unknown key; did you mean inner\.crease\.stiffness\?"):
         key_quantity("part.inner.crease.stiffness", type(design))
+
+
+def test_surroundings_that_a_file_gives_to_a_part_are_reported_as_without_effect(tmp_path):
+    file = tmp_path / "pair.toml"
+    text = 'based_on = "two-clasps"\n[part.inner.table]\nheight = "-1 m"\n[part.inner.protocol]\ngravity = "1 m/s^2"\n'
+    file.write_text(text)
+    effect = "has no effect in a part; set {0} of the assembly"
+    assert load_design(str(file)).idle == tuple(
+        f"inner.{key} {effect.format(key)}" for key in ("table", "protocol.gravity")
+    )
+    file.write_text(text + '[table]\nheight = "-1 m"\n[protocol]\ngravity = "1 m/s^2"\n')
+    assert load_design(str(file)).idle == ()

@@ -1,6 +1,7 @@
 """Laws of creases by name or file: their values, values that override them, and sentences about their source."""
 
 import math
+import re
 
 import pytest
 
@@ -138,7 +139,8 @@ def test_warnings_name_chosen_values_and_another_thickness():
     chosen, other = ff.check_design(strip(yield_moment=0.1, **{"law": "paper"}).with_values({"facet.thickness": 2e-4}))
     assert chosen.startswith('crease.law "paper": stiffness and hardening are chosen, not measured (creased printing')
     assert other == (
-        'crease.law "paper" applies to a sheet of 0.11 mm, but facet.thickness is 0.2 mm; its values are not scaled'
+        'crease.law "paper" applies to a sheet of 0.11 mm, but facet.thickness is 0.2 mm; its values are not scaled:'
+        " change facet.thickness, or give the values for this sheet, such as crease.law.stiffness"
     )
 
 
@@ -169,7 +171,7 @@ def test_a_law_without_a_meaning_is_refused(value, message):
         ('[modulus]\nlinear = "1 MPa"', "need a law of creases with a table \\[crease\\], got a law of tendons"),
         ('[crease]\nhardening = "1 N m/rad/m"', "crease.stiffness: is missing; a law of creases needs it"),
         ('[crease]\nstiffness = "1 N m/rad/m"\n[chosen]\nyield = "x"', "chosen.yield: unknown key"),
-        ('[crease]\nstiffness = "1 N/m"', "crease.law.stiffness: .*1 N/m"),
+        ('[crease]\nstiffness = "1 N/m"', r"law.toml: crease.stiffness: .*1 N/m"),
     ],
 )
 def test_errors_of_a_law_file_name_the_file_or_the_key(tmp_path, text, message):
@@ -190,3 +192,43 @@ def test_a_law_file_with_a_key_that_only_designs_have_is_refused_with_the_file_a
         InputError, match=r"worn.toml: crease.friction: unknown key, .*allowed here: stiffness, rest_an"
     ):
         strip(law=str(file))
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ('yield_moment = "-1 N m/m"', "crease.yield_moment: need > 0, got -1 N m/m"),
+        ('kind = "x"', 'crease.kind: need "linear" or "locking", got "x"'),
+        ("rest_angle = 3", "crease.rest_angle: the unit is missing"),
+    ],
+)
+def test_a_wrong_value_of_a_law_file_is_refused_with_the_files_of_the_design_and_of_the_law(tmp_path, values, message):
+    law, design = tmp_path / "law.toml", tmp_path / "design.toml"
+    law.write_text(f'[crease]\nstiffness = "0.2 N m/rad/m"\n{values}\n')
+    design.write_text('based_on = "letter-fold"\n[crease]\nlaw = "law.toml"\n')
+    with pytest.raises(InputError, match=re.escape(f"{design}: crease.law: {law}: {message}")):
+        load_design(str(design))
+    with pytest.raises(InputError, match=re.escape(f"crease.group.0.law: {law}: {message}")):
+        load_design("letter-fold", {"crease.group": [{"of": "crease 0", "law": str(law)}]})
+
+
+def test_an_unknown_law_of_a_design_file_is_refused_with_the_name_of_the_file(tmp_path):
+    design = tmp_path / "design.toml"
+    design.write_text('based_on = "letter-fold"\n[crease]\nlaw = "papr"\n')
+    with pytest.raises(InputError, match=re.escape(f'{design}: crease.law: "papr" is neither') + ".* mean paper"):
+        load_design(str(design))
+    with pytest.raises(InputError, match=r'^crease.law: "papr" is neither'):
+        load_design("letter-fold", {"crease.law": "papr"})
+
+
+def test_the_path_of_a_law_is_relative_to_the_file_that_names_it(tmp_path):
+    design = tmp_path / "design.toml"
+    (tmp_path / "law.toml").write_text('[crease]\nstiffness = "0.7 N m/rad/m"\n')
+    design.write_text(
+        'based_on = "letter-fold"\n[[crease.group]]\nof = "crease 0"\nlaw = "law.toml"\n[crease]\nlaw = "law.toml"\n'
+    )
+    crease = load_design(str(design)).crease
+    assert (crease.law.stiffness, crease.group[0].law.stiffness) == (0.7, 0.7)
+    assembly = tmp_path / "assembly.toml"
+    assembly.write_text('based_on = "two-clasps"\n[part.inner.crease]\nlaw = "law.toml"\n')
+    assert load_design(str(assembly)).inner.crease.law.stiffness == 0.7

@@ -292,7 +292,8 @@ OF_TENDON = (
         ('[tendons]\nstiffness = "1 N/cm"', 'tendons: unknown key, got {stiffness = "1 N/cm"}; did you mean tendon?'),
         (
             '[vein]\nthicknes = "1 mm"',
-            'vein.thicknes: unknown key, got "1 mm"; did you mean membrane.thickness or contact.thickness?',
+            'vein.thicknes: unknown key, got "1 mm"; did you mean membrane.thickness or contact.thickness?'
+            " allowed here: diameter, density, added_mass",
         ),
         ('[tendon]\noverbend = "3 deg"', 'tendon.overbend: unknown key, got "3 deg"; did you mean hinge.overbend?'),
         (
@@ -300,6 +301,11 @@ OF_TENDON = (
             'damping: unknown key, got "1 ms"; did you mean membrane.damping or hinge.damping or tendon.damping?',
         ),
         (f"{STAGE}holt = 1", "protocol.stages.0.holt: unknown key, got 1; did you mean protocol.stages.0.hold?"),
+        (
+            '[crease]\nfriction = "1 N m/m"',
+            'crease: unknown key, got {friction = "1 N m/m"}; designs of kind earwig-fan do not have it, those of kind'
+            " miura-ori, waterbomb, yoshimura, kresling, pleats, vertex and fold-file do",
+        ),
         ("xyz = 1", f"xyz: unknown key, got 1; allowed here: {SECTIONS}"),
         ("[xyz]\nstiffness = 1", f"xyz: unknown key, got {{stiffness = 1}}; allowed here: {SECTIONS}"),
         ("[tendon]\nxyz = 1", f"tendon.xyz: unknown key, got 1; allowed here: {OF_TENDON}"),

@@ -172,6 +172,32 @@ def test_every_key_that_a_file_has_is_known():
             '[crease]\nstart = "9 deg"\n[[crease.group]]\nof = "crease 1"\nfold_limit = "5 deg"',
             "crease.start: need >= -3 deg (-crease.back_limit) and <= 5 deg (crease.group.0.fold_limit) at crease 1",
         ),
+        (
+            '[[crease.group]]\nof = "crease 0"\ndamage = "off"',
+            'crease.group.0.damage: need a table under [crease.group.damage] or "none", got "off"',
+        ),
+        (
+            '[[crease.group]]\nof = "crease 0"\ndamage = {loss = 30, turn = "36000 deg"}',
+            "crease.group.0.damage.loss: need <= 1, got 30",
+        ),
+        (
+            '[[crease.group]]\nof = "crease 0"\ndamage = {turn = "36000 deg"}',
+            "crease.group.0.damage.loss: is missing; needed here: loss, turn",
+        ),
+        (
+            '[[crease.group]]\nof = "crease 0"\nbranches = "off"',
+            'crease.group.0.branches: need a list of tables, each under [[crease.group.branches]], got "off"',
+        ),
+        ('[crease]\nbranches = ["1 s"]', 'crease.branches.0: need a table under [[crease.branches]], got "1 s"'),
+        (
+            '[[crease.group]]\nfriction = "1 N m/m"',
+            'crease.group.0.of: is missing; give it, such as of = "crease 0"',
+        ),
+        (
+            '[[support]]\nof = "facet 0"\nkind = "hinged"',
+            'support.0.kind: unknown key, got "hinged"; allowed here: of, axes',
+        ),
+        ("contact = true", "contact: need a table under [contact], got true; did you mean protocol.contact?"),
         ('[[support]]\nof = "facet 3"', "support.0.of: need a facet from 0 to 2, got 3"),
         ('[[support]]\nof = "vertex 3"', 'support.0.of: need a facet such as "facet 0", got "vertex 3"'),
         ('[[support]]\nof = "facet 0"\n[[support]]\nof = "facet 1"', "support: need at most 1 entry for hinged"),

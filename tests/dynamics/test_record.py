@@ -242,7 +242,7 @@ def test_the_path_of_a_record_may_be_text(tmp_path):
 @pytest.mark.parametrize(("kept", "age"), [(1, "an earlier"), (3, "a later")])
 def test_a_record_of_another_format_is_refused_with_its_age_and_what_to_do(tmp_path, monkeypatch, kept, age):
     with monkeypatch.context() as before:
-        before.setattr("forficula.dynamics.record._FORMAT", kept)
+        before.setattr("forficula.dynamics.record_file._FORMAT", kept)
         save_record(planted(), tmp_path / "a.nc")
     other = f"written by {age} state of forficula (format {kept}, this one reads 2): run `forficula run"
     assert refusal(tmp_path / "a.nc") == f"{tmp_path}/a.nc: {other} {tmp_path}/design.toml`"

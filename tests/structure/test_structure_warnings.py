@@ -110,3 +110,12 @@ def test_contact_settings_without_contact_give_a_warning():
     assert sentence not in structure_warnings(touching, structure_of(touching))
     assert structure_of(touching).contact.thickness == 1e-3
     assert structure_of(load_design("binder2025", {"protocol.contact": True})).contact.thickness == 1e-4
+
+
+@pytest.mark.parametrize("name", ["binder2025", "binder2025-joint", "letter-fold", "two-clasps"])
+def test_a_direction_of_gravity_without_gravity_gives_a_warning(name):
+    idle = load_design(name, {"protocol.gravity_direction": "-y"})
+    (sentence,) = [warning for warning in warnings(idle) if "gravity" in warning]
+    assert sentence.startswith("protocol.gravity_direction has no effect without gravity: need protocol.gravity = ")
+    for settings in ({"protocol.gravity": "1.62 m/s^2"}, {"table.height": "-1 m"}):
+        assert sentence not in load_design(name, {"protocol.gravity_direction": "-y"} | settings).idle

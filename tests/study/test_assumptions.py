@@ -30,7 +30,7 @@ OF_WINGS = EVERYWHERE | {
     *("half other damping", "twice other damping", "tendon height", "membrane mass", "tendon mass", "hinge mass"),
     *("medium", "contact", "stiffer stops", "softer stops", "start", "dry friction"),
 }
-OF_BENDING = EVERYWHERE | {"no rise", "half other damping", "twice other damping", "medium", "contact"}
+OF_BENDING = EVERYWHERE | {"no rise", "half other damping", "twice other damping", "medium", "contact", "dry friction"}
 APPLY = {
     "binder2025": OF_WINGS | {"armature"},
     "binder2025-built": OF_WINGS,
@@ -41,7 +41,7 @@ APPLY = {
     "bistable-clasp": OF_BENDING,
     "kresling-cell": OF_BENDING,
     # its timestep is "auto", which is determined first
-    "four-plate-snap": EVERYWHERE - {"timestep"} | {"no rise", "medium", "contact"},
+    "four-plate-snap": EVERYWHERE - {"timestep"} | {"no rise", "medium", "contact", "dry friction"},
 }
 
 
@@ -80,6 +80,34 @@ def test_an_assumption_that_a_design_makes_is_inverted():
     assert plain["dry friction"].design.hinge.friction == 0.025
     assert joint["dry friction"].design.hinge.friction == 0.005
     assert joint["tendon height"].design.tendon.distal_offset == 0.0
+
+
+def test_creases_get_dry_friction_of_a_share_of_their_moment_at_90_deg_or_lose_theirs():
+    (friction,) = named("dry friction")
+    letter = ff.load_design("letter-fold")
+    added = variant_of(friction, letter).design.crease
+    assert added.friction == pytest.approx(0.05 * letter.crease.stiffness * np.pi / 2, rel=0.05)
+    group = {"of": "crease 0", "friction": "1 N m/m"}
+    rubbing = ff.load_design("letter-fold", {"crease.friction": "1 N m/m", "crease.group": [group]})
+    variant = variant_of(friction, rubbing)
+    assert variant.label == "no dry friction"
+    assert (variant.design.crease.friction, variant.design.crease.group[0].friction) == (0.0, 0.0)
+    assert variant_of(friction, flap()).startswith("the creases have no stiffness")
+
+
+@pytest.mark.parametrize(
+    ("name", "settings", "label"),
+    [
+        ("letter-fold", {"protocol.contact": True, "contact.friction": 0.3}, "no contact"),
+        ("two-clasps", {"protocol.contact": True}, "no contact"),
+        ("binder2025-upright", {}, "no gravity"),
+        ("binder2025-on-table", {}, "no gravity"),
+    ],
+)
+def test_contact_and_gravity_in_any_direction_are_switched_off(name, settings, label):
+    design = ff.load_design(name, settings)
+    (variant,) = (variant_of(item, design) for item in named(label.removeprefix("no ")))
+    assert (variant.label, variant.design.idle) == (label, ())
 
 
 def test_tendons_that_differ_from_vein_to_vein_are_all_changed():

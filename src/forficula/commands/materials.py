@@ -83,10 +83,10 @@ def material(
         area=None if area is None else read_quantity("--area", area, AREA),
     )
     share = read_quantity("--band", band, BAND_SHARE)
-    note_replaced(out, "material")
     result = characterise(
         read.tests, name=out.resolve().name, source=read.source, drop_first=not keep_first, band=share, forms=forms
     )
+    note_replaced(out, "material")
 
     from forficula.show.folder.material_folder import LAW_FILE, write_material
     from forficula.show.material.material_table import print_material
@@ -109,8 +109,8 @@ def _crease(files: Sequence[str], strip: Mapping[str, str | None], out: Path, *,
     check_folder(out, "law of creases")
     sizes = {key: read_quantity(f"--{key}", text, UNITS[key]) for key, text in strip.items() if text is not None}
     read = read_strips(files, **sizes)
-    note_replaced(out, "law of creases")
     result = characterise_crease(read.tests, name=out.resolve().name, source=read.source)
+    note_replaced(out, "law of creases")
     print_crease(result)
     write_crease(result, out)
     print(f'use the law in a design with --set crease.law="{out / CREASE_LAW_FILE}"')

@@ -68,9 +68,9 @@ def trace(
     is_file = out.suffix.lower() == ".fold"
     folder = out.with_suffix("") if is_file else out
     check_folder(folder, "trace")
-    note_replaced(folder, "trace")
     with options_named(size="--size", corners="--corners", straighten="--straighten"):
         result = trace_call(picture, size, corners=corners, straighten=straighten)
+    note_replaced(folder, "trace")
     print_trace(result)
     write_trace_folder(result, folder)
     if is_file:

@@ -22,8 +22,8 @@ from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
 from forficula.design.protocol import Protocol, StageSection, stage_drives
 from forficula.design.section import LENGTH, TORQUE
+from forficula.design.sheets.crease_law_section import CreaseLawSection
 from forficula.design.sheets.crease_pattern import design_frames, design_pattern, part_patterns
-from forficula.design.sheets.crease_sections import CreaseLawSection
 from forficula.design.sheets.sheet import SheetDesign
 from forficula.design.sheets.sheet_sections import Imperfection
 from forficula.design.similarity import in_units, scale_design

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.design.sheets.crease_sections import Crease, CreaseLawSection, group_values, largest_extension, with_law
+from forficula.design.sheets.crease_law_section import CreaseLawSection
+from forficula.design.sheets.crease_sections import Crease, group_values, largest_extension, with_law
 from forficula.design.sheets.sheet_sections import FacetSection
 from forficula.pattern import CreasePattern, triangulated
 from forficula.pattern.geometry import polygon_normal

@@ -30,6 +30,11 @@ _MOST_STEPS = 1e9
 # rows of a record times number of parts: about 5 GB in memory
 _MOST_ROWS = 1e7
 
+# sentence about the direction of gravity in a design without gravity and without a table, which is normal to gravity
+WITHOUT_GRAVITY = (
+    'protocol.gravity_direction has no effect without gravity: need protocol.gravity = "9.81 m/s^2" or a [table]'
+)
+
 
 @dataclass(frozen=True, kw_only=True)
 class DesignIdentity:
@@ -147,7 +152,8 @@ class Design(Displayed, Section):
     @property
     def idle(self) -> tuple[str, ...]:
         """Sentences about given values that have no effect."""
-        return ()
+        acts = self.protocol.gravity or self.table is not None or self.protocol.gravity_direction == "-z"
+        return () if acts else (WITHOUT_GRAVITY,)
 
     @property
     def law_sentences(self) -> tuple[str, ...]:

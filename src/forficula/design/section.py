@@ -243,6 +243,15 @@ def _with_unit(value: object, unit: Unit) -> object:
     return _Text(show_quantity(value, unit, _DIGITS)) if isinstance(value, float) else value
 
 
+def kind_tag(section: object) -> str | None:
+    """Return the tag of a section or of its table in a union of sections by its kind; None if the kind is not text.
+
+    A discriminator by key would not allow validators that run before. "<" and ">" distinguish tags from keys in errors.
+    """
+    kind = section.get("kind") if isinstance(section, dict) else getattr(section, "kind", None)
+    return f"<{kind}>" if isinstance(kind, str) else None
+
+
 def in_si(value: float, _: Unit) -> float:
     """Return a value unchanged, as tables in SI have it."""
     return value

@@ -15,7 +15,7 @@ from forficula.design import Design, check_keys_once, key_quantity, key_value, n
 from forficula.design.file_fields import entry
 from forficula.design.files.rejection import read_section
 from forficula.design.section import Quantity, Section, field_quantity
-from forficula.design.sheets.crease_sections import CreaseLawSection
+from forficula.design.sheets.crease_law_section import CreaseLawSection
 from forficula.errors import InputError, error_prefix
 from forficula.material.law.crease_law_file import CreaseLawFile, load_crease_law
 from forficula.material.law.law_file import load_law

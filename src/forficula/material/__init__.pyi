@@ -41,9 +41,9 @@ from .law.material_law import area_for as area_for
 from .law.material_law import require as require
 from .law.material_law import scaled as scaled
 from .law.material_law import with_linear_modulus as with_linear_modulus
+from .law.maxwell_element import MaxwellElement as MaxwellElement
 from .law.softening import OgdenRoxburgh as OgdenRoxburgh
 from .law.tendon_law import ElasticLaw as ElasticLaw
-from .law.tendon_law import TendonBranch as TendonBranch
 from .law.tendon_law import TendonLaw as TendonLaw
 from .machine.folding_file import read_folding_tests as read_folding_tests
 from .machine.machine_file import read_tensile_test as read_tensile_test

@@ -11,8 +11,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.material.law.crease_law import CreaseBranch, CreaseDamage
+from forficula.material.law.crease_law import CreaseDamage
 from forficula.material.law.material_law import MaterialLaw
+from forficula.material.law.maxwell_element import MaxwellElement
 from forficula.material.law.tendon_law import TendonLaw
 
 GROUND = -1
@@ -206,7 +207,7 @@ class Hinge:
     hardening: float = 0.0
     quadratic: float = 0.0
     cubic: float = 0.0
-    branches: tuple[CreaseBranch, ...] = ()
+    branches: tuple[MaxwellElement, ...] = ()
     damage: CreaseDamage | None = None
     damping: float = 0.0
     friction: float = 0.0

@@ -7,6 +7,7 @@ import pytest
 import forficula as ff
 from forficula import InputError
 from forficula.cli import main
+from forficula.dynamics.stepping.timestep import stable_timestep
 from forficula.goals.clicks.fan_fit import fit_fan
 from forficula.goals.clicks.fan_least_squares import FanClicks
 from forficula.pattern import EarwigFan, hub_points, ring_vertices, tips
@@ -111,6 +112,16 @@ def test_the_design_has_the_fitted_pattern():
     for name in NUMBERS:
         assert getattr(pattern, name) == pytest.approx(getattr(FAN, name), rel=1e-5)
     assert pattern.units == 1
+
+
+def test_the_design_of_an_insects_wing_allows_timesteps_similar_to_those_of_the_reference():
+    design, reference = ff.trace_clicks("imitated-wing").design, ff.load_design("binder2025")
+    factor = design.protocol.window / reference.protocol.window
+    assert factor == pytest.approx(0.0216, rel=1e-2)
+    assert design.membrane.damping == pytest.approx(factor * reference.membrane.damping)
+    # with the damping of 1 ms of the reference the longest timestep was 0.5 µs
+    assert stable_timestep(design) > 0.5 * factor * stable_timestep(reference) > 1e-5
+    assert design.shows is None
 
 
 def test_the_named_wing_is_written_with_figures_and_design(tmp_path, capsys):

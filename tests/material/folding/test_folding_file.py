@@ -77,6 +77,8 @@ def test_a_moment_per_width_is_multiplied_by_the_width(tmp_path):
             "lever: is not in the file.*the file has Extension and Load instead",
         ),
         ("Angle (deg),Moment (kPa)", {"width": WIDTH}, 'line 1: Moment: "kPa" is not its unit; need one of N m'),
+        ("Angle (mm),Moment (N m)", {"width": WIDTH}, 'line 1: Angle: "mm" is not its unit; need one of deg'),
+        ("Angle (deg),Moment (N)", {"width": WIDTH}, 'line 1: Moment: "N" is not its unit; need one of N m.*N m/m'),
         ("Angle (deg),Temperature (N mm)", {"width": WIDTH}, "need a column of force, such as Moment, or Load"),
     ],
 )
@@ -84,3 +86,14 @@ def test_files_without_what_a_moment_needs_are_refused(tmp_path, names, sizes, m
     path = table(tmp_path / "t.csv", names, STRIP.angle, STRIP.moment)
     with pytest.raises(InputError, match=message):
         read_folding_tests([path], **sizes)
+
+
+def test_a_file_with_names_alone_is_refused_with_its_line_and_the_names(tmp_path):
+    path = tmp_path / "h.csv"
+    path.write_text("Strip;1\nAngle (deg);Moment (N m)\n")
+    with pytest.raises(InputError, match=r'line 2: need rows of numbers below the names "Angle .deg.*, got none$'):
+        read_folding_tests([path], width=WIDTH)
+
+
+def test_an_angle_in_a_wrong_unit_is_still_a_folding_test(tmp_path):
+    assert has_angles(table(tmp_path / "a.csv", "Angle (mm),Moment (N)", STRIP.angle, STRIP.moment))

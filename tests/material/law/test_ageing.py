@@ -10,13 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from forficula.material.law.ageing import aged
-from forficula.material.law.tendon_law import TendonBranch, TendonLaw
+from forficula.material.law.maxwell_element import MaxwellElement
+from forficula.material.law.tendon_law import TendonLaw
 
 REST, K, K1, TAU = 0.06, 500.0, 300.0, 3600.0
 
 
 def law(*branches, rest=REST, stiffness=(K, 0.0, 0.0), **values):
-    tendon_branches = tuple(TendonBranch(stiffness=stiffness, time=time) for stiffness, time in branches)
+    tendon_branches = tuple(MaxwellElement(stiffness=stiffness, time=time) for stiffness, time in branches)
     return TendonLaw(rest_length=rest, stiffness=stiffness, branches=tendon_branches, **values)
 
 

@@ -5,7 +5,8 @@ import pytest
 from scipy.integrate import quad
 
 from forficula.errors import InputError
-from forficula.material.law.crease_law import CreaseBranch, CreaseLaw
+from forficula.material.law.crease_law import CreaseLaw
+from forficula.material.law.maxwell_element import MaxwellElement
 from forficula.material.law.relaxation import followed_share, square_integrals, working_share
 
 BENT = CreaseLaw(stiffness=2.0, rest_angle=0.3, quadratic=-0.4, cubic=0.5, lock_above=2.0)
@@ -52,4 +53,4 @@ def test_numbers_without_a_meaning_are_refused(values, message):
 
 def test_a_branch_needs_a_stiffness_and_a_time():
     with pytest.raises(InputError, match=r"branch\.time: need a finite number > 0, got 0 s"):
-        CreaseBranch(stiffness=1.0, time=0.0)
+        MaxwellElement(stiffness=1.0, time=0.0)

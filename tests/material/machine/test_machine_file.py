@@ -17,6 +17,8 @@ TEST = few_rows()
 SIZE = {"length": LENGTH, "area": AREA}
 DIGITS = 1e-8  # nine are written
 
+TABLE = "need a table of time, extension and force, or for a folding test of angle and moment"
+
 
 def file(folder, text, *, name="tendon.csv", encoding="utf-8"):
     path = folder / name
@@ -189,7 +191,7 @@ def test_several_files_are_read_in_order_and_an_error_names_its_file(tmp_path):
     paths = [file(tmp_path, plain_text(TEST), name=f"tendon-{number}.csv") for number in (3, 1, 2)]
     assert [test.name for test in read_tensile_tests(paths, **SIZE)] == ["tendon-3", "tendon-1", "tendon-2"]
     empty = file(tmp_path, "", name="empty.csv")
-    with pytest.raises(InputError, match=rf"^{empty}: need a tensile test, got an empty file$"):
+    with pytest.raises(InputError, match=rf"^{empty}: {TABLE}, got an empty file$"):
         read_tensile_tests([*paths, empty], **SIZE)
     with pytest.raises(InputError, match=r"^need at least one file of a tensile test, got none$"):
         read_tensile_tests([])
@@ -202,11 +204,11 @@ ROWS = "0,0,0\n1,1.5,2.5\n2,3,4\n"
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "need a tensile test, got an empty file"),
-        (" \n\n", "need a tensile test, got an empty file"),
-        (NAMES, "need a table of numbers, found none: it is cut off, or its format is unknown; known are ZwickRoell"),
-        ("a text\nof two lines\n", "need a table of numbers, found none"),
-        (b"\x89PNG\r\n\x1a\n\xff\xfe binary", "need a table of numbers, found none"),
+        ("", f"{TABLE}, got an empty file"),
+        (" \n\n", f"{TABLE}, got an empty file"),
+        (NAMES, 'line 1: need rows of numbers below the names "time [s]", "extension [mm]" and "force [N]", got none'),
+        ("a text\nof two lines\n", f"{TABLE}, found no rows of numbers: it is cut off, or its format is unknown"),
+        (b"\x89PNG\r\n\x1a\n\xff\xfe binary", f"{TABLE}, found no rows of numbers"),
         (
             "1,2,3\n4,5,6\n",
             'line 1: need a column of time, such as Time or Prüfzeit, got "1", "2", "3"; known are Zwick',

@@ -72,3 +72,10 @@ def test_movements_beyond_the_tolerance_are_refused_with_the_least_one():
 def test_an_odd_number_of_creases_cannot_be_straightened():
     with pytest.raises(InputError, match="need an even number of creases at every vertex, got 5 at vertex 0"):
         straightened(vertex_pattern([math.radians(72)] * 5, 0.06, "MMVMV"), 1e-3)
+
+
+@pytest.mark.parametrize("tolerance", [0.0125, 1.0, 1e300])
+def test_a_tolerance_that_lets_vertices_exchange_their_positions_is_refused(tolerance):
+    rule = r"^straighten: need a tolerance < 12\.5 mm, half of the shortest distance between two vertices, got "
+    with pytest.raises(InputError, match=rule):
+        straightened(MIURA, tolerance)

@@ -246,3 +246,10 @@ def test_the_command_writes_a_fold_file_that_designs_accept_and_a_report(tmp_pat
     assert len(ff.structure_of(design).facets) == 9
     main(["figure", str(tmp_path / "found"), "--kind", "trace", "--out", str(tmp_path / "figure.png")])
     assert (tmp_path / "figure.png").is_file()
+    # a trace that fails replaces nothing, and does not report that it does
+    with pytest.raises(SystemExit):
+        main(["trace", str(tmp_path / "sheet.png"), "--size", size, "--straighten", "100 cm", "--out", str(out)])
+    said = capsys.readouterr().err
+    assert "replaces" not in said
+    assert "--straighten: need a tolerance < " in said
+    assert "half of the shortest distance between two vertices, got 100 cm" in said

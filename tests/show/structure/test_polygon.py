@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from forficula.pattern.geometry import polygon_normal
-from forficula.show.structure.shape import drawn_pieces, is_convex
+from forficula.show.structure.drawn_polygons import drawn_pieces, is_convex
 
 ARROW = np.array([[0, 0, 0], [2, 0, 0], [1, 1, 0], [2, 2, 0], [0, 2, 0]], dtype=float)
 

@@ -20,7 +20,7 @@ from forficula.design.assembly.joints import (
     drive_targets,
 )
 from forficula.design.chosen import Choice
-from forficula.design.design import Design
+from forficula.design.design import WITHOUT_GRAVITY, Design
 from forficula.design.named_protocol import Action, Drive, NamedProtocol
 from forficula.design.protocol import CommonProtocol, check_stages, read_goal
 from forficula.design.section import ANGLE
@@ -245,8 +245,25 @@ class AssemblyDesign(Design):
 
     @property
     def idle(self) -> tuple[str, ...]:
-        """Sentences about values of parts that have no effect."""
-        return tuple(f"{name}: {sentence}" for name, part in self.designs.items() for sentence in part.idle)
+        """Sentences about values of the assembly and of its parts that have no effect."""
+        of_parts = ((name, sentence) for name, part in self.designs.items() for sentence in part.idle)
+        inside = (f"{name}: {sentence}" for name, sentence in of_parts if sentence != WITHOUT_GRAVITY)
+        return (*super().idle, *self._replaced, *inside)
+
+    @property
+    def _replaced(self) -> Iterator[str]:
+        """Sentences about surroundings that parts give and that those of the assembly replace."""
+        for name in self.parts:
+            part = getattr(self, name)
+            sections = {key: (getattr(part, key), None) for key in ("medium", "table")}
+            values = {
+                f"protocol.{key}": (getattr(part.protocol, key), CommonProtocol.model_fields[key].default)
+                for key in _SURROUNDINGS
+            }
+            for key, (value, default) in (sections | values).items():
+                common: Any = self.protocol if key.startswith("protocol.") else self
+                if value not in (default, getattr(common, key.removeprefix("protocol."))):
+                    yield f"{name}.{key} has no effect in a part; set {key} of the assembly"
 
     @property
     def method_papers(self) -> Mapping[str, str]:

@@ -20,6 +20,7 @@ from forficula.design.section import (
     TIME,
     TORQUE,
     Section,
+    kind_tag,
     quantity,
 )
 from forficula.design.sheets.sheet_drives import NamedDrive
@@ -262,19 +263,13 @@ class TendonJoint(_JoinedTendon):
     kind: Annotated[Literal["tendon"], Field(description="kind of joint")]
 
 
-def _tag(section: object) -> str | None:
-    """Return the tag of a section or of its table by its kind; None if the kind is not text."""
-    kind = section.get("kind") if isinstance(section, dict) else getattr(section, "kind", None)
-    return f"<{kind}>" if isinstance(kind, str) else None
-
-
 Joint = Annotated[
     Annotated[RigidJoint, Tag("<rigid>")]
     | Annotated[HingeJoint, Tag("<hinge>")]
     | Annotated[CouplingJoint, Tag("<coupling>")]
     | Annotated[SpringJoint, Tag("<spring>")]
     | Annotated[TendonJoint, Tag("<tendon>")],
-    Discriminator(_tag),
+    Discriminator(kind_tag),
 ]
 
 _DRIVE_KIND = Field(description="torque on hinges, or force at points")
@@ -332,7 +327,7 @@ class PointDrive(NamedDrive):
 
 
 JointDrive = Annotated[
-    Annotated[HingeDrive, Tag("<torque>")] | Annotated[PointDrive, Tag("<force>")], Discriminator(_tag)
+    Annotated[HingeDrive, Tag("<torque>")] | Annotated[PointDrive, Tag("<force>")], Discriminator(kind_tag)
 ]
 
 

@@ -23,10 +23,17 @@ from forficula.design.fans.fan_sections import (
     MembraneSection,
     VeinSection,
 )
-from forficula.design.fans.folding import REST_KEYS, check_angles, check_folding_stages, folding_protocol, other_start
+from forficula.design.fans.folding import (
+    REST_KEYS,
+    check_angles,
+    check_folding_stages,
+    folding_protocol,
+    other_start,
+    torque_drive,
+)
 from forficula.design.files.tendon_tables import is_by_vein
 from forficula.design.medium import check_medium
-from forficula.design.named_protocol import Action, Drive, NamedProtocol
+from forficula.design.named_protocol import Action, NamedProtocol
 from forficula.design.protocol import Protocol, check_bounds
 from forficula.design.section import ANGLE, ANGULAR_SPEED, LENGTH, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.tendon import TendonSection, check_on_bars
@@ -233,25 +240,12 @@ class FanDesign(Design):
         speed = protocol.no_load_speed or math.inf
         proximal = Action(motor="proximal", hinges=tuple(f"turn{vein}" for vein in veins), no_load_speed=speed)
         distal = Action(motor="distal", hinges=("ring",), no_load_speed=speed)
-        fold = Drive(
-            name="fold",
-            actions=(proximal,),
-            rise=protocol.rise,
-            key="protocol.fold_torque",
-            strength=protocol.fold_torque,
-            tries="0..50 N cm step 10",
-            where="on every proximal joint" if every else f"on {driven}",
-            part="proximal turn axis" if every else "driven proximal turn axis",
-        )
-        unfold = Drive(
-            name="unfold",
-            actions=(replace(proximal, share=-1.0), distal),
-            rise=protocol.rise,
-            key="protocol.unfold_torque",
-            strength=protocol.unfold_torque,
-            tries="10..100 N cm step 10",
-            where="on every joint" if every else f"on every distal joint and {driven}",
-        )
+        where = "on every proximal joint" if every else f"on {driven}"
+        part = "proximal turn axis" if every else "driven proximal turn axis"
+        fold = torque_drive(protocol, "fold", (proximal,), tries="0..50 N cm step 10", where=where, part=part)
+        where = "on every joint" if every else f"on every distal joint and {driven}"
+        both = (replace(proximal, share=-1.0), distal)
+        unfold = torque_drive(protocol, "unfold", both, tries="10..100 N cm step 10", where=where)
         return folding_protocol(protocol, (fold, unfold))
 
     def _goals_within_stops(self) -> None:
@@ -302,7 +296,8 @@ class FanDesign(Design):
     @property
     def idle(self) -> tuple[str, ...]:
         """Sentences about given values that have no effect."""
-        return () if self.contact is None or self.protocol.contact else (WITHOUT_CONTACT,)
+        without = self.contact is not None and not self.protocol.contact
+        return (*super().idle, *[WITHOUT_CONTACT] * without)
 
     @property
     def driven_veins(self) -> tuple[int, ...]:

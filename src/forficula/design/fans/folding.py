@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeVar
 
-from forficula.design.named_protocol import Drive, NamedProtocol, RestState, Transition, Wording
+from forficula.design.named_protocol import Action, Drive, NamedProtocol, RestState, Transition, Wording
 from forficula.design.protocol import Protocol, check_stages, check_states, stage_drives
 from forficula.design.section import ANGLE
 from forficula.errors import InputError
@@ -49,6 +49,23 @@ _UNFOLD = Wording(
 )
 
 _ProtocolOf = TypeVar("_ProtocolOf", bound=Protocol)
+
+
+def torque_drive(
+    protocol: FanProtocol | JointProtocol,
+    name: Literal["fold", "unfold"],
+    actions: tuple[Action, ...],
+    *,
+    tries: str,
+    where: str,
+    part: str = "",
+) -> Drive:
+    """Return the drive that folds or unfolds with the torque of the protocol, as data; see `Drive`."""
+    strength = protocol.fold_torque if name == "fold" else protocol.unfold_torque
+    key = f"protocol.{name}_torque"
+    return Drive(
+        name=name, actions=actions, rise=protocol.rise, key=key, strength=strength, tries=tries, where=where, part=part
+    )
 
 
 def folding_protocol(protocol: FanProtocol | JointProtocol, drives: Sequence[Drive]) -> NamedProtocol:

@@ -11,9 +11,16 @@ from pydantic import model_validator
 
 from forficula.design.design import Design, check_duration
 from forficula.design.fans.fan_sections import VeinSection
-from forficula.design.fans.folding import REST_KEYS, check_angles, check_folding_stages, folding_protocol, other_start
+from forficula.design.fans.folding import (
+    REST_KEYS,
+    check_angles,
+    check_folding_stages,
+    folding_protocol,
+    other_start,
+    torque_drive,
+)
 from forficula.design.fans.joint_sections import JointHinge, JointPattern, JointTendon
-from forficula.design.named_protocol import Action, Drive, NamedProtocol
+from forficula.design.named_protocol import Action, NamedProtocol
 from forficula.design.protocol import Protocol, check_bounds
 from forficula.design.section import ANGLE, ANGULAR_SPEED, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.tendon import TendonSection, check_on_bars
@@ -98,24 +105,9 @@ class JointDesign(Design):
         """Torques on the hinge."""
         protocol = self.protocol
         unfolding = Action(motor="distal", hinges=("ring",), no_load_speed=protocol.no_load_speed or math.inf)
-        fold = Drive(
-            name="fold",
-            actions=(replace(unfolding, share=-1.0),),
-            rise=protocol.rise,
-            key="protocol.fold_torque",
-            strength=protocol.fold_torque,
-            tries="0..20 N cm step 2",
-            where="on the hinge",
-        )
-        unfold = Drive(
-            name="unfold",
-            actions=(unfolding,),
-            rise=protocol.rise,
-            key="protocol.unfold_torque",
-            strength=protocol.unfold_torque,
-            tries="10..100 N cm step 10",
-            where="on the hinge",
-        )
+        folding, where = replace(unfolding, share=-1.0), "on the hinge"
+        fold = torque_drive(protocol, "fold", (folding,), tries="0..20 N cm step 2", where=where)
+        unfold = torque_drive(protocol, "unfold", (unfolding,), tries="10..100 N cm step 10", where=where)
         return folding_protocol(protocol, (fold, unfold))
 
     def _goals_within_stops(self) -> None:
@@ -127,9 +119,8 @@ class JointDesign(Design):
     @property
     def idle(self) -> tuple[str, ...]:
         """Sentences about given values that have no effect."""
-        if self.medium is None:
-            return ()
-        return ("medium.density and medium.viscosity have no effect, because a joint has no panels",)
+        without_panels = "medium.density and medium.viscosity have no effect, because a joint has no panels"
+        return (*super().idle, *[without_panels] * (self.medium is not None))
 
     @property
     def bar_lengths(self) -> tuple[tuple[float, float], ...]:

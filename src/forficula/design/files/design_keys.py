@@ -13,7 +13,7 @@ from forficula.design.design import Design
 from forficula.design.files.key_table import KeyFact, crease_law_fact, field_fact, field_forms
 from forficula.design.files.keys import entry_of, holds_sections, names_crease_law, names_law, section_fields
 from forficula.design.section import Quantity, Section, field_quantity
-from forficula.design.sheets.crease_sections import CreaseLawSection
+from forficula.design.sheets.crease_law_section import CreaseLawSection
 from forficula.material.law.crease_law_file import FORMS, named_crease_laws
 from forficula.material.law.law_file import named_laws
 from forficula.names import listed

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from functools import lru_cache
 from types import UnionType
-from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
@@ -15,12 +15,13 @@ from forficula.design.assembly.assembly import AssemblyDesign
 from forficula.design.design import Design
 from forficula.design.fans.fan import FanDesign
 from forficula.design.file_fields import by_key
+from forficula.design.files.kinds import KINDS
 from forficula.design.files.tables import check_once, entry_index, numbered
 from forficula.design.law import LawSection
 from forficula.design.section import Quantity, Section, field_quantity
-from forficula.design.sheets.crease_sections import CreaseLawSection
+from forficula.design.sheets.crease_law_section import CreaseLawSection
 from forficula.errors import InputError
-from forficula.names import unknown_key
+from forficula.names import listed, unknown_key
 from forficula.quantities import as_written
 
 _SectionOf = TypeVar("_SectionOf", bound=Section)
@@ -36,6 +37,8 @@ _OF_ASSEMBLY = (
     "protocol.timestep",
     "protocol.sample_interval",
 )
+# keys of other sections that a hint for an unknown key names at most, and keys of its section that it names besides
+_MOST_MEANT = 4
 # words that users write by mistake, with the key that they mean
 _MEANT = {"file": "path"}
 # sections of a law file that are single keys in a design
@@ -282,18 +285,24 @@ def hint(place: Sequence[str], model: type[Section] = FanDesign) -> str:
             law = ".".join(section[: depth + 1])
             return f"did you mean {' or '.join(f'{law}.{name}' for name in meant)}?"
     allowed = siblings(place, model)
-    other = _MEANT.get(wrong.lower(), "")
+    word = _MEANT.get(wrong.lower(), "")
     # names of sections are short: "design" is not near "vein"
     cutoff = 0.6 if section else 0.65
-    if near := [other] if other in allowed else difflib.get_close_matches(wrong.lower(), allowed, n=1, cutoff=cutoff):
+    if near := [word] if word in allowed else difflib.get_close_matches(wrong.lower(), allowed, n=1, cutoff=cutoff):
         return f"did you mean {'.'.join([*section, *near])}?"
     elsewhere: dict[str, list[str]] = {}
     for key in known_keys(model):
         elsewhere.setdefault(key.rpartition(".")[2], []).append(key)
-    if near := difflib.get_close_matches(wrong.lower(), elsewhere, n=1, cutoff=0.75):
-        return f"did you mean {' or '.join(elsewhere[near[0]])}?"
+    near = difflib.get_close_matches(wrong.lower(), elsewhere, n=1, cutoff=0.75)
+    listing = f"allowed here: {', '.join(allowed)}"
+    kind = next((name for name in KINDS if KINDS[name] is model), "")
+    if kind and not section and (having := [name for name in KINDS if wrong in KINDS[name].model_fields]):
+        return f"designs of kind {kind} do not have it, those of kind {listed(having)} do"
+    if near and not (section and allowed and len(elsewhere[near[0]]) > _MOST_MEANT):
+        few = f" {listing}" * bool(section and 0 < len(allowed) <= _MOST_MEANT)
+        return f"did you mean {' or '.join(elsewhere[near[0]])}?{few}"
     # where the section itself is unknown, give a hint for the section
-    return f"allowed here: {', '.join(allowed)}" if allowed or not section else hint(section, model)
+    return listing if allowed or not section else hint(section, model)
 
 
 def _fields_at(place: Sequence[str], model: type[Section]) -> dict[str, FieldInfo]:
@@ -301,9 +310,30 @@ def _fields_at(place: Sequence[str], model: type[Section]) -> dict[str, FieldInf
     return section_fields(_annotation_at(place, model))
 
 
+def field_at(place: Sequence[str], model: type[Section]) -> FieldInfo | None:
+    """Return the field of a key, given by its parts; None if there is no such key."""
+    return _fields_at(place[:-1], model).get(place[-1])
+
+
 def holds_texts(place: Sequence[str], model: type[Section]) -> bool:
     """Return whether a key, given by its parts, holds a list of texts."""
     return str in _forms(entry_of(_annotation_at(place, model)))
+
+
+def words_at(place: Sequence[str], model: type[Section]) -> list[str]:
+    """Return the words that a key, given by its parts, allows instead of a table."""
+    forms = list(_forms(_annotation_at(place, model)))
+    return [word for form in forms if get_origin(form) is Literal for word in get_args(form)]
+
+
+def without_forms(place: Sequence[str], model: type[Section]) -> list[str]:
+    """Return the parts of a place without those that pydantic inserts for a value that may be a table or a word."""
+    parts: list[str] = []
+    for part in place:
+        forms = [form.__name__ for form in _forms(_annotation_at(parts, model)) if _is_section(form)]
+        if not parts or not (part in forms or part.startswith("literal[")):
+            parts.append(part)
+    return parts
 
 
 def _annotation_at(place: Sequence[str], model: type[Section]) -> Any:

@@ -17,8 +17,8 @@ from forficula.design.files.tables import (
     RejectedError,
 )
 from forficula.design.files.tendon_tables import entries_over, tendon_over, tendons_over
-from forficula.design.sheets.crease_sections import CreaseSpring
-from forficula.errors import InputError, error_prefix
+from forficula.design.sheets.crease_law_section import CreaseSpring
+from forficula.errors import InputError
 from forficula.material.law.crease_law_file import FORMS, CreaseLawFile, load_crease_law
 from forficula.quantities import as_written
 
@@ -97,8 +97,10 @@ def _without_other_spring(tables: dict[str, Any], upper: dict[str, Any]) -> dict
     named = law.get("based_on") if isinstance(law, dict) else law
     if not isinstance(crease, dict) or not isinstance(named, str | CreaseLawFile) or named in FORMS:
         return tables
-    with error_prefix("crease.law: "):
+    try:
         file = named if isinstance(named, CreaseLawFile) else load_crease_law(named)
+    except InputError as error:
+        raise RejectedError(["crease", "law"], f"crease.law: {error}") from None
     replaced = set(CreaseSpring.model_fields) - ({"damping", "rest_angle"} - file.values.keys())
     return tables | {"crease": {key: value for key, value in crease.items() if key not in replaced}}
 

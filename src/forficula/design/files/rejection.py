@@ -11,7 +11,18 @@ from pydantic import ValidationError
 from forficula.design.design import Design
 from forficula.design.fans.fan import FanDesign
 from forficula.design.files.key_table import key_facts
-from forficula.design.files.keys import hint, holds_texts, is_key, known_keys, needed_keys, section_kinds, siblings
+from forficula.design.files.keys import (
+    field_at,
+    hint,
+    holds_texts,
+    is_key,
+    known_keys,
+    needed_keys,
+    section_kinds,
+    siblings,
+    without_forms,
+    words_at,
+)
 from forficula.design.files.tables import RejectedError, written_key
 from forficula.design.section import Section
 from forficula.names import listed, near_name, unknown_key
@@ -46,7 +57,8 @@ def rejected(error: ValidationError, model: type[Section]) -> RejectedError:
     kind, value, bounds = worst["type"], worst["input"], worst.get("ctx", {})
     # tags that pydantic inserts for the kind of a section
     tags = [part for part in map(str, worst["loc"]) if re.fullmatch(r"<[a-z -]+>", part)]
-    place, which = [str(part) for part in worst["loc"] if part not in tags], "".join(tags).strip("<>")
+    parts, which = [str(part) for part in worst["loc"] if part not in tags], "".join(tags).strip("<>")
+    place = without_forms(parts, model)
     if kind.startswith("union_tag_"):
         # the key `kind` of a section with several kinds is missing or wrong
         kinds, place = section_kinds(place, model), [*place, "kind"]
@@ -70,6 +82,8 @@ def rejected(error: ValidationError, model: type[Section]) -> RejectedError:
         return RejectedError(place[:-1], f"{key}: is missing; {_remedy(place, model, which)}")
     rule = _rule(place, kind, value, bounds, model)
     near = near_name(value, rule.split('"')[1::2]) if kind == "literal_error" and isinstance(value, str) else ""
+    if kind.startswith("model_") and is_key(f"protocol.{key}", model):
+        near = f"; did you mean protocol.{key}?"
     return RejectedError(place, f"{key}: need {rule}, got {as_written(value)}{near}")
 
 
@@ -147,7 +161,11 @@ def _remedy(place: list[str], model: type[Section], which: str) -> str:
         # the reference design has no such section
         return f"give it, or leave out [{place[0]}]"
     if any(part.isdecimal() for part in place):
-        return f"needed here: {', '.join(needed_keys(place, model, which))}"
+        needed = needed_keys(place, model, which)
+        if needed != place[-1:] and needed:
+            return f"needed here: {', '.join(needed)}"
+        examples = getattr(field_at(place, model), "examples", None) or []
+        return "give it" + "".join(f", such as {place[-1]} = {as_written(example)}" for example in examples[:1])
     within = {} if section is None else getattr(section.annotation, "model_fields", {})
     if len(place) > 2 and place[1] in within and within[place[1]].default is None:
         # a section within a section that the reference design does not have
@@ -158,7 +176,9 @@ def _remedy(place: list[str], model: type[Section], which: str) -> str:
 def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any], model: type[Section]) -> str:
     """Describe the allowed values, by pydantic's name of the error."""
     header = ".".join(part for part in place if not part.isdecimal())
-    is_tables = any(key.startswith(f"{header}.0.") for key in known_keys(model))
+    first = ".".join("0" if part.isdecimal() else part for part in place)
+    entries = f"{first}." if place[-1].isdecimal() else f"{first}.0."
+    is_tables = any(key.startswith(entries) for key in known_keys(model))
     bare = " without quotes" if isinstance(value, str) else ""
     rules = {
         "greater_than": "> {gt:.12g}",
@@ -176,7 +196,7 @@ def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any],
         "bool": f"true or false{bare}",
         "dict": "a table",
         "tuple": f"a list of tables, each under [[{header}]]" if is_tables else _list_rule(place, model),
-        "model": _table_rule(header, is_list=is_tables),
+        "model": _table_rule(header, words_at(place, model), is_list=is_tables),
     }
     if not issubclass(model, Design) and kind.startswith(("greater", "less", "int", "string_type")):
         # for files other than designs, the table of keys describes all allowed values
@@ -197,9 +217,9 @@ def _list_rule(place: list[str], model: type[Section]) -> str:
     )
 
 
-def _table_rule(header: str, *, is_list: bool) -> str:
+def _table_rule(header: str, words: Sequence[str], *, is_list: bool) -> str:
     if header in ("crease.law", "crease.group.law"):
         return f"the form of a spring, the name of a law, the path of a law file, or a table under [{header}]"
     if header == "tendon.law":
         return "the name of a material, the path of a law file, or a table under [tendon.law]"
-    return f"a table under [[{header}]]" if is_list else f"a table under [{header}]"
+    return listed([f"a table under {f'[[{header}]]' if is_list else f'[{header}]'}", *map(as_written, words)], "or")

@@ -66,11 +66,10 @@ def value_from_folder(key: str, value: object, folder: Path) -> object:
         value: value as in the file, or a list of such values.
         folder: folder of the design file.
     """
-    if not f"{key}.".startswith("tendon."):
-        return value
     if isinstance(value, list):
         return [value_from_folder(key, entry, folder) for entry in value]
-    if key.endswith(".law"):
+    *sections, last = key.split(".")
+    if last == "law" and {"tendon", "crease"}.intersection(sections):
         if isinstance(value, dict) and "based_on" in value:
             return {**value, "based_on": value_from_folder(key, value["based_on"], folder)}
         return str(folder / value) if isinstance(value, str) and value.lower().endswith(".toml") else value

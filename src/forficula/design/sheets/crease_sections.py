@@ -5,18 +5,12 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag, field_validator, model_validator
+from pydantic import BeforeValidator, Field, field_validator
 
-from forficula.design.section import ANGLE, SMALL_LENGTH, TIME, Section, quantity
+from forficula.design.section import ANGLE, TIME, Section, quantity
+from forficula.design.sheets.crease_law_section import RESTS, CreaseLawSection, CreaseLawValue, CreaseSpring
 from forficula.design.sheets.sheet_names import checked_name
-from forficula.material.law.crease_law_file import (
-    CREASE_DAMPING,
-    CREASE_MOMENT,
-    CREASE_STIFFNESS,
-    FORMS,
-    CreaseLawFile,
-    load_crease_law,
-)
+from forficula.material.law.crease_law_file import CREASE_DAMPING, CREASE_MOMENT, CREASE_STIFFNESS
 from forficula.quantities import Unit
 
 EXTENSION = Unit(display="N/m^2", si="N/m^2", example="1e5 N/m^2")
@@ -24,7 +18,6 @@ EXTENSION_DAMPING = Unit(display="N s/m^2", si="N s/m^2", example="10 N s/m^2")
 CREASE_QUADRATIC = Unit(display="N m/rad^2/m", si="N m/rad^2/m", example="1e-3 N m/rad^2/m")
 CREASE_CUBIC = Unit(display="N m/rad^3/m", si="N m/rad^3/m", example="1e-3 N m/rad^3/m")
 
-_RESTS = ("as built", "flat")
 # word of a group that switches off what the section of all creases has
 NONE = "none"
 _OF = "creases, mountains, valleys, a group by name, crease 2, role:zigzag, assignment:M, or several joined by and"
@@ -92,83 +85,6 @@ class _NamedCreases(Section):
     @classmethod
     def _checked(cls, name: str | None) -> str | None:
         return None if name is None else checked_name(name)
-
-
-class CreaseSpring(Section):
-    """The values of a crease that a law file may contain; groups have them, too."""
-
-    about: ClassVar[str] = "The values of a crease that a law file may contain; groups have them, too"
-
-    stiffness: float | None = quantity(
-        CREASE_STIFFNESS, "stiffness of the springs per length of the crease", default=None, at_least=0
-    )
-    rest_angle: float | str | None = quantity(
-        ANGLE, "rest angle of the springs", default=None, words=_RESTS, examples=["0 deg"]
-    )
-    yield_moment: float | None = quantity(
-        CREASE_MOMENT, "moment per length of the crease at which it begins to fold permanently", default=None, above=0
-    )
-    hardening: float | None = quantity(
-        CREASE_STIFFNESS,
-        "slope of the moment while a crease yields, per length of the crease",
-        default=None,
-        at_least=0,
-        examples=["1e-3 N m/rad/m"],
-    )
-    damping: float | None = quantity(
-        CREASE_DAMPING, "viscous damping per length of the crease", default=None, at_least=0
-    )
-
-
-class CreaseLawSection(CreaseSpring):
-    """The law of creases: values per length of the crease that a law file or the name of a law gives.
-
-    It is read from values by key, from the name of a law or the path of a law file, or from values with either of these
-    under `based_on`.
-    """
-
-    about: ClassVar[str] = (
-        "The law of creases: values per length of the crease that a law file or the name of a law gives"
-    )
-
-    name: Annotated[str, Field(description="name of the law")] = ""
-    source: Annotated[str, Field(description="where the values of the law come from")] = ""
-    thickness: float | None = quantity(
-        SMALL_LENGTH, "thickness of the sheet to which the values apply", default=None, above=0
-    )
-    width: float | None = quantity(
-        SMALL_LENGTH, "length of the crease on which the values were measured", default=None, above=0
-    )
-    chosen: Annotated[
-        tuple[str, ...], Field(description="keys whose values are chosen, not measured", examples=[["hardening"]])
-    ] = ()
-    kind: Annotated[Literal["linear", "locking"], Field(description="law of the elastic part of the spring")] = "linear"
-
-    @model_validator(mode="before")
-    @classmethod
-    def _read_by_name(cls, value: object) -> object:
-        if isinstance(value, str | CreaseLawFile):
-            value = {"based_on": value}
-        if not isinstance(value, dict) or not isinstance(named := value.get("based_on"), str | CreaseLawFile):
-            return value
-        file = named if isinstance(named, CreaseLawFile) else load_crease_law(named)
-        return file.tables | {key: inside for key, inside in value.items() if key != "based_on"}
-
-    def hash_values(self) -> dict[str, Any]:
-        """Return the values that affect a run: all but names, sources and the size of the specimen."""
-        described = ("name", "source", "thickness", "width", "chosen")
-        return {key: value for key, value in super().hash_values().items() if key not in described}
-
-
-def _form(value: object) -> str:
-    return "<word>" if isinstance(value, str) and value in FORMS else "<law>"
-
-
-# the form of a spring, or a law with its values
-CreaseLawValue = Annotated[
-    Annotated[Literal["linear", "locking"], Tag("<word>")] | Annotated[CreaseLawSection, Tag("<law>")],
-    Discriminator(_form),
-]
 
 
 class CreaseGroup(CreaseSpring, _NamedCreases):
@@ -250,7 +166,7 @@ class Crease(Section):
         ANGLE,
         'rest angle of the spring: an angle, "flat" or "as built"; if not given, that of the law, or else "as built"',
         default=None,
-        words=_RESTS,
+        words=RESTS,
         at_least=-math.pi,
         at_most=math.pi,
     )

@@ -6,14 +6,8 @@ import math
 from typing import TYPE_CHECKING
 
 from forficula.design.section import SMALL_LENGTH
-from forficula.design.sheets.crease_sections import (
-    Crease,
-    CreaseGroup,
-    CreaseLawSection,
-    group_values,
-    named_laws_of,
-    with_law,
-)
+from forficula.design.sheets.crease_law_section import CreaseLawSection
+from forficula.design.sheets.crease_sections import Crease, CreaseGroup, group_values, named_laws_of, with_law
 from forficula.design.sheets.sheet_creases import creases_of, fold_edges
 from forficula.names import listed
 from forficula.quantities import show_quantity
@@ -88,7 +82,8 @@ def law_sentences(crease: Crease, thickness: float | None) -> tuple[str, ...]:
         if law.thickness is not None and not math.isclose(law.thickness, thickness or 0.0, rel_tol=_SAME_THICKNESS):
             sentences.append(
                 f'{key} "{law.name}" applies to a sheet of {show_quantity(law.thickness, SMALL_LENGTH)}, but'
-                f" facet.thickness is {show_quantity(thickness or 0.0, SMALL_LENGTH)}; its values are not scaled"
+                f" facet.thickness is {show_quantity(thickness or 0.0, SMALL_LENGTH)}; its values are not scaled:"
+                f" change facet.thickness, or give the values for this sheet, such as {key}.stiffness"
             )
     return tuple(sentences)
 

@@ -142,7 +142,8 @@ class SheetDesign(Design):
     @property
     def idle(self) -> tuple[str, ...]:
         """Sentences about given values that have no effect."""
-        return () if self.contact is None or self.protocol.contact else (WITHOUT_CONTACT,)
+        without = self.contact is not None and not self.protocol.contact
+        return (*super().idle, *[WITHOUT_CONTACT] * without)
 
     def hash_values(self) -> dict[str, Any]:
         """Return the values that affect a run, including those that a rule chooses."""

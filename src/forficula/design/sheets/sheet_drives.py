@@ -15,6 +15,7 @@ from forficula.design.section import (
     TIME,
     TORQUE,
     Section,
+    kind_tag,
     quantity,
 )
 from forficula.design.sheets.sheet_names import checked_name
@@ -210,19 +211,12 @@ class DisplacementDrive(NamedDrive):
     rise: float | None = _RISE
 
 
-def _tag(drive: object) -> str | None:
-    """Return the tag of a drive or of its table by its kind; None if the kind is not text."""
-    kind = drive.get("kind") if isinstance(drive, dict) else getattr(drive, "kind", None)
-    return f"<{kind}>" if isinstance(kind, str) else None
-
-
-# a discriminator by key would not allow validators that run before; "<" and ">" distinguish tags from keys in errors
 SheetDrive = Annotated[
     Annotated[TorqueDrive, Tag("<torque>")]
     | Annotated[ForceDrive, Tag("<force>")]
     | Annotated[DisplacementDrive, Tag("<displacement>")]
     | Annotated[RestAngleDrive, Tag("<rest-angle>")],
-    Discriminator(_tag),
+    Discriminator(kind_tag),
 ]
 
 

@@ -1,28 +1,26 @@
-"""Bodies in the engine: bars, plates and nodes, their hinges, slides and motors, and their points."""
+"""Bodies in the engine: bars, plates and nodes, their hinges and slides, and their points."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import mujoco
 import numpy as np
 
 from forficula.dynamics.energies.creases import is_followed_joint
 from forficula.dynamics.engine.contact import BARS, set_contact
+from forficula.dynamics.engine.parts import engine_sites
 from forficula.dynamics.engine.stops import FRICTION_IMPEDANCE, STOP_IMPEDANCE, stop_reference
 from forficula.dynamics.stepping.folds import slide_name
 from forficula.pattern.geometry import polygon_normal
-from forficula.structure import GROUND, Bar, Body, Hinge, Motor, Plate, Structure, mass_of
+from forficula.structure import GROUND, Bar, Body, Hinge, Plate, Structure, mass_of
 
 # share of a bar that counts as the whole bar, to allow for rounding
 _WHOLE = 1 - 1e-6
-# site whose axes define the directions of forces on plates
-GROUND_SITE = "ground"
 
 
 def add_bodies(spec: mujoco.MjSpec, structure: Structure) -> None:
-    """Add the bodies of a structure in a model's units, with hinges and motors.
+    """Add the bodies of a structure in a model's units, with hinges.
 
     Args:
         spec: specification of the engine's model.
@@ -51,35 +49,9 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure) -> None:
         point = structure.points[number]
         body = spec.worldbody if point.body == GROUND else bodies[point.body]
         body.add_site(name=point.name, pos=point.place)
-    driven = {number: motor for motor in structure.motors for number in motor.hinges}
-    for number, hinge in enumerate(structure.hinges):
-        if hinge.flaps:
-            continue
-        _add_hinge(bodies[hinge.body], hinge, structure)
-        if number in driven:
-            _add_motor(spec, hinge, driven[number].no_load_speed)
-    if has_turning_bodies(structure) and any(motor.points for motor in structure.motors):
-        spec.worldbody.add_site(name=GROUND_SITE)
-    for motor in structure.motors:
-        if motor.points:
-            _add_force(spec, motor, structure)
-
-
-def has_turning_bodies(structure: Structure) -> bool:
-    """Return whether bodies turn, so that a force on a point of a body needs a site there; nodes only slide."""
-    return bool(structure.plates or structure.bars)
-
-
-def engine_sites(structure: Structure) -> list[int]:
-    """Return the numbers of points that need a site: those away from body origins, and ends of tendons."""
-    pairs = [spring.points for spring in structure.springs]
-    pairs += [*(tendon.points for tendon in structure.tendons), *(limit.points for limit in structure.limits)]
-    pairs += [measure.points for measure in structure.measures if measure.points is not None]
-    pairs += [pair for closure in structure.closures for pair in closure.points]
-    ends = {number for pair in pairs for number in pair}
-    if has_turning_bodies(structure):
-        ends |= {number for motor in structure.motors for number in motor.points}
-    return [number for number, point in enumerate(structure.points) if point.place.any() or number in ends]
+    for hinge in structure.hinges:
+        if not hinge.flaps:
+            _add_hinge(bodies[hinge.body], hinge, structure)
 
 
 def _add_node(added: mujoco.MjsBody, body: Body) -> None:
@@ -177,76 +149,3 @@ def add_hardening(spec: mujoco.MjSpec, structure: Structure) -> None:
             rest = hinge.sense * hinge.rest_angle
             spring.springlength = [rest, rest]
             spring.wrap_joint(hinge.name, 1.0)
-
-
-def _add_motor(spec: mujoco.MjSpec, hinge: Hinge, no_load_speed: float) -> None:
-    motor = spec.add_actuator(
-        name=hinge.name, target=hinge.name, trntype=mujoco.mjtTrn.mjTRN_JOINT, gear=[hinge.sense, 0, 0, 0, 0, 0]
-    )
-    motor.set_to_motor()
-    if math.isfinite(no_load_speed):
-        # reduction of the torque with speed; its control is the magnitude of the torque
-        brake = spec.add_actuator(name=brake_name(hinge), target=hinge.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
-        brake.gear = [hinge.sense, 0, 0, 0, 0, 0]
-        brake.gaintype, brake.biastype = mujoco.mjtGain.mjGAIN_AFFINE, mujoco.mjtBias.mjBIAS_NONE
-        brake.gainprm[:3] = [0.0, 0.0, -1 / no_load_speed]
-
-
-def brake_name(hinge: Hinge) -> str:
-    """Return the engine's name of the actuator that reduces a motor's torque with the speed of a hinge."""
-    return f"{hinge.name}_brake"
-
-
-def force_name(motor: str) -> str:
-    """Return the engine's name of the force of a motor."""
-    return f"force_{motor}"
-
-
-def _add_force(spec: mujoco.MjSpec, motor: Motor, structure: Structure) -> None:
-    """Add a force in one direction at points: at sites of bodies that turn, or on a tendon that measures shifts."""
-    name, direction = force_name(motor.name), motor.direction
-    if direction is None:
-        return
-    if has_turning_bodies(structure):
-        for point in motor.points:
-            force = spec.add_actuator(name=f"{name}_{point}", target=structure.points[point].name)
-            force.trntype, force.refsite = mujoco.mjtTrn.mjTRN_SITE, GROUND_SITE
-            force.gear = [*direction, 0, 0, 0]
-            force.set_to_motor()
-        return
-    if motor.kind == "displacement":
-        for point, damping in zip(motor.points, motor.damping, strict=True):
-            _add_servo(spec, motor, structure, point, damping)
-        return
-    _add_displacement(spec, name, direction, structure, motor.points)
-    force = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_TENDON)
-    force.set_to_motor()
-
-
-def _add_displacement(
-    spec: mujoco.MjSpec, name: str, direction: np.ndarray, structure: Structure, points: Sequence[int]
-) -> None:
-    """Add a tendon whose length is the sum of the shifts of nodes along a direction."""
-    tendon = spec.add_tendon(name=name)
-    for point in points:
-        body = structure.bodies[structure.points[point].body]
-        for axis in body.slides:
-            if direction[axis]:
-                tendon.wrap_joint(slide_name(body.name, axis), direction[axis])
-
-
-def servo_names(motor: Motor) -> list[tuple[str, str]]:
-    """Return the engine's names of both parts of the servo of each point that a motor displaces."""
-    names = [f"{force_name(motor.name)}_{point}" for point in motor.points]
-    return [(name, f"{name}_hold") for name in names if motor.kind == "displacement"]
-
-
-def _add_servo(spec: mujoco.MjSpec, motor: Motor, structure: Structure, point: int, damping: float) -> None:
-    """Add a servo that pushes a node with k (target - shift) - c speed: k target, and the rest times a switch."""
-    assert motor.direction is not None
-    target, hold = servo_names(motor)[motor.points.index(point)]
-    _add_displacement(spec, target, motor.direction, structure, [point])
-    for name, gains in ((target, (motor.stiffness,)), (hold, (0.0, -motor.stiffness, -damping))):
-        push = spec.add_actuator(name=name, target=target, trntype=mujoco.mjtTrn.mjTRN_TENDON)
-        push.gaintype, push.biastype = mujoco.mjtGain.mjGAIN_AFFINE, mujoco.mjtBias.mjBIAS_NONE
-        push.gainprm[: len(gains)] = gains

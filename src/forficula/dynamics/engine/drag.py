@@ -10,6 +10,7 @@ import mujoco
 import numpy as np
 
 from forficula.arrays import Array, Indices
+from forficula.dynamics.engine.parts import part_indices
 from forficula.pattern.geometry import cross, dot
 from forficula.structure import Structure, gathered_mass
 
@@ -93,7 +94,7 @@ def drag_of(engine: mujoco.MjModel, structure: Structure) -> Drag | None:
         return None
     numbers, carriers = np.unique(medium.carriers, return_inverse=True)
     names = [structure.bodies[number].name for number in numbers.tolist()]
-    bodies = np.array([mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_BODY, name) for name in names], dtype=np.int64)
+    bodies = part_indices(engine, mujoco.mjtObj.mjOBJ_BODY, names)
     moved = np.zeros((len(bodies), engine.nv))
     # numbers increase from the ground, 0, outwards
     chains = [bodies.tolist()]

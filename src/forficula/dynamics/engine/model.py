@@ -19,26 +19,27 @@ from forficula.dynamics.energies.creases import (
     followed_hinges,
     is_followed_joint,
 )
-from forficula.dynamics.engine.bodies import (
-    add_bodies,
-    add_hardening,
-    brake_name,
-    engine_sites,
-    force_name,
-    has_turning_bodies,
-    servo_names,
-)
+from forficula.dynamics.engine.bodies import add_bodies, add_hardening
 from forficula.dynamics.engine.closures import add_closures, gap_name
 from forficula.dynamics.engine.contact import add_panels, add_stop_sensors, check_apart, has_engine_contact
 from forficula.dynamics.engine.contact_geometry import check_start
 from forficula.dynamics.engine.couplings import add_couplings
 from forficula.dynamics.engine.drag import CONSTANT_STEPS, Drag, add_medium, drag_of
 from forficula.dynamics.engine.membrane import MembraneMesh, add_membranes, first_node, joined_mesh
-from forficula.dynamics.engine.placement import Placement, placement_of
+from forficula.dynamics.engine.motors import (
+    add_motors,
+    brakes_of,
+    followed_motors,
+    force_displacements,
+    pushed_bodies,
+    servos_of,
+)
+from forficula.dynamics.engine.parts import carriers_of, hinge_creep, part_indices, sites_of
+from forficula.dynamics.engine.placement import Placement
 from forficula.dynamics.engine.table import add_table, check_above_table
 from forficula.dynamics.engine.tendons import add_distance, add_limit, add_pulls, add_spring, add_tendon
 from forficula.dynamics.engine.units import ModelUnits, design_in_model_units, model_units
-from forficula.dynamics.stepping.folds import Folds, folds_of, slide_name
+from forficula.dynamics.stepping.folds import Folds, folds_of
 from forficula.dynamics.stepping.node_modes import AT_JOINTS, followed_steps
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import ElasticLaw, stacked_laws
@@ -222,9 +223,9 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     clear_rows(engine)
     folds, drag = folds_of(engine, in_units), drag_of(engine, in_units)
     check_above_table(engine, in_units, folds, units.length)
-    tendons = _indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
+    tendons = part_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
     plastic = engine.tendon_plasticadr[tendons]
-    (holds, servo_jacobian), (brakes, brake_jacobian) = _servos(engine, in_units), _brakes(engine, in_units)
+    (holds, servo_jacobian), (brakes, brake_jacobian) = servos_of(engine, in_units), brakes_of(engine, in_units)
     gaps = [gap_name(closure, end) for closure in in_units.closures for end in range(len(closure.points))]
     return Model(
         design=design,
@@ -240,31 +241,27 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         creases=creases_of(engine, in_units, folds),
         drag=drag,
         followed=_followed_steps(in_units),
-        pushed=_force_displacements(engine, in_units),
-        pushed_bodies=_pushed_bodies(in_units),
-        springs=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [spring.name for spring in in_units.springs]),
+        pushed=force_displacements(engine, in_units),
+        pushed_bodies=pushed_bodies(in_units),
+        springs=part_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [spring.name for spring in in_units.springs]),
         tendons=tendons,
-        distances=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]),
-        gaps=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, gaps),
+        distances=part_indices(
+            engine, mujoco.mjtObj.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]
+        ),
+        gaps=part_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, gaps),
         branches=_branches([len(tendon.law.branches) for tendon in in_units.tendons]),
-        hinge_creep=_hinge_creep(engine, in_units),
+        hinge_creep=hinge_creep(engine, in_units),
         # upper end of the dead band, the second of both numbers of a tendon
         creep=np.where(plastic >= 0, plastic + 1, -1),
-        motors=_followed(engine, in_units),
+        motors=followed_motors(engine, in_units),
         holds=holds,
         brakes=brakes,
         jacobian=servo_jacobian + brake_jacobian,
-        sites=_sites(engine, in_units),
-        carriers=_point_bodies(engine, in_units),
+        sites=sites_of(engine, in_units),
+        carriers=carriers_of(engine, in_units),
         elastic=stacked_laws([tendon.law.elastic for tendon in in_units.tendons]),
         lets_go=np.array([tendon.law.lets_go for tendon in in_units.tendons], dtype=bool),
     )
-
-
-def _hinge_creep(engine: mujoco.MjModel, structure: Structure) -> Indices:
-    """Return the place of each joint's rest angle among the plastic states, (hinge,); -1 for one that never yields."""
-    joints = [mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_JOINT, hinge.name) for hinge in structure.hinges]
-    return np.array([-1 if joint < 0 else engine.jnt_plasticadr[joint] for joint in joints], dtype=np.int64)
 
 
 def _check_size(design: Design, structure: Structure) -> None:
@@ -286,20 +283,6 @@ def _check_pushes(design: Design, structure: Structure) -> None:
             )
 
 
-def _sites(engine: mujoco.MjModel, structure: Structure) -> Indices:
-    """Return the site of every point, (point,), -1 for points without a site."""
-    sites = np.full(len(structure.points), -1, dtype=np.int64)
-    for number in engine_sites(structure):
-        sites[number] = _indices(engine, mujoco.mjtObj.mjOBJ_SITE, [structure.points[number].name])[0]
-    return sites
-
-
-def _point_bodies(engine: mujoco.MjModel, structure: Structure) -> Indices:
-    """Return the body that carries every point, (point,); 0 is the ground."""
-    bodies = _indices(engine, mujoco.mjtObj.mjOBJ_BODY, [body.name for body in structure.bodies])
-    return np.array([0 if point.body < 0 else bodies[point.body] for point in structure.points], dtype=np.int64)
-
-
 def joint_ranges(model: Model) -> tuple[Array, Array]:
     """Return the positions of the lower and upper stops of hinges, (position,) each, infinite without a stop."""
     engine = model.engine
@@ -313,6 +296,7 @@ def _spec_of(structure: Structure, timestep: float, mesh: MembraneMesh, distance
     """Return the specification of all parts of a structure, not yet compiled."""
     spec = _empty_spec(structure, timestep)
     add_bodies(spec, structure)
+    add_motors(spec, structure)
     add_medium(spec, structure)
     add_creases(spec, structure)
     add_couplings(spec, structure, timestep)
@@ -413,71 +397,3 @@ def _branches(counts: list[int]) -> Indices:
     rows = [[*range(low, high)] for low, high in itertools.pairwise(first)]
     most = max(counts, default=0)
     return np.array([[*row, *[-1] * (most - len(row))] for row in rows], dtype=np.int64).reshape(len(counts), most)
-
-
-def _followed(engine: mujoco.MjModel, structure: Structure) -> Indices:
-    """Return the number of the motor that each control of the engine follows, (control,), or -1."""
-    follows = np.full(engine.nu, -1, dtype=np.int64)
-    for number, motor in enumerate(structure.motors):
-        names = [structure.hinges[hinge].name for hinge in motor.hinges if not structure.hinges[hinge].flaps]
-        force = force_name(motor.name)
-        on_plates = [f"{force}_{point}" for point in motor.points] if has_turning_bodies(structure) else []
-        served = [target for target, _ in servo_names(motor)]
-        names += served or on_plates or ([force] if motor.points else [])
-        follows[_indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, names)] = number
-    return follows
-
-
-def _pushed_bodies(structure: Structure) -> Placement | None:
-    """Return the placement of bodies that turn if forces act at points; None without such forces."""
-    pushes = has_turning_bodies(structure) and any(motor.points for motor in structure.motors)
-    return placement_of(structure) if pushes else None
-
-
-def _force_displacements(engine: mujoco.MjModel, structure: Structure) -> Array:
-    """Return the displacement of every force's points along it per shift of each coordinate, (motor, dof)."""
-    pushed = np.zeros((len(structure.motors), engine.nv))
-    for number, motor in enumerate(structure.motors):
-        if motor.direction is None or has_turning_bodies(structure):
-            continue
-        for point in motor.points:
-            pushed[number] += _displacement_weights(engine, structure, point, motor.direction)
-    return pushed
-
-
-def _displacement_weights(engine: mujoco.MjModel, structure: Structure, point: int, direction: Array) -> Array:
-    """Return the displacement of a node along a direction per shift of each coordinate, (dof,)."""
-    weights, body = np.zeros(engine.nv), structure.bodies[structure.points[point].body]
-    names = [slide_name(body.name, axis) for axis in body.slides]
-    weights[engine.jnt_dofadr[_indices(engine, mujoco.mjtObj.mjOBJ_JOINT, names)]] = direction[list(body.slides)]
-    return weights
-
-
-def _servos(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
-    """Return `Model.holds`, and `Model.jacobian` of servos."""
-    holds, jacobian = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
-    for number, motor in enumerate(structure.motors):
-        for point, names in zip(motor.points, servo_names(motor), strict=False):
-            assert motor.direction is not None
-            parts = _indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, list(names))
-            jacobian[parts] = _displacement_weights(engine, structure, point, motor.direction)
-            holds[parts[1]] = number
-    return holds, jacobian
-
-
-def _brakes(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
-    """Return `Model.brakes`, and `Model.jacobian` of brakes."""
-    brakes, jacobian = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
-    for number, motor in enumerate(structure.motors):
-        hinges = [structure.hinges[hinge] for hinge in motor.hinges if not structure.hinges[hinge].flaps]
-        if np.isfinite(motor.no_load_speed) and hinges:
-            controls = _indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, [brake_name(hinge) for hinge in hinges])
-            joints = _indices(engine, mujoco.mjtObj.mjOBJ_JOINT, [hinge.name for hinge in hinges])
-            brakes[controls] = number
-            jacobian[controls, engine.jnt_dofadr[joints]] = [hinge.sense for hinge in hinges]
-    return brakes, jacobian
-
-
-def _indices(engine: mujoco.MjModel, kind: mujoco.mjtObj, names: list[str]) -> Indices:
-    """Return the ids of parts by their names."""
-    return np.array([mujoco.mj_name2id(engine, kind, name) for name in names], dtype=np.int64)

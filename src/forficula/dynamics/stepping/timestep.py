@@ -19,7 +19,7 @@ from forficula.dynamics.engine.drag import KINEMATICS, Drag, stacked_drag
 from forficula.dynamics.engine.model import Model, compile_model
 from forficula.dynamics.stepping.node_modes import node_timestep
 from forficula.errors import InputError
-from forficula.material.law.tendon_law import TendonBranch
+from forficula.material.law.maxwell_element import MaxwellElement
 from forficula.quantities import show_quantity
 from forficula.structure import Structure, crease_law, structure_of, tendon_arms
 
@@ -202,7 +202,7 @@ def _limit(model: Model, linear: _Linear) -> float:
     return float(10.0 ** scipy.optimize.brentq(sign, shortest, longest, xtol=1e-4))
 
 
-def _explicit_limit(linear: _Linear, branches: Sequence[tuple[int, TendonBranch]]) -> float:
+def _explicit_limit(linear: _Linear, branches: Sequence[tuple[int, MaxwellElement]]) -> float:
     """Compute the longest step of Runge and Kutta without a growing mode, in the model's units.
 
     An eigenvalue z of step times slope must satisfy |1 + z + z^2/2 + z^3/6 + z^4/24| <= 1: up to 2.8 i undamped, -2.8
@@ -331,7 +331,7 @@ def _derivative(engine: mujoco.MjModel, data: mujoco.MjData, state: Array, name:
     return np.column_stack(columns)
 
 
-def _flips(linear: _Linear, branches: Sequence[tuple[int, TendonBranch]], timestep: float) -> bool:
+def _flips(linear: _Linear, branches: Sequence[tuple[int, MaxwellElement]], timestep: float) -> bool:
     """Return whether a mode changes its sign and grows from step to step; branches come with their tendons' numbers."""
     dofs = len(linear.inertia)
     step = np.linalg.inv(linear.inertia + timestep * linear.implicit) * timestep

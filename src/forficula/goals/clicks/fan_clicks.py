@@ -157,10 +157,11 @@ def _design(values: Mapping[str, object], name: str, source: str) -> Design:
         float(values[f"pattern.{key}"]) / getattr(pattern, key)  # type: ignore[arg-type]
         for key in ("proximal_length", "distal_length")
     )
-    scaled = scale_design(reference, factor, natural=True)
+    # the damping of membranes is scaled, too: 1 ms is longer than a small wing takes to fold, and needs steps of 0.1 µs
+    scaled = scale_design(reference, factor)
     about = f"pattern {source}; other values are those of {_REFERENCE}, scaled to {factor:.4g} times its size"
     design = scaled.with_values(
-        {**values, "name": name, "source": about, "shows": "", "reproduces": None, "protocol.timestep": "auto"}
+        {**values, "name": name, "source": about, "shows": None, "reproduces": None, "protocol.timestep": "auto"}
     )
     structure_of(design)
     return design

@@ -16,30 +16,6 @@ from forficula.errors import InputError
 
 
 @dataclass(frozen=True, kw_only=True)
-class CreaseBranch:
-    """A Maxwell branch of a crease: a spring and a damper in series, parallel to the crease's spring.
-
-    Its moment follows dM/dt = stiffness d(angle)/dt - M / time (Maxwell 1867).
-
-    Attributes:
-        stiffness: N m/rad, > 0.
-        time: relaxation time, s, > 0.
-
-    Raises:
-        InputError: a number that is not > 0 and finite.
-    """
-
-    stiffness: float
-    time: float
-
-    def __post_init__(self) -> None:
-        for name, unit in (("stiffness", "N m/rad"), ("time", "s")):
-            value = getattr(self, name)
-            if not (np.isfinite(value) and value > 0):
-                raise InputError(f"branch.{name}: need a finite number > 0, got {value:g} {unit}")
-
-
-@dataclass(frozen=True, kw_only=True)
 class CreaseDamage:
     """Loss of the moment of a crease with its wear; see `CreaseLaw`.
 
@@ -71,7 +47,7 @@ class CreaseLaw:
     the slopes `stiffness` and `hardening`: linear kinematic hardening (Prager 1956), as one Jenkin element beside a
     spring (Iwan 1966, J. Appl. Mech. 33, 893).
 
-    A crease may have Maxwell branches, see `CreaseBranch`, and wear out: all moments except those of stops are
+    A crease may have Maxwell branches, see `MaxwellElement`, and wear out: all moments except those of stops are
     multiplied by 1 - damage_loss (1 - exp(-wear / damage_turn)), the saturating softening of Chaboche (Lemaitre and
     Chaboche 1990, Mechanics of Solid Materials) as a factor on the whole moment (Kachanov 1958). The wear is the sum of
     all turns of the crease, or of all changes of its set.

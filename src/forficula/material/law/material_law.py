@@ -10,8 +10,9 @@ from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.material.law.drift import Drift
 from forficula.material.law.law_keys import law_unit, show_range, show_value
+from forficula.material.law.maxwell_element import MaxwellElement
 from forficula.material.law.softening import OgdenRoxburgh, Triple, pulls
-from forficula.material.law.tendon_law import TendonBranch, TendonLaw
+from forficula.material.law.tendon_law import TendonLaw
 from forficula.quantities import Unit, show_quantity
 from forficula.serial import Written
 
@@ -276,7 +277,7 @@ def scaled(law: MaterialLaw, *, length: float, area: float) -> TendonLaw:
         stiffness=_by_length(known_moduli(law), length, area),
         damping=None if law.viscosity is None else _by_length(law.viscosity, length, area),
         branches=tuple(
-            TendonBranch(stiffness=branch.modulus * area / length, time=branch.time) for branch in law.branches
+            MaxwellElement(stiffness=branch.modulus * area / length, time=branch.time) for branch in law.branches
         ),
         yield_extension=None if law.yield_strain is None else law.yield_strain * length,
     )

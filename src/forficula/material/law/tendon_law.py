@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from forficula.arrays import Array
 from forficula.errors import InputError
+from forficula.material.law.maxwell_element import MaxwellElement
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -128,31 +129,6 @@ def stacked_laws(laws: Sequence[ElasticLaw]) -> ElasticLaw:
 
 
 @dataclass(frozen=True, kw_only=True)
-class TendonBranch:
-    """A Maxwell branch of a tendon: a spring and a damper in series, parallel to the tendon's spring.
-
-    Its force follows dF/dt = stiffness dL/dt - F / time at any length, slack or taut (Maxwell 1867). `TendonLaw`
-    defines how it contributes to the force of the tendon.
-
-    Attributes:
-        stiffness: N/m, > 0.
-        time: relaxation time, s, > 0.
-
-    Raises:
-        InputError: a number that is not > 0 and finite.
-    """
-
-    stiffness: float
-    time: float
-
-    def __post_init__(self) -> None:
-        for name, unit in (("stiffness", "N/m"), ("time", "s")):
-            value = getattr(self, name)
-            if not (np.isfinite(value) and value > 0):
-                raise InputError(f"branch.{name}: need a finite number > 0, got {value:g} {unit}")
-
-
-@dataclass(frozen=True, kw_only=True)
 class TendonLaw:
     """The law of a tendon for simulation: a pull-only spring, a damper, Maxwell branches, and a yield.
 
@@ -176,7 +152,7 @@ class TendonLaw:
     rest_length: float
     stiffness: tuple[float, float, float]
     damping: tuple[float, float, float] | None = None
-    branches: tuple[TendonBranch, ...] = ()
+    branches: tuple[MaxwellElement, ...] = ()
     yield_extension: float | None = None
     pushes: bool = False
 

@@ -13,6 +13,7 @@ from forficula.errors import InputError
 from forficula.files import shown_path
 from forficula.material.folding.folding_test import FoldingTest
 from forficula.material.machine.machine_file import in_si, recordings_in
+from forficula.material.machine.machine_names import is_angle, is_moment
 from forficula.material.machine.machine_units import (
     ANGLE,
     FORCE,
@@ -72,7 +73,12 @@ def has_angles(path: str | os.PathLike[str]) -> bool:
     except InputError:
         return False
     columns = [column for recording in recordings for column in (recording.travel, recording.force)]
-    return any(kind.factor(column.unit) is not None for column in columns for kind in (ANGLE, MOMENT, MOMENT_BY_WIDTH))
+    return any(
+        is_angle(column.name)
+        or is_moment(column.name)
+        or any(kind.factor(column.unit) is not None for kind in (ANGLE, MOMENT, MOMENT_BY_WIDTH))
+        for column in columns
+    )
 
 
 def _folding_test(
@@ -87,11 +93,11 @@ def _folding_test(
             before, after = recording.time.values[row - 1 : row + 1]
             message = f"{recording.time.name}: need times that never decrease, got {after:g} after {before:g}"
             raise InputError(message_at_line(int(recording.lines[row]), message))
-    travel, is_angle = in_si(recording.travel, line, ANGLE, LENGTH)
+    travel, turns = in_si(recording.travel, line, ANGLE, None if is_angle(recording.travel.name) else LENGTH)
     force, kind = _moment(recording.force, line)
     arm = strip_size("lever", properties, lever)
-    if arm is None and (kind is FORCE or not is_angle):
-        lacking = [recording.travel.name] * (not is_angle) + [recording.force.name] * (kind is FORCE)
+    if arm is None and (kind is FORCE or not turns):
+        lacking = [recording.travel.name] * (not turns) + [recording.force.name] * (kind is FORCE)
         raise InputError(
             f"lever: is not in the file; give the lever arm, such as {UNITS['lever'].example}, from which angle and"
             f" moment follow, because the file has {' and '.join(lacking)} instead"
@@ -102,10 +108,10 @@ def _folding_test(
     angle, moment = travel, force
     if kind is FORCE:
         assert arm is not None
-        moment = force * arm if is_angle else force * (arm**2 + travel**2) / arm
+        moment = force * arm if turns else force * (arm**2 + travel**2) / arm
     elif kind is MOMENT_BY_WIDTH:
         moment = force * across
-    if not is_angle:
+    if not turns:
         assert arm is not None
         angle = np.arctan(travel / arm)
     return FoldingTest(
@@ -120,8 +126,10 @@ def _folding_test(
 
 def _moment(column: RecordedColumn, line: int) -> tuple[Array, ColumnKind]:
     """Convert a column, shape (row,), to SI as a moment, a moment per width or a force; return its kind."""
-    for kind in (MOMENT, MOMENT_BY_WIDTH, FORCE):
+    kinds = (MOMENT, MOMENT_BY_WIDTH) if is_moment(column.name) else (MOMENT, MOMENT_BY_WIDTH, FORCE)
+    for kind in kinds:
         if (factor := kind.factor(column.unit)) is not None:
             return column.values * factor, kind
     what = f"{as_written(column.unit)} is not its unit" if column.unit else "the unit is missing"
-    raise InputError(message_at_line(line, f"{column.name}: {what}; {MOMENT.rule()}, or a unit of force"))
+    other = ", or a unit of force" if FORCE in kinds else f", or per width one of {', '.join(MOMENT_BY_WIDTH.factors)}"
+    raise InputError(message_at_line(line, f"{column.name}: {what}; {MOMENT.rule()}{other}"))

@@ -162,6 +162,21 @@ def split_unit(text: str) -> tuple[str, str]:
     return text.strip(), ""
 
 
+def is_angle(name: str) -> bool:
+    """Return whether a column has the name of an angle, so that a length cannot be its unit."""
+    return name_key(name) in _keys(_ANGLES)
+
+
+def is_moment(name: str) -> bool:
+    """Return whether a column has the name of a moment, so that a force cannot be its unit."""
+    return name_key(name) in _keys(_MOMENTS)
+
+
+@cache
+def _keys(names: Sequence[str]) -> frozenset[str]:
+    return frozenset(key for name in names for key in all_keys(name))
+
+
 def is_role(name: str, test: Test = "tensile") -> bool:
     """Return whether a name is a known name of a role."""
     return any(name_key(name) in _rank(test, role) for role in _ROLES[test])

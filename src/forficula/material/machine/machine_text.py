@@ -21,6 +21,7 @@ from forficula.errors import InputError
 from forficula.material.machine.machine_names import Test, columns_by_specimen, is_role, split_unit
 from forficula.material.machine.machine_units import is_unit
 from forficula.material.machine.recording import Property, RecordedColumn, Recording, message_at_line, travel_among
+from forficula.names import listed
 from forficula.quantities import as_written
 
 _DELIMITERS = ("\t", ";", ",")
@@ -31,6 +32,7 @@ _LONGEST_HEADER = 2000  # lines
 _LONGEST_LINE = 100_000  # characters; the csv module rejects much longer cells
 # a number such as 1,234, whose comma may be a decimal sign or separate thousands
 _EITHER_COMMA = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}")
+_TABLE = "a table of time, extension and force, or for a folding test of angle and moment"
 _KNOWN = (
     "known are ZwickRoell testXpert .TXT, .TRA and .CSV, Instron Bluehill .csv, tables with units in their names, each "
     "with tab, semicolon or comma between its columns, .zs2 and .xlsx"
@@ -55,7 +57,7 @@ def parse_recordings(content: bytes, name: str, test: Test = "tensile") -> tuple
     """
     text = _decoded(content)
     if not text.strip():
-        raise InputError("need a tensile test, got an empty file")
+        raise InputError(f"need {_TABLE}, got an empty file")
     long = next((number for number, line in enumerate(text.splitlines(), 1) if len(line) > _LONGEST_LINE), None)
     if long is not None:
         raise InputError(message_at_line(long, f"need at most {_LONGEST_LINE} characters on a line, got more"))
@@ -175,8 +177,23 @@ def _delimiter(text: str) -> str:
     votes = {delimiter: sum(_vote(line, delimiter) for line in sample) for delimiter in _DELIMITERS}
     winner = max(_DELIMITERS, key=lambda delimiter: votes[delimiter])
     if votes[winner] <= 0:
-        raise InputError(f"need a table of numbers, found none: it is cut off, or its format is unknown; {_KNOWN}")
+        _refuse_names_alone(text)
+        raise InputError(f"need {_TABLE}, found no rows of numbers: it is cut off, or its format is unknown; {_KNOWN}")
     return winner
+
+
+def _refuse_names_alone(text: str) -> None:
+    """Refuse a file whose names of columns are known, but which has no rows below them."""
+    for number, line in enumerate(text.splitlines()[:_LONGEST_HEADER], start=1):
+        for delimiter in _DELIMITERS:
+            names = [name.strip() for name in line.split(delimiter)]
+            if sum(is_role(split_unit(_unquoted(name))[0], "folding") for name in names) > 1:
+                shown = listed(as_written(_unquoted(name)) for name in names if name)
+                raise InputError(message_at_line(number, f"need rows of numbers below the names {shown}, got none"))
+
+
+def _unquoted(cell: str) -> str:
+    return cell.strip().strip('"')
 
 
 def _vote(line: str, delimiter: str) -> int:

@@ -60,12 +60,19 @@ def straightened(pattern: CreasePattern, tolerance: float) -> tuple[CreasePatter
         The pattern with other positions, and the movements.
 
     Raises:
-        InputError: a vertex has an odd number of creases, a vertex would move further than the tolerance, or no such
-            positions were found.
+        InputError: a tolerance of half of the shortest distance between two vertices or more, a vertex with an odd
+            number of creases, a vertex that would move further than the tolerance, or no such positions were found.
     """
     if not (math.isfinite(tolerance) and tolerance > 0):
         raise InputError(f"straighten: need a tolerance > 0, got {tolerance:g} m")
     start = pattern.vertices_coords[:, :2]
+    # vertices that move further may exchange their positions
+    most = float(cKDTree(start).query(start, k=[2])[0].min()) / 2
+    if tolerance >= most:
+        raise InputError(
+            f"straighten: need a tolerance < {show_value(most, 'm')}, half of the shortest distance between two"
+            f" vertices, got {show_value(tolerance, 'm')}"
+        )
     maps, words = _symmetries(pattern, 2 * tolerance)
     flat = _flat_conditions(pattern)
     straight = _straight_conditions(pattern, tolerance)
@@ -83,7 +90,8 @@ def straightened(pattern: CreasePattern, tolerance: float) -> tuple[CreasePatter
     moved = np.linalg.norm(points - start, axis=1)
     if residual.max(initial=0.0) > _NEAR or not np.isfinite(moved).all():
         raise InputError(
-            "straighten: found no positions at which all conditions hold; correct the pattern in an editor"
+            "straighten: found no positions at which all conditions hold; give a smaller tolerance, or correct the"
+            " pattern in an editor"
         )
     if moved.max() > tolerance:
         vertex = int(np.argmax(moved))

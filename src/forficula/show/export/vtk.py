@@ -14,7 +14,7 @@ from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
 from forficula.optional_module import optional_module
 from forficula.show.export.scene import sampled, sampled_points
-from forficula.show.structure.shape import drawn_pieces, plate_polygons
+from forficula.show.structure.drawn_polygons import drawn_pieces, plate_polygons
 from forficula.structure import Bar, Spring, Structure, Tendon, built_points, facet_triangles
 from forficula.structure.membrane_stress import principal_strains, principal_stresses
 

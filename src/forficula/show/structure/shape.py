@@ -12,12 +12,9 @@ import numpy as np
 import scipy
 
 from forficula.arrays import Array, Indices
-from forficula.pattern.geometry import polygon_normal
-from forficula.pattern.thick.convex import convex_faces
-from forficula.pattern.triangulation import ears
+from forficula.show.structure.drawn_polygons import convex_pieces, drawn_pieces, plate_polygons, quads
 from forficula.structure import (
     Membrane,
-    Plate,
     Structure,
     ancestry,
     built_points,
@@ -159,7 +156,7 @@ def shape_of(structure: Structure) -> Shape:
             edges += (
                 ShapeLine(kind="edge", crease="B", path=pair) for pair in ends if pair[0] < pair[1] or not plate.solids
             )
-            drawn = drawn_pieces(anchors[list(polygon)]) if not plate.solids else _fan(len(polygon))
+            drawn = drawn_pieces(anchors[list(polygon)]) if not plate.solids else convex_pieces(len(polygon))
             pieces += (tuple(corners[corner] for corner in piece) for piece in drawn)
         faces += pieces
         names += [structure.bodies[plate.body].role] * len(pieces)
@@ -212,21 +209,6 @@ def shape_of(structure: Structure) -> Shape:
         thickness=max((bar.diameter for bar in structure.bars), default=_line_thickness(structure, built, creases)),
         span=structure.span,
     )
-
-
-def plate_polygons(plate: Plate, anchors: Array) -> list[tuple[int, ...]]:
-    """Return the corners of the drawn polygons of a plate: its mid-plane, or the faces of its solids."""
-    if not plate.solids:
-        return [plate.points]
-    return [
-        tuple(solid[corner] for corner in face) for solid in plate.solids for face in convex_faces(anchors[list(solid)])
-    ]
-
-
-def _fan(corners: int) -> list[tuple[int, ...]]:
-    """Divide a convex polygon into pieces of three or four corners, in their order."""
-    first = list(range(1, corners - 1, 2))
-    return [tuple(corner for corner in (0, one, one + 1, one + 2) if corner < corners) for one in first]
 
 
 def _groups(structure: Structure) -> dict[int, str]:
@@ -290,7 +272,7 @@ def _add_sheet(
         names.append(f"{structure.bodies[outermost].role} panel")
         carriers.append(outermost)
 
-    pieces = _quads(membrane.triangles, membrane.built)
+    pieces = quads(membrane.triangles, membrane.built)
     once = _sides(pieces)
     for piece in pieces:
         for one, other in pairwise([*piece, piece[0]]):
@@ -298,18 +280,6 @@ def _add_sheet(
             if once[frozenset((one, other))] == 1 and start is not None and end is not None:
                 add((one, other), (start, end, nodes[other], nodes[one]))
         add(piece, [nodes[corner] for corner in piece])
-
-
-def _quads(triangles: Indices, built: Array) -> list[tuple[int, ...]]:
-    """Merge consecutive triangles that are halves of a convex quadrilateral; keep the others."""
-    pieces: list[tuple[int, ...]] = []
-    for corners in map(tuple, triangles.tolist()):
-        last = pieces[-1] if pieces else ()
-        if len(last) == 3 and corners[:2] == (last[0], last[2]) and is_convex(built[[*last, corners[2]]]):
-            pieces[-1] = (*last, corners[2])
-        else:
-            pieces.append(corners)
-    return pieces
 
 
 def _sides(faces: Iterable[Sequence[int]]) -> Counter[frozenset[int]]:
@@ -396,24 +366,3 @@ def _between_regions(faces: Sequence[Sequence[int]], names: Sequence[str]) -> li
         for ends, names_at in regions.items()
         if len(names_at) > 1
     ]
-
-
-def is_convex(corners: Array) -> bool:
-    """Return whether a polygon, m, (corner, axis), is convex."""
-    sides = np.roll(corners, -1, axis=0) - corners
-    return bool((np.cross(sides, np.roll(sides, -1, axis=0)) @ polygon_normal(corners) >= 0).all())
-
-
-def drawn_pieces(corners: Array) -> list[tuple[int, ...]]:
-    """Divide a flat polygon without crossings into pieces of three or four corners.
-
-    Args:
-        corners: m, (corner, axis).
-
-    Returns:
-        Indices of the corners of each piece, counterclockwise seen from above, or in the given order for a vertical
-        polygon.
-        A convex polygon of four corners is one piece.
-    """
-    around = range(len(corners)) if polygon_normal(corners)[2] >= 0 else range(len(corners))[::-1]
-    return [tuple(around)] if len(around) == 4 and is_convex(corners) else [*ears(corners, around)]

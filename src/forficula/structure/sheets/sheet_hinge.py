@@ -8,7 +8,8 @@ from forficula.design import SheetDesign
 from forficula.design.sheets.crease_sections import Crease
 from forficula.design.sheets.crease_values import rest_angle, stops, yield_angle
 from forficula.design.sheets.sheet_creases import crease_role, crease_sense
-from forficula.material.law.crease_law import CreaseBranch, CreaseDamage
+from forficula.material.law.crease_law import CreaseDamage
+from forficula.material.law.maxwell_element import MaxwellElement
 from forficula.pattern import CreasePattern
 from forficula.structure.parts import Hinge
 
@@ -44,7 +45,7 @@ def sheet_hinge(
         quadratic=(crease.quadratic_stiffness or 0.0) * length,
         cubic=(crease.cubic_stiffness or 0.0) * length,
         branches=tuple(
-            CreaseBranch(stiffness=branch.stiffness * length, time=branch.time) for branch in crease.branches
+            MaxwellElement(stiffness=branch.stiffness * length, time=branch.time) for branch in crease.branches
         ),
         damage=None
         if crease.damage is None

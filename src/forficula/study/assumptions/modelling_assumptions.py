@@ -17,6 +17,7 @@ from forficula.design import TORQUE, Design, key_value, put, stage_drives
 from forficula.design.files.keys import is_key
 from forficula.dynamics.stepping.timestep import resolving_timestep
 from forficula.errors import InputError
+from forficula.material.law.crease_law_file import CREASE_MOMENT
 from forficula.material.law.law_file import load_law
 from forficula.material.law.material_law import area_for
 from forficula.names import one_of
@@ -35,12 +36,14 @@ _HINGE_SHARE = 0.56
 # [chosen] m, from a bar's surface to the middle of the strap on it: 3.1 mm above the axis of a bar of 5 mm
 _STRAP = 0.6e-3
 # [chosen] dry friction as a fraction of the smallest torque of the protocol: that of a pin of 2 mm with a coefficient
-# of 0.3 under forces of a few newtons
+# of 0.3 under forces of a few newtons; in creases as a fraction of the moment of their springs at a fold of 90 deg
 _FRICTION_SHARE = 0.05
 _GRAVITY = 9.81  # m/s^2
 
 _OF_HINGES = re.compile(r"(hinge|crease(\.group\.\d+)?)\.(damping|extension_damping)")
 _OF_OTHERS = re.compile(r"tendon(\.\d+)?\.damping|membrane\.damping|facet\.stretch_damping")
+_FRICTION = re.compile(r"hinge\.friction|crease(\.group\.\d+)?\.friction")
+_CONTACT = re.compile(r"((\w+\.)*contact)\.friction")
 _OFFSETS = ("tendon.proximal_offset", "tendon.distal_offset")
 
 
@@ -229,18 +232,29 @@ def _medium(design: Design) -> Variant | str:
 
 def _weight(design: Design) -> Variant | str:
     if design.protocol.gravity:
-        return Variant(label="no gravity", design=design.with_values({"protocol.gravity": 0.0}))
+        # without gravity, only a table needs its direction
+        direction = design.protocol.gravity_direction if design.table is not None else "-z"
+        off = {"protocol.gravity": 0.0, "protocol.gravity_direction": direction}
+        return Variant(label="no gravity", design=design.with_values(off))
     direction = design.protocol.gravity_direction
     label = "gravity across the sheet" if direction == "-z" else f"gravity along {direction}"
     return Variant(label=label, design=design.with_values({"protocol.gravity": _GRAVITY}))
 
 
 def _dry_friction(design: Design) -> Variant | str:
+    values = dict(_values(design.si_tables()))
+    if rubbing := {key: 0.0 for key, value in values.items() if value and _FRICTION.fullmatch(key)}:
+        return Variant(label="no dry friction", design=design.with_values(rubbing))
+    if _has(design, "crease.friction"):
+        stiffness = values.get("crease.stiffness")
+        if not stiffness:
+            return "the creases have no stiffness, and their dry friction is a fraction of their moment"
+        friction = float(f"{_FRICTION_SHARE * stiffness * math.pi / 2:.2g}")
+        label = f"dry friction of {show_quantity(friction, CREASE_MOMENT)} in every crease"
+        return Variant(label=label, design=design.with_values({"crease.friction": friction}))
     if not _has(design, "hinge.friction"):
-        return "dry friction is only added to the hinges of fans and joints"
-    if _value(design, "hinge.friction"):
-        return Variant(label="no dry friction", design=design.with_values({"hinge.friction": 0.0}))
-    torques = [value for key, value in _values(design.si_tables()) if re.fullmatch(r"protocol\.\w+_torque", key)]
+        return "dry friction is only added to the hinges of fans and joints and to the creases of sheets"
+    torques = [value for key, value in values.items() if re.fullmatch(r"protocol\.\w+_torque", key)]
     smallest = min((value for value in torques if value), default=0.0)
     if not smallest:
         return "the protocol has no torque, and the dry friction is a fraction of the smallest torque"
@@ -251,7 +265,9 @@ def _dry_friction(design: Design) -> Variant | str:
 
 def _contact(design: Design) -> Variant | str:
     if design.protocol.contact:
-        return Variant(label="no contact", design=design.with_values({"protocol.contact": False}))
+        keys = map(_CONTACT.fullmatch, dict(_values(design.si_tables())))
+        sections = {match[1]: "none" for match in keys if match is not None}
+        return Variant(label="no contact", design=design.with_values({"protocol.contact": False, **sections}))
     return Variant(label="contact between bodies", design=design.with_values({"protocol.contact": True}))
 
 
@@ -341,7 +357,7 @@ ASSUMPTIONS: tuple[Assumption, ...] = (
     ),
     Assumption(
         name="dry friction",
-        meaning="Hinges have viscous damping only; instead they have dry friction, too, or the inverse.",
+        meaning="Hinges and creases have viscous damping only; instead they have dry friction, too, or the inverse.",
         change=_dry_friction,
     ),
     Assumption(
