@@ -8,6 +8,7 @@ from forficula.dynamics.engine.units import design_in_model_units
 from forficula.dynamics.gpu.device import batch_key, check_available, check_device
 from forficula.dynamics.record import (
     AnyRun,
+    ContactRun,
     NumericalCheck,
     Record,
     StageEnd,
@@ -33,6 +34,7 @@ __all__ = [
     "STEPS_TO_CONTACT",
     "STEPS_TO_TIME_CONSTANT",
     "AnyRun",
+    "ContactRun",
     "EnergyBalance",
     "Knob",
     "Model",

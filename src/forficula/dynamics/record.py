@@ -153,6 +153,22 @@ class NumericalCheck:
     values: Annotated[Mapping[str, tuple[float, ...]], Written.NEVER]
 
 
+@dataclass(frozen=True, kw_only=True)
+class ContactRun:
+    """A run of a design whose contact.time_constant is "auto".
+
+    Attributes:
+        time_constant: of contact, s.
+        timestep: s.
+        overlap: largest overlap in any step of parts that touch, as a share of their thickness; 0 for parts whose
+            contact the engine computes.
+    """
+
+    time_constant: Seconds
+    timestep: Seconds
+    overlap: float
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Record(Displayed):
     """Record of a run.
@@ -168,6 +184,8 @@ class Record(Displayed):
         kinetic_peak: time, s, and value, J, of the largest kinetic energy of all steps, not only those of `time`; None
             if not every step was recorded.
         checks: second runs of the same design, with which the verdict and the numbers are compared.
+        contact_runs: runs by which the time constant of contact was derived, in order; the last one is this run. Empty
+            if the design gives the time constant.
         strain_rates: highest rates at which taut tendons lengthen or shorten from one step to the next, relative to the
             gauge length of the law, 1/s, (tendon,); nan for a tendon that is never taut; None if no law has a highest
             measured rate.
@@ -182,6 +200,7 @@ class Record(Displayed):
     doubt: str = ""
     kinetic_peak: tuple[float, float] | None = None
     checks: tuple[NumericalCheck, ...] = ()
+    contact_runs: tuple[ContactRun, ...] = ()
     strain_rates: Array | None = None
 
     def __repr__(self) -> str:
@@ -320,6 +339,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         "diverged_at": nothing if record.diverged_at is None else record.diverged_at,
         "doubt": record.doubt,
         **({"checks": json.dumps([asdict(check) for check in record.checks])} if record.checks else {}),
+        **({"contact_runs": json.dumps([asdict(run) for run in record.contact_runs])} if record.contact_runs else {}),
         **_quasi_static(record.stages),
         **({} if record.kinetic_peak is None else {"kinetic_peak": np.array(record.kinetic_peak)}),
         **({} if record.strain_rates is None else {"strain_rates": record.strain_rates}),
@@ -458,6 +478,7 @@ def _read(file: Any) -> Record:
         diverged_at=None if np.isnan(diverged_at) else diverged_at,
         doubt=str(file.attrs["doubt"]),
         checks=tuple(map(_check, json.loads(file.attrs.get("checks", "[]")))),
+        contact_runs=tuple(ContactRun(**run) for run in json.loads(file.attrs.get("contact_runs", "[]"))),
         kinetic_peak=(float(peak[0]), float(peak[1])) if (peak := file.attrs.get("kinetic_peak")) is not None else None,
         strain_rates=None if (rates := file.attrs.get("strain_rates")) is None else np.atleast_1d(rates),
     )
