@@ -181,7 +181,7 @@ def test_a_short_edge_of_a_sheet_is_named_as_the_cause_of_a_short_timestep():
     assert stable_timestep(sliver("2 cm")) > 100 * stable_timestep(sliver("0.5 mm"))
     (other,) = timestep_warnings(sliver("2 cm", 0.01))
     assert "edge" not in other
-    with pytest.raises(InputError, match="need >= .* the cause is the edge between vertex 1 and vertex 2"):
+    with pytest.raises(InputError, match=r"need >= .* the cause is the edge between vertex 1 and vertex 2"):
         with_timestep(sliver("1 nm", "auto"))
 
 
