@@ -7,6 +7,7 @@ import pytest
 
 import forficula as ff
 from forficula.analysis.contact_overlap import contact_overlap, contact_text, overlap_of
+from forficula.analysis.run_files import write_run_files
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.summary import summary
 from forficula.dynamics import compile_model, load_record, resolving_time_constant, simulate, with_timestep
@@ -209,13 +210,16 @@ def test_a_run_with_the_derived_time_constant_and_timestep_has_the_same_bits(der
     assert again.contact_runs == ()
 
 
-def test_the_derived_time_constant_is_in_the_summary_and_in_the_file_of_the_record(derived, tmp_path):
+def test_the_derived_time_constant_is_in_the_files_of_a_run_and_in_the_terminal(derived, tmp_path):
     written = summary(derived, ff.measure(derived), {})["contact_overlap"]
     last = derived.contact_runs[-1]
     assert (written["time_constant_s"], written["derived"]) == (last.time_constant, True)
     assert [run["overlap"] for run in written["runs"]] == [run.overlap for run in derived.contact_runs]
     derived.save(tmp_path / "record.nc")
     assert load_record(tmp_path / "record.nc").contact_runs == derived.contact_runs
+    write_run_files(derived, ff.measure(derived), tmp_path)
+    line = 'time_constant = "0.046 ms"  # derived by the run; "auto" derives it again'
+    assert line in (tmp_path / "design.toml").read_text("utf-8").splitlines()
     text = contact_text(derived)
     assert text.startswith(
         "Derived: contact.time_constant = 46 µs, with a timestep of 5.556 µs. In this run parts that"
