@@ -237,6 +237,7 @@ def test_a_time_constant_of_a_design_is_kept(closed):
 def test_the_shortest_timestep_of_a_design_limits_the_time_constant():
     record = ff.run(closing(**FAST, **{"protocol.shortest_timestep": 1e-5}), confirm=False).record
     assert [run.time_constant for run in record.contact_runs] == [4e-4]
+    assert contact_text(record).endswith("overlap by 100 % of their thickness.")
     assert ff.measure(record).verdict == "untrusted"
 
 

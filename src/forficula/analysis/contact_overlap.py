@@ -106,13 +106,11 @@ def contact_text(record: Record) -> str:
     *earlier, this = record.contact_runs
     now, step = show_value(this.time_constant, "s"), show_value(this.timestep, "s")
     text = f"Derived: contact.time_constant = {now}, with a timestep of {step}"
-    if not earlier:
-        return f"{text}: the first value that a run tries suffices."
-    shares = [f"{100 * run.overlap:.3g} % with {show_value(run.time_constant, 's')}" for run in earlier]
-    return (
-        f"{text}. In this run parts that touch overlap by {100 * this.overlap:.3g} % of their thickness, and in earlier"
-        f" runs by {' and '.join(shares)}."
-    )
+    if this.overlap is None:
+        return f"{text}: the first value that a run tries. The overlaps of these parts are not known."
+    text += f". In this run parts that touch overlap by {100 * this.overlap:.3g} % of their thickness"
+    shares = [f"{100 * (run.overlap or 0.0):.3g} % with {show_value(run.time_constant, 's')}" for run in earlier]
+    return f"{text}, and in earlier runs by {' and '.join(shares)}." if shares else f"{text}."
 
 
 def overlap_of(parts: TouchingParts, places: Array) -> tuple[float, tuple[int, ...]]:

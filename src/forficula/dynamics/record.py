@@ -160,13 +160,13 @@ class ContactRun:
     Attributes:
         time_constant: of contact, s.
         timestep: s.
-        overlap: largest overlap in any step of parts that touch, as a share of their thickness; 0 for parts whose
-            contact the engine computes.
+        overlap: largest overlap in any step of parts that touch, as a share of their thickness; None if the engine
+            computes all contacts, because it does not report overlaps.
     """
 
     time_constant: Seconds
     timestep: Seconds
-    overlap: float
+    overlap: float | None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -130,9 +130,10 @@ def next_attempt(attempt: Attempt, design: Design, record: Record, outcome: Outc
 def _stiffer(attempt: Attempt, design: Design, record: Record, seconds: float) -> Attempt | None:
     """Return an attempt with a shorter time constant of contact if parts overlap deeply; None if none is needed."""
     contact, runs = record.structure.contact, known_runs(attempt, record)
-    if contact is None or not runs or len(runs) > _STIFFENINGS or not runs[-1].overlap > SLIGHT_OVERLAP:
+    overlap = (runs[-1].overlap if runs else None) or 0.0
+    if contact is None or len(runs) > _STIFFENINGS or not overlap > SLIGHT_OVERLAP:
         return None
-    exact = resolving_time_constant(contact, runs[-1].overlap, _AIM)
+    exact = resolving_time_constant(contact, overlap, _AIM)
     digit = 10.0 ** (math.floor(math.log10(exact)) - 1)
     time_constant = float(f"{math.floor(exact / digit) * digit:.1e}")
     shorter = time_constant / contact.stops.time_constant
@@ -164,7 +165,7 @@ def known_runs(attempt: Attempt, record: Record) -> tuple[ContactRun, ...]:
     this = ContactRun(
         time_constant=contact.stops.time_constant,
         timestep=float(attempt.design.protocol.timestep),
-        overlap=float(record.series["contact_overlap"][-1]) if "contact_overlap" in record.series else 0.0,
+        overlap=float(record.series["contact_overlap"][-1]) if "contact_overlap" in record.series else None,
     )
     return (*attempt.contact_runs, this)
 
