@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 import forficula as ff
-from forficula.analysis.contact_overlap import contact_overlap, overlap_of
+from forficula.analysis.contact_overlap import contact_overlap, contact_text, overlap_of
+from forficula.analysis.run_files import write_run_files
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.summary import summary
-from forficula.dynamics import compile_model, resolving_time_constant, simulate, with_timestep
+from forficula.dynamics import compile_model, load_record, resolving_time_constant, simulate, with_timestep
 from forficula.dynamics.engine.contact_forces import ContactForces
 from forficula.dynamics.engine.contact_geometry import contact_geometry
 from forficula.errors import InputError
@@ -195,6 +196,75 @@ def test_the_time_constant_of_an_advice_reduces_an_overlap_to_about_a_tenth():
     assert after.series["contact_overlap"][-1] == pytest.approx(0.1, abs=0.02)
 
 
+# panels that snap shut so fast that they pass through each other with the first time constant that a run tries
+FAST = {"crease.damping": 0.0, "crease.start": 3.0, "contact.thickness": 1e-4}
+
+
+@pytest.fixture(scope="module")
+def derived():
+    """Run of fast panels, and its second runs, with contact switched on and nothing else."""
+    return ff.run(closing(**FAST)).record
+
+
+def test_a_run_derives_a_time_constant_with_which_parts_overlap_by_at_most_a_tenth(derived):
+    first, last = derived.contact_runs
+    assert (first.time_constant, first.timestep) == (4e-4, 5e-5)
+    assert first.overlap > 0.5
+    assert last.overlap == derived.series["contact_overlap"][-1] <= 0.1
+    assert last.timestep <= last.time_constant / 8
+    assert ff.measure(derived).verdict == "reached"
+    assert not any("overlap" in text for text in run_warnings(derived))
+    # the second run differs only in the timestep
+    assert [check.timestep for check in derived.checks] == [last.timestep / 2]
+    assert ff.measure(derived).confirmation.agree
+
+
+def test_a_run_with_the_derived_time_constant_and_timestep_has_the_same_bits(derived):
+    again = ff.run(derived.design, confirm=False).record
+    np.testing.assert_array_equal(again.series["hinge_angle"], derived.series["hinge_angle"])
+    assert again.contact_runs == ()
+
+
+def test_the_derived_time_constant_is_in_the_files_of_a_run_and_in_the_terminal(derived, tmp_path):
+    written = summary(derived, ff.measure(derived), {})["contact_overlap"]
+    last = derived.contact_runs[-1]
+    assert (written["time_constant_s"], written["derived"]) == (last.time_constant, True)
+    assert [run["overlap"] for run in written["runs"]] == [run.overlap for run in derived.contact_runs]
+    derived.save(tmp_path / "record.nc")
+    assert load_record(tmp_path / "record.nc").contact_runs == derived.contact_runs
+    write_run_files(derived, ff.measure(derived), tmp_path)
+    line = 'time_constant = "0.046 ms"  # derived by the run; "auto" derives it again'
+    assert line in (tmp_path / "design.toml").read_text("utf-8").splitlines()
+    text = contact_text(derived)
+    assert text.startswith(
+        "Derived: contact.time_constant = 46 µs, with a timestep of 5.556 µs. In this run parts that"
+    )
+    assert text.endswith("and in earlier runs by 100 % with 0.4 ms.")
+
+
+def test_a_time_constant_of_a_design_is_kept(closed):
+    record = ff.run(closing(**FAST, **{"contact.time_constant": 4e-4}), confirm=False).record
+    assert record.contact_runs == ()
+    assert ff.measure(record).verdict == "untrusted"
+    assert not summary(closed, ff.measure(closed), {})["contact_overlap"]["runs"][1:]
+
+
+def test_the_shortest_timestep_of_a_design_limits_the_time_constant():
+    record = ff.run(closing(**FAST, **{"protocol.shortest_timestep": 1e-5}), confirm=False).record
+    assert [run.time_constant for run in record.contact_runs] == [4e-4]
+    assert contact_text(record).endswith("overlap by 100 % of their thickness.")
+    assert ff.measure(record).verdict == "untrusted"
+
+
+def test_a_timestep_is_shortened_only_where_parts_touch():
+    apart = ff.run(closing(time=2e-3, **{"crease.start": 0.0, "protocol.timestep": 2e-4}), confirm=False).record
+    assert apart.design.protocol.timestep == 2e-4
+    assert contact_text(apart) == ""
+    touching = ff.run(closing(**(FAST | {"contact.thickness": THICK, "protocol.timestep": 2e-4})), confirm=False).record
+    assert [(run.time_constant, run.timestep) for run in touching.contact_runs] == [(4e-4, 5e-5)]
+    assert ff.measure(touching).verdict == "reached"
+
+
 def test_an_automatic_timestep_is_shortened_until_it_resolves_contact():
     # the first timestep of the search is half the time constant, in which the panels pass through each other
     values = {"crease.damping": 0.0, "crease.start": 3.0, "protocol.timestep": "auto"}
@@ -209,7 +279,8 @@ def test_an_automatic_timestep_may_be_a_power_of_ten():
 
 
 def test_a_bouncy_contact_needs_a_shorter_timestep():
-    record = ff.run(closing(**{"contact.damping_ratio": 0.1}), confirm=False)
+    bouncy = {"contact.damping_ratio": 0.1, "contact.time_constant": 4e-4}
+    record = ff.run(closing(**bouncy), confirm=False)
     assert ff.measure(record).verdict == "untrusted"
     steps = [
         with_timestep(closing(**{"protocol.timestep": "auto", "contact.damping_ratio": ratio})).protocol.timestep

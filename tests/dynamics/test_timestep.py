@@ -9,6 +9,7 @@ import forficula as ff
 from forficula.design import scale_design, with_values
 from forficula.dynamics import stable_timestep, timestep_warnings, with_timestep
 from forficula.errors import InputError
+from tests.plate_sheets import strip
 
 REFERENCE = ff.load_design("binder2025")
 
@@ -154,6 +155,34 @@ def test_a_stiff_or_viscous_law_needs_a_shorter_timestep_at_which_the_wing_is_bo
     assert record.diverged_at is None
     # energy that torques and tendons can release, J
     assert record.data["kinetic_energy"].max() < 6
+
+
+def test_a_short_edge_of_a_sheet_is_named_as_the_cause_of_a_short_timestep():
+    bars = {
+        "facet.kind": "bars",
+        "facet.youngs_modulus": 2e7,
+        "facet.poisson_ratio": 0.3,
+        "crease.stiffness": 1e-3,
+        "crease.damping": 2e-3,
+        "crease.fold_limit": None,
+        "crease.back_limit": None,
+    }
+
+    def sliver(width, timestep=2e-4):
+        values = {"pattern.panel_lengths": ["5 cm", width, "5 cm"], "protocol.timestep": timestep}
+        return strip(3, letters="VM", **bars, **values)
+
+    (warning,) = timestep_warnings(sliver("0.5 mm"))
+    assert warning.endswith(
+        "; the cause is the edge between vertex 1 and vertex 2, which is only 0.5 mm long: merge both vertices, or move"
+        " them apart"
+    )
+    # the remedy helps
+    assert stable_timestep(sliver("2 cm")) > 100 * stable_timestep(sliver("0.5 mm"))
+    (other,) = timestep_warnings(sliver("2 cm", 0.01))
+    assert "edge" not in other
+    with pytest.raises(InputError, match=r"need >= .* the cause is the edge between vertex 1 and vertex 2"):
+        with_timestep(sliver("1 nm", "auto"))
 
 
 def changed_step(design, timestep):

@@ -264,7 +264,6 @@ def test_bars_touch_their_neighbours_from_the_membrane_on_without_friction():
 def test_a_contact_without_a_section_has_the_documented_time_constant_in_the_units_of_the_model():
     silent = ff.load_design("binder2025", {"protocol.contact": True})
     stated = silent.with_values({"contact.time_constant": "0.4 ms"})
-    assert silent.hash == stated.hash
     for design in (silent, stated):
         model = compile_model(design)
         for kinds, solref in (("geom_contype", "geom_solref"), ("flex_contype", "flex_solref")):

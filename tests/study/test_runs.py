@@ -10,7 +10,7 @@ from forficula.analysis import Verdict, measure
 from forficula.cli import main
 from forficula.design import load_design, with_values
 from forficula.dynamics import with_timestep
-from forficula.study.running import runs
+from forficula.study.running import numerical_settings, runs
 from forficula.study.running.evaluate import evaluate
 from forficula.study.running.runs import run, run_each
 
@@ -75,9 +75,11 @@ def test_a_design_whose_first_timestep_diverges_ends_reliable(monkeypatch):
     # as if the estimate were much too long
     estimate = float(with_timestep(design).protocol.timestep)
     longer = with_values(design, {"protocol.timestep": 16 * estimate})
-    monkeypatch.setattr(runs, "with_timestep", lambda item: longer if item.protocol.timestep == "auto" else item)
+    monkeypatch.setattr(
+        numerical_settings, "with_timestep", lambda item: longer if item.protocol.timestep == "auto" else item
+    )
     # longer by this factor, hence more halvings
-    monkeypatch.setattr(runs, "_HALVINGS", runs._HALVINGS + 4)
+    monkeypatch.setattr(numerical_settings, "_HALVINGS", numerical_settings._HALVINGS + 4)
     monkeypatch.setattr(runs, "measure", lambda record: tried.append(measure(record)) or tried[-1])
     outcome = measure(run(design))
     assert tried[0].verdict is Verdict.DIVERGED
@@ -112,7 +114,7 @@ def test_a_run_whose_outcome_never_stabilises_is_reported_as_unreliable(monkeypa
 
     monkeypatch.setattr(runs, "measure", flips)
     # few and long steps, so that it is quick
-    monkeypatch.setattr(runs, "_HALVINGS", 3)
+    monkeypatch.setattr(numerical_settings, "_HALVINGS", 3)
     ((_, record),) = run_each([DESIGNS[0]])
     outcome = measure(record)
     assert record.doubt

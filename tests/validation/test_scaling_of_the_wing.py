@@ -138,7 +138,7 @@ def test_the_speed_of_the_tips_does_not_depend_on_size(earwig, reference_run, ag
 
 
 def test_a_wing_with_contact_has_the_same_scaled_motion_at_any_size(agree, reference):
-    touching = with_values(reference, {"protocol.contact": True})
+    touching = with_values(reference, {"protocol.contact": True, "contact.time_constant": "0.4 ms"})
     small = scale_design(touching, 0.5)  # other powers of ten in the model's units
     records = [ff.run(design, confirm=False) for design in (touching, small)]
     angles = [record.angles("ring") for record in records]

@@ -15,8 +15,9 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from forficula.arrays import Array, Indices
-from forficula.dynamics import Record
+from forficula.dynamics import ContactRun, Record
 from forficula.pattern.geometry import polygon_normal
+from forficula.quantities import show_value
 from forficula.serial import Key, Metres, Seconds
 from forficula.structure.contact.touching_parts import TouchingParts, touching_parts
 
@@ -40,6 +41,10 @@ class ContactOverlap:
             thickness.
         parts: names of the two parts; empty if no parts overlap.
         time: time of the row, s.
+        time_constant: of contact, s.
+        derived: whether the time constant was derived from overlaps in earlier runs, or left at that of the first run
+            because parts overlap little; false if the design sets it.
+        runs: runs by which the time constant was derived, in order; the last one is this run.
     """
 
     depth: Metres
@@ -47,6 +52,9 @@ class ContactOverlap:
     share_in_steps: float
     parts: Annotated[tuple[str, ...], Key("parts")] = ()
     time: Seconds
+    time_constant: Seconds
+    derived: bool
+    runs: tuple[ContactRun, ...]
 
     @property
     def largest(self) -> float:
@@ -85,7 +93,24 @@ def _deepest(record: Record) -> ContactOverlap | None:
         share_in_steps=float(record.series["contact_overlap"][-1]),
         parts=tuple(parts.names[owner] for owner in owners),
         time=float(record.time[row]),
+        time_constant=contact.stops.time_constant,
+        derived=bool(record.contact_runs),
+        runs=record.contact_runs,
     )
+
+
+def contact_text(record: Record) -> str:
+    """Return how the time constant of contact was derived, in a sentence or two; empty if the design sets it."""
+    if not record.contact_runs:
+        return ""
+    *earlier, this = record.contact_runs
+    now, step = show_value(this.time_constant, "s"), show_value(this.timestep, "s")
+    text = f"Derived: contact.time_constant = {now}, with a timestep of {step}"
+    if this.overlap is None:
+        return f"{text}: the first value that a run tries. The overlaps of these parts are not known."
+    text += f". In this run parts that touch overlap by {100 * this.overlap:.3g} % of their thickness"
+    shares = [f"{100 * (run.overlap or 0.0):.3g} % with {show_value(run.time_constant, 's')}" for run in earlier]
+    return f"{text}, and in earlier runs by {' and '.join(shares)}." if shares else f"{text}."
 
 
 def overlap_of(parts: TouchingParts, places: Array) -> tuple[float, tuple[int, ...]]:

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 from forficula.analysis.outcome import Outcome
 from forficula.analysis.summary import summary
-from forficula.design import save_design
+from forficula.design import design_text
 from forficula.dynamics import Record, load_record, save_record, versions
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_text
 from forficula.serial import json_text
+from forficula.toml_text import with_remarks
 
+# remark on a time constant of contact
+_DERIVED = 'derived by the run; "auto" derives it again'
 _DESIGN, _RECORD, _SUMMARY = "design.toml", "record.nc", "summary.json"
 
 
@@ -33,9 +37,18 @@ def write_run_files(
     Raises:
         InputError: a file cannot be written.
     """
-    save_design(record.design, folder / _DESIGN)
+    write_text(folder / _DESIGN, _design_file(record))
     save_record(record if kept is None else kept, folder / _RECORD)
     write_text(folder / _SUMMARY, json_text(summary(record, outcome, versions(record.design.protocol.device), key)))
+
+
+def _design_file(record: Record) -> str:
+    """Return the design file of a run; a time constant of contact that the run derived is marked."""
+    text = design_text(record.design)
+    if not record.contact_runs:
+        return text
+    sections = re.findall(r"^\[((?:.+\.)?contact)\]$", text, re.MULTILINE)
+    return with_remarks(text, {f"{section}.time_constant": _DERIVED for section in sections})
 
 
 def read_run(folder: Path) -> Record:

@@ -118,6 +118,7 @@ def _simulated(design: Design, *, confirm: bool) -> Record:
     from forficula.show import run_progress
     from forficula.show.progress import waiting
     from forficula.structure import structure_of, structure_warnings
+    from forficula.study.running.numerical_settings import is_open
     from forficula.study.running.runs import run as run_design
 
     with waiting("computing the timestep limit"):
@@ -126,7 +127,7 @@ def _simulated(design: Design, *, confirm: bool) -> Record:
     for warning in warnings:
         warn(warning)
     with run_progress(f"building the {structure.appearance.whole}") as progress:
-        estimate = RunEstimate(progress, searches=design.protocol.timestep == "auto")
+        estimate = RunEstimate(progress, searches=is_open(design))
         return run_design(design, estimate, confirm=confirm)
 
 

@@ -181,6 +181,10 @@ class Design(Displayed, Section):
         """Return the design with the values that a rule chooses filled in."""
         return self
 
+    def with_contact_time(self, time_constant: float) -> Self:  # noqa: ARG002
+        """Return the design with a time constant of contact, s, where it is "auto"; the same design where it is not."""
+        return self
+
     def hash_values(self) -> dict[str, Any]:
         """Return the values that affect a run: all but names, sources, and how the parts are made."""
         return {key: value for key, value in super().hash_values().items() if key not in (*DESCRIPTIVE_KEYS, "make")}

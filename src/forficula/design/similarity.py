@@ -6,6 +6,7 @@ import math
 from collections.abc import Collection
 from typing import Any, TypeVar
 
+from forficula.design.contact import FIRST_TIME_CONSTANT
 from forficula.design.design import Design
 from forficula.design.files.design_file import AnyDesign, as_design, with_values
 from forficula.design.files.provenance import scaled_source
@@ -36,7 +37,8 @@ def in_units(design: Design, *, length: float, mass: float, time: float) -> Desi
     Raises:
         InputError: a number in these units is not finite.
     """
-    return _rescaled(design.settled(), length, mass, time, f"{design.name}: ")
+    resolved = design.with_contact_time(FIRST_TIME_CONSTANT).settled()
+    return _rescaled(resolved, length, mass, time, f"{design.name}: ")
 
 
 def scale_design(design: AnyDesign, factor: float, *, natural: bool = False) -> Design:
@@ -52,7 +54,7 @@ def scale_design(design: AnyDesign, factor: float, *, natural: bool = False) -> 
 
     Returns:
         The scaled design. In scaled time its motion is the same, except for effects of quantities that `natural`
-        leaves unchanged.
+        leaves unchanged. A time constant of contact "auto" becomes that of the first run, scaled.
 
     Raises:
         InputError: no such design, the factor is not between 1e-9 and 1e9, or a value leaves its bounds.
@@ -60,6 +62,7 @@ def scale_design(design: AnyDesign, factor: float, *, natural: bool = False) -> 
     design = as_design(design)
     if not isinstance(factor, int | float) or not _SMALLEST <= factor <= _LARGEST:
         raise InputError(f"factor: need >= {_SMALLEST:g} and <= {_LARGEST:g}, got {as_written(factor)}")
+    design = design.with_contact_time(FIRST_TIME_CONSTANT)
     scaled = _rescaled(design.settled(), 1 / factor, 1 / factor**3, 1 / factor)
     scaled = _with_scaled_bounds(_with_idle_stops(scaled, design), design, factor)
     if natural:

@@ -6,7 +6,7 @@ from forficula.dynamics.engine.portable_model import portable_model, why_not_por
 from forficula.dynamics.engine.trials import TrialChains, design_trial, tried_transition
 from forficula.dynamics.engine.units import design_in_model_units
 from forficula.dynamics.gpu.device import batch_key, check_available, check_device
-from forficula.dynamics.record import AnyRun, NumericalCheck, Record, StageEnd
+from forficula.dynamics.record import AnyRun, ContactRun, NumericalCheck, Record, StageEnd
 from forficula.dynamics.record_file import as_record, load_record, save_record, versions
 from forficula.dynamics.stepping.simulate import simulate, simulate_each
 from forficula.dynamics.stepping.stage_plan import goal_in_units
@@ -25,6 +25,7 @@ __all__ = [
     "STEPS_TO_CONTACT",
     "STEPS_TO_TIME_CONSTANT",
     "AnyRun",
+    "ContactRun",
     "EnergyBalance",
     "Knob",
     "Model",

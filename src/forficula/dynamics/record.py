@@ -145,6 +145,22 @@ class NumericalCheck:
     values: Annotated[Mapping[str, tuple[float, ...]], Written.NEVER]
 
 
+@dataclass(frozen=True, kw_only=True)
+class ContactRun:
+    """A run of a design whose contact.time_constant is "auto".
+
+    Attributes:
+        time_constant: of contact, s.
+        timestep: s.
+        overlap: largest overlap in any step of parts that touch, as a share of their thickness; None if the engine
+            computes all contacts, because it does not report overlaps.
+    """
+
+    time_constant: Seconds
+    timestep: Seconds
+    overlap: float | None
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Record(Displayed):
     """Record of a run.
@@ -160,6 +176,8 @@ class Record(Displayed):
         kinetic_peak: time, s, and value, J, of the largest kinetic energy of all steps, not only those of `time`; None
             if not every step was recorded.
         checks: second runs of the same design, with which the verdict and the numbers are compared.
+        contact_runs: runs by which the time constant of contact was derived, in order; the last one is this run. Empty
+            if the design gives the time constant.
         strain_rates: highest rates at which taut tendons lengthen or shorten from one step to the next, relative to the
             gauge length of the law, 1/s, (tendon,); nan for a tendon that is never taut; None if no law has a highest
             measured rate.
@@ -174,6 +192,7 @@ class Record(Displayed):
     doubt: str = ""
     kinetic_peak: tuple[float, float] | None = None
     checks: tuple[NumericalCheck, ...] = ()
+    contact_runs: tuple[ContactRun, ...] = ()
     strain_rates: Array | None = None
 
     def __repr__(self) -> str:

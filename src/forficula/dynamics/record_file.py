@@ -20,6 +20,7 @@ from forficula.design import design_from_text, design_text
 from forficula.dynamics.record import (
     OPTIONAL_VARIABLES,
     VARIABLES,
+    ContactRun,
     NumericalCheck,
     Record,
     StageEnd,
@@ -73,6 +74,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         "diverged_at": nothing if record.diverged_at is None else record.diverged_at,
         "doubt": record.doubt,
         **({"checks": json.dumps([asdict(check) for check in record.checks])} if record.checks else {}),
+        **({"contact_runs": json.dumps([asdict(run) for run in record.contact_runs])} if record.contact_runs else {}),
         **_quasi_static(record.stages),
         **({} if record.kinetic_peak is None else {"kinetic_peak": np.array(record.kinetic_peak)}),
         **({} if record.strain_rates is None else {"strain_rates": record.strain_rates}),
@@ -211,6 +213,7 @@ def _read(file: Any) -> Record:
         diverged_at=None if np.isnan(diverged_at) else diverged_at,
         doubt=str(file.attrs["doubt"]),
         checks=tuple(map(_check, json.loads(file.attrs.get("checks", "[]")))),
+        contact_runs=tuple(ContactRun(**run) for run in json.loads(file.attrs.get("contact_runs", "[]"))),
         kinetic_peak=(float(peak[0]), float(peak[1])) if (peak := file.attrs.get("kinetic_peak")) is not None else None,
         strain_rates=None if (rates := file.attrs.get("strain_rates")) is None else np.atleast_1d(rates),
     )

@@ -34,11 +34,13 @@ class Contact:
             facets their own distances if they have some.
         friction: Coulomb's friction coefficient.
         stops: compliance of a contact.
+        automatic: whether the design leaves the time constant to the run, so that it is that of the first run.
     """
 
     thickness: float
     friction: float = 0.0
     stops: Stops
+    automatic: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -292,6 +292,12 @@ class AssemblyDesign(Design):
         """Return the design with the values that a rule chooses filled in, in the surroundings of the assembly."""
         return self.model_copy(update={name: part.settled() for name, part in self.designs.items()})
 
+    def with_contact_time(self, time_constant: float) -> Self:
+        """Return the design with a time constant of contact, s, where it is "auto"; the same design where it is not."""
+        parts = {name: (part, part.with_contact_time(time_constant)) for name, part in self.designs.items()}
+        changes = {name: changed for name, (part, changed) in parts.items() if changed is not part}
+        return self.model_copy(update=changes) if changes else self
+
     def hash_values(self) -> dict[str, Any]:
         """Return the values that affect a run, including those that a rule chooses."""
         return super(AssemblyDesign, self.settled()).hash_values()

@@ -13,7 +13,7 @@ import numpy as np
 import scipy
 from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
-from forficula.design.contact import WITHOUT_CONTACT, ContactSection
+from forficula.design.contact import WITHOUT_CONTACT, ContactSection, with_time_constant
 from forficula.design.design import Design, check_duration
 from forficula.design.fans.fan_sections import (
     CouplingSection,
@@ -279,6 +279,13 @@ class FanDesign(Design):
     def settled(self) -> Self:
         """Return the design with the section of contact filled in where it acts, so that other units apply to it."""
         return self.model_copy(update={"contact": ContactSection()}) if self._default_contact else self
+
+    def with_contact_time(self, time_constant: float) -> Self:
+        """Return the design with a time constant of contact, s, where it is "auto"; the same design where it is not."""
+        section = self.settled().contact if self.protocol.contact else None
+        if section is None or (changed := with_time_constant(section, time_constant)) is section:
+            return self
+        return self.model_copy(update={"contact": changed})
 
     @property
     def _default_contact(self) -> bool:

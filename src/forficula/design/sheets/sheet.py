@@ -9,7 +9,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import Field, model_validator
 
 from forficula.design.chosen import Choice, choices, with_choices
-from forficula.design.contact import WITHOUT_CONTACT, ContactSection
+from forficula.design.contact import WITHOUT_CONTACT, ContactSection, with_time_constant
 from forficula.design.design import Design
 from forficula.design.named_protocol import NamedProtocol
 from forficula.design.sheet_protocol import sheet_protocol
@@ -138,6 +138,13 @@ class SheetDesign(Design):
         if self.contact is None and self.protocol.contact:
             return chosen.model_copy(update={"contact": ContactSection()})
         return chosen
+
+    def with_contact_time(self, time_constant: float) -> Self:
+        """Return the design with a time constant of contact, s, where it is "auto"; the same design where it is not."""
+        section = self.settled().contact if self.protocol.contact else None
+        if section is None or (changed := with_time_constant(section, time_constant)) is section:
+            return self
+        return self.model_copy(update={"contact": changed})
 
     @property
     def idle(self) -> tuple[str, ...]:

@@ -196,7 +196,7 @@ def overlap_doubt(contact: Contact, overlap: float) -> str:
     )
 
 
-def resolving_time_constant(contact: Contact, overlap: float) -> float:
+def resolving_time_constant(contact: Contact, overlap: float, slight: float = SLIGHT_OVERLAP) -> float:
     """Return the time constant with which an overlap by a share of the thickness becomes a slight one, s.
 
     The energy of an overlap s is proportional to (-s - ln(1 - s)) / T^2 and at an impact does not depend on the time
@@ -207,7 +207,7 @@ def resolving_time_constant(contact: Contact, overlap: float) -> float:
     def size(share: float) -> float:
         return math.sqrt(-share - math.log1p(-share))
 
-    return contact.stops.time_constant * size(SLIGHT_OVERLAP) / size(min(overlap, _LARGEST_OVERLAP))
+    return contact.stops.time_constant * size(slight) / size(min(overlap, _LARGEST_OVERLAP))
 
 
 def _mobilities(geometry: ContactGeometry) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -31,6 +32,8 @@ from forficula.structure import (
 _FEW = 60
 # relative accuracy of the largest eigenvalue, about a thousandth of the step
 _CLOSE = 1e-3
+# [chosen] length of a short edge, as a share of the median length of edges
+_SHORT = 0.1
 # length that counts as zero, as a share of the span
 _NO_LENGTH = 1e-9
 # factor on the ratio of the longest step for creases to that for all parts
@@ -79,12 +82,6 @@ def node_timestep(structure: Structure) -> float:
     """
     if structure.plates:
         return _step(*_plate_modes(structure))
-    groups = [
-        _lines(structure),
-        _servos(structure),
-        _creases(structure),
-        *(_strains(structure, membrane) for membrane in structure.membranes),
-    ]
     free = np.array([[axis in body.slides for axis in range(3)] for body in structure.bodies]).ravel()
     masses = np.repeat([body.mass for body in structure.bodies], 3)[free]
     if not free.any():
@@ -92,9 +89,7 @@ def node_timestep(structure: Structure) -> float:
     carriers = np.array([point.body for point in structure.points], dtype=np.int64)
     square = rate = 0.0
     matrices = []
-    for points, gradients, stiffness, damping in groups:
-        if not len(points):
-            continue
+    for points, gradients, stiffness, damping in _groups(structure):
         columns = (3 * carriers[points][:, :, None] + np.arange(3)).reshape(len(points), -1)
         rows = np.broadcast_to(np.arange(len(points))[:, None], columns.shape)
         shape = (len(points), 3 * len(structure.bodies))
@@ -110,6 +105,43 @@ def node_timestep(structure: Structure) -> float:
         for kind in (1, 2)
     )
     return _step(square, rate + _viscous_rate(structure))
+
+
+def short_edge(structure: Structure) -> tuple[str, str, float] | None:
+    """Return the points and the length of a short edge that limits the timestep of nodes; None if none is short.
+
+    The edge is the shortest one at the bar, the crease or the triangle of a membrane whose own limit is the shortest:
+    the limit of one element alone is an upper bound of that of all elements.
+    """
+    if structure.plates or not structure.facets:
+        return None
+    carriers = np.array([point.body for point in structure.points], dtype=np.int64)
+    masses, places = np.array([body.mass for body in structure.bodies]), built_points(structure)
+    least, limiting = math.inf, np.zeros(0, dtype=np.int64)
+    for points, gradients, stiffness, damping in _groups(structure):
+        mobility = (np.square(gradients).sum(axis=2) / masses[carriers[points]]).sum(axis=1)
+        limits = [_step(*both) for both in zip(stiffness * mobility, damping * mobility, strict=True)]
+        if min(limits) < least:
+            least, limiting = min(limits), np.unique(points[int(np.argmin(limits))])
+    sides = {tuple(sorted(ends)) for facet in structure.facets for ends in pairwise([*facet.points, facet.points[0]])}
+    lengths = {side: float(np.linalg.norm(places[side[1]] - places[side[0]])) for side in sides}
+    near = [side for side in lengths if np.isin(side, limiting).all()]
+    shortest = min(near, key=lambda side: lengths[side], default=None)
+    if shortest is None or lengths[shortest] > _SHORT * np.median([*lengths.values()]):
+        return None
+    one, other = (structure.points[point].name for point in shortest)
+    return one, other, lengths[shortest]
+
+
+def _groups(structure: Structure) -> list[_Elements]:
+    """Return the elements of nodes, by kind."""
+    groups = [
+        _lines(structure),
+        _servos(structure),
+        _creases(structure),
+        *(_strains(structure, membrane) for membrane in structure.membranes),
+    ]
+    return [group for group in groups if len(group.points)]
 
 
 def _viscous_rate(structure: Structure) -> float:

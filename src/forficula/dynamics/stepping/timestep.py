@@ -17,10 +17,10 @@ from forficula.arrays import Array
 from forficula.design import AnyDesign, Design, as_design, key_quantity, load_design, with_values
 from forficula.dynamics.engine.drag import KINEMATICS, Drag, stacked_drag
 from forficula.dynamics.engine.model import Model, compile_model
-from forficula.dynamics.stepping.node_modes import node_timestep
+from forficula.dynamics.stepping.node_modes import node_timestep, short_edge
 from forficula.errors import InputError
 from forficula.material.law.maxwell_element import MaxwellElement
-from forficula.quantities import show_quantity
+from forficula.quantities import show_quantity, show_value
 from forficula.structure import Structure, crease_law, structure_of, tendon_arms
 
 # Folding stretches the membrane and pleats the veins together: along the fold the limit was measured to fall to about
@@ -53,7 +53,11 @@ def with_timestep(design: Design) -> Design:
     digit = 10.0 ** np.floor(np.log10(allowed))
     # the logarithm of a power of ten may be rounded up
     rounded = np.floor(allowed / digit * _ROUNDING) * digit
-    return with_values(design, {"protocol.timestep": float(f"{rounded:.0e}")})
+    try:
+        return with_values(design, {"protocol.timestep": float(f"{rounded:.0e}")})
+    except InputError as error:
+        because = _short_edge(structure_of(design))
+        raise InputError(f"{error}; {because}" if because else str(error)) from None
 
 
 def timestep_warnings(design: AnyDesign) -> list[str]:
@@ -63,13 +67,26 @@ def timestep_warnings(design: AnyDesign) -> list[str]:
     if chosen == "auto" or chosen <= (longest := stable_timestep(design)):
         return []
     built = structure_of(design)
+    start = f"a timestep of {1e3 * chosen:.3g} ms is too long: the stiffest mode allows {1e3 * longest:.3g} ms"
+    if because := _short_edge(built):
+        return [f"{start}; {because}"]
     parts = "softer facets and creases" if built.facets or built.plates else "a softer or thinner membrane"
     if any(np.isfinite(motor.no_load_speed) for motor in built.motors):
         parts += ", or motors that are faster or weaker (no_load_speed)"
-    return [
-        f"a timestep of {1e3 * chosen:.3g} ms is too long: the stiffest mode allows"
-        f' {1e3 * longest:.3g} ms; use protocol.timestep = "auto", or {parts}'
-    ]
+    return [f'{start}; use protocol.timestep = "auto", or {parts}']
+
+
+def _short_edge(structure: Structure) -> str:
+    """Return which short edge makes the timestep short, and the remedy; empty if no edge is short."""
+    edge = short_edge(structure)
+    if edge is None:
+        return ""
+    one, other, length = edge
+    ends = " and ".join(name.replace("vertex", "vertex ") for name in (one, other))
+    return (
+        f"the cause is the edge between {ends}, which is only {show_value(length, 'm')} long: merge both vertices, or"
+        " move them apart"
+    )
 
 
 def resolving_timestep(structure: Structure) -> float:

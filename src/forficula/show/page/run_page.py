@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from forficula.analysis import Outcome, run_warnings
+from forficula.analysis.contact_overlap import contact_text
 from forficula.analysis.order_of_events import event_texts
 from forficula.analysis.storage import storage_texts
 from forficula.design import Design, design_text
@@ -87,7 +88,8 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
     """
     design = record.design
     known = [*structure_warnings(design, record.structure), *timestep_warnings(design), *run_warnings(record)]
-    warnings = [*outcome_remarks(record, outcome), *storage_texts(record, outcome), *known]
+    derived = [text] if (text := contact_text(record)) else []
+    warnings = [*outcome_remarks(record, outcome), *derived, *storage_texts(record, outcome), *known]
     events = [paragraph(text) for text in event_texts(record)]
     return "".join(
         (

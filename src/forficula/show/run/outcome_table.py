@@ -12,6 +12,7 @@ from rich.text import Text
 from forficula.analysis import Outcome, State, Verdict
 from forficula.analysis.branch import branch_taken, branch_text
 from forficula.analysis.confirmation import confirmation_text
+from forficula.analysis.contact_overlap import contact_text
 from forficula.analysis.order_of_events import event_texts
 from forficula.analysis.package import smallest_package
 from forficula.analysis.storage import storage_texts
@@ -82,7 +83,9 @@ def print_storage(record: Record, outcome: Outcome) -> None:
 
 
 def print_strength(record: Record) -> None:
-    """Print the branch that a sheet took, its smallest package, and its largest strains, stresses and folds."""
+    """Print how contact was derived, the branch, the smallest package, and the largest strains, stresses and folds."""
+    if text := contact_text(record):
+        Console(width=110, highlight=False).print(Text(), Text(text), sep="\n")
     if (branch := branch_taken(record)) is not None:
         Console(width=110, highlight=False).print(Text(), Text(_sentence(branch_text(branch))), sep="\n")
     if (smallest := smallest_package(record)) is not None:

@@ -104,7 +104,7 @@ def _contact_values(part: JoinedPart, with_thickness: bool) -> tuple[object, ...
     """Return the values of a part's contact that parts must share."""
     contact = part.structure.contact
     assert contact is not None
-    return (contact.friction, contact.stops, contact.thickness if with_thickness else None)
+    return (contact.friction, contact.stops, contact.automatic, contact.thickness if with_thickness else None)
 
 
 def _titles(parts: Sequence[JoinedPart]) -> dict[str, str]:

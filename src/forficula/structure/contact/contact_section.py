@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from forficula.design import FanDesign, SheetDesign
+from forficula.design.contact import FIRST_TIME_CONSTANT
 from forficula.structure.surroundings import Contact, Stops
 
 
@@ -16,8 +17,11 @@ def contact_of(design: FanDesign | SheetDesign, thickness: float) -> Contact | N
     section = design.settled().contact
     if not design.protocol.contact or section is None:
         return None
+    automatic = section.time_constant == "auto"
+    time_constant = FIRST_TIME_CONSTANT if section.time_constant == "auto" else section.time_constant
     return Contact(
         thickness=thickness if section.thickness is None else section.thickness,
         friction=section.friction,
-        stops=Stops(time_constant=section.time_constant, damping_ratio=section.damping_ratio),
+        stops=Stops(time_constant=time_constant, damping_ratio=section.damping_ratio),
+        automatic=automatic,
     )

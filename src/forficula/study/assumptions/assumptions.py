@@ -21,6 +21,7 @@ from forficula.results import Result
 from forficula.serial import Joules, Key, Seconds, WithUnit, Written
 from forficula.structure import Structure
 from forficula.study.assumptions.modelling_assumptions import ASSUMPTIONS, Assumption, Variant, variant_of
+from forficula.study.running.numerical_settings import is_open
 from forficula.study.running.runs import run_each
 from forficula.study.running.second_runs import half_step, with_checks
 
@@ -297,13 +298,13 @@ class _Counting:
         self._progress, self._done, self._needed = progress, 0, 0
 
     def stepped(self, design: Design) -> Design:
-        """Return the design with the timestep that its run uses."""
-        if design.protocol.timestep != "auto":
+        """Return the design with the timestep and the time constant of contact that its run uses."""
+        if not is_open(design):
             return design
         record = self.run({"": design})[""]
         if isinstance(record, InputError):
             raise record
-        return design.model_copy(update={"protocol": record.design.protocol})
+        return record.design
 
     def run(self, designs: Mapping[str, Design]) -> dict[str, Record | InputError]:
         """Run designs side by side, by name, and keep only the part of each record that an outcome needs."""

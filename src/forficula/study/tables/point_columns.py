@@ -17,6 +17,7 @@ from forficula.design import Design
 from forficula.structure import structure_of
 from forficula.study.running.evaluate import ending_row, row_key
 from forficula.study.running.journal import Row
+from forficula.study.running.numerical_settings import is_open
 from forficula.study.running.plan import StudyPlan
 from forficula.study.search import search_result
 from forficula.study.study import Study
@@ -36,7 +37,7 @@ class PointColumns:
         words: outcomes and texts by name, (point,).
         holds: whether each state holds, by name, (point,); empty for a search.
         timesteps: timestep of each run, s; nan if missing or for a search, (point,).
-        automatic: whether a run has an automatic timestep and nothing is searched.
+        automatic: whether a run finds its timestep, or its time constant of contact, and nothing is searched.
         times_tried: for a search, time of the first transition for every value that was tried, s, (point, value).
         outcomes_tried: the outcomes for these values, (point, value).
         tried: whether each of these values was tried, (point, value).
@@ -122,14 +123,14 @@ def _results(
     A result has numbers in SI by their names in the table, and words.
     """
     keys: Sequence[str | None] = ()
+    # a design with a key has the timestep of the base, or a number
+    automatic = is_open(study.base) and "protocol.timestep" not in varied_keys(study)
     for number in range(len(study.points)):
         if number % POINTS_TOGETHER == 0:
             block = range(number, min(number + POINTS_TOGETHER, len(study.points)))
             keys = designs.keys_without_designs(block) if isinstance(designs, StudyPlan) else [None] * len(block)
         key = keys[number % POINTS_TOGETHER]
         if key is not None and (row := rows.get(key)) is not None:
-            # such a design has the timestep of the base, or a number
-            automatic = study.base.protocol.timestep == "auto" and "protocol.timestep" not in varied_keys(study)
             yield _of_run(study, row, numbers), automatic
             continue
         design = designs[number]
@@ -138,7 +139,7 @@ def _results(
         elif study.search is not None:
             yield search_result(design, study.search, rows), False
         else:
-            yield _of_run(study, rows[row_key(design)], numbers), design.protocol.timestep == "auto"
+            yield _of_run(study, rows[row_key(design)], numbers), is_open(design)
 
 
 def _of_run(study: Study, row: Row, numbers: Mapping[str, tuple[str, str]]) -> dict[str, Any]:
