@@ -81,10 +81,10 @@ def test_offset_panels_keep_their_hinges_in_one_plane_and_stack():
 def test_panels_touch_but_do_not_overlap_along_the_fold_path(method):
     pattern = vertex_pattern(np.radians([100, 60, 80, 120]), 0.06, "MVMM")
     made = sheet(pattern, 0.003, method)
-    depth, _, _ = deepest_overlap(made.panels, panel_motions(pattern, made, made.path))
+    depth, _, _ = deepest_overlap(made.panels, panel_motions(made, made.path))
     assert depth < 1e-9 * made.thickness
     # half folded back, the sides of the panels overlap
-    depth, _, _ = deepest_overlap(made.panels, panel_motions(pattern, made, -made.path[[3]]))
+    depth, _, _ = deepest_overlap(made.panels, panel_motions(made, -made.path[[3]]))
     assert depth > 0.01 * made.thickness
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -70,6 +70,7 @@ def panel_solids(
     axes: Array,
     folded: Sequence[RigidMotion],
     limits: Sequence[tuple[float, float]] | None,
+    ends: Mapping[tuple[int, int], float],
 ) -> list[tuple[ConvexSolid, ...]]:
     """Return the convex solids of all panels, which touch but do not overlap, in the position as built.
 
@@ -83,10 +84,11 @@ def panel_solids(
         folded: motions of the facets from the position as built to the flat-folded state.
         limits: least and largest fold angle of every edge, rad, to which panels are trimmed; None if they fold flat
             and keep the outlines of their facets.
+        ends: angles of ends of strips, rad, by tail and head: see `SplitSheet`.
     """
     sides = _sides(pattern)
     drafts = [
-        _draft(pattern, layer, axes, facet, sides[facet], limits if limits is not None else ())
+        _draft(pattern, layer, axes, facet, sides[facet], limits if limits is not None else (), ends)
         for facet, layer in enumerate(layers)
     ]
     brackets = [
@@ -121,7 +123,10 @@ def panel_solids(
 
 
 def panel_cores(
-    pattern: CreasePattern, layers: Sequence[Layer], limits: Sequence[tuple[float, float]] | None
+    pattern: CreasePattern,
+    layers: Sequence[Layer],
+    limits: Sequence[tuple[float, float]] | None,
+    ends: Mapping[tuple[int, int], float],
 ) -> tuple[Array | None, ...]:
     """Return the corners of a polygon in the mid-plane of each panel, m, (corner, 3), for contact.
 
@@ -132,12 +137,13 @@ def panel_cores(
         pattern: flat or folded as built.
         layers: panels over the facets.
         limits: as for `panel_solids`.
+        ends: as for `panel_solids`.
 
     Returns:
         None for a panel without such a polygon.
     """
     sides = _sides(pattern)
-    return tuple(_core(pattern, layer, facet, sides[facet], limits) for facet, layer in enumerate(layers))
+    return tuple(_core(pattern, layer, facet, sides[facet], limits, ends) for facet, layer in enumerate(layers))
 
 
 def _core(
@@ -146,6 +152,7 @@ def _core(
     facet: int,
     sides: Sequence[tuple[int, int, SharedEdge | None]],
     limits: Sequence[tuple[float, float]] | None,
+    ends: Mapping[tuple[int, int], float],
 ) -> Array | None:
     """Return the core of a panel, as `panel_cores`."""
     coords, half = pattern.vertices_coords, layer.thickness / 2
@@ -156,6 +163,9 @@ def _core(
         limit = 0.0 if limits is None or edge is None else max(np.abs(limits[edge.edge]))
         # distance from the axis at which a ball of half the thickness touches the plane that bisects the folded panels
         inset = half / math.cos(limit / 2)
+        if (lean := ends.get((tail, head), math.pi / 2)) < math.pi / 2:
+            # and the same for the plane at the end of a strip, which leans inwards
+            inset = half / math.tan(lean) + half / math.sin(lean)
         planes.append(_Plane(outwards, float(outwards @ layer.at(coords[tail], 0.0)) - inset))
     middle = layer.at(coords[list(pattern.faces_vertices[facet])].mean(axis=0), layer.level)
     base = float(middle @ layer.normal)
@@ -186,6 +196,7 @@ def _draft(
     facet: int,
     sides: Sequence[tuple[int, int, SharedEdge | None]],
     limits: Sequence[tuple[float, float]],
+    ends: Mapping[tuple[int, int], float],
 ) -> _Draft:
     """Return the planes of a panel and of its brackets."""
     coords, normal, half = pattern.vertices_coords, layer.normal, layer.thickness / 2
@@ -195,6 +206,12 @@ def _draft(
         outwards = outwards / np.linalg.norm(outwards)
         start = layer.at(coords[tail], 0.0)
         outline.append(_Plane(outwards, float(outwards @ start)))
+        if (lean := ends.get((tail, head), math.pi / 2)) < math.pi / 2:
+            # through the end of the line of the axes, which lie on a face of the strip
+            axis = _axis_height(axes, sides)
+            away = math.copysign(1.0, layer.level - axis) * normal
+            leaning = math.sin(lean) * outwards + math.cos(lean) * away
+            trimmed.append(_Plane(leaning, float(leaning @ layer.at(coords[tail], axis))))
         if limits and edge is not None:
             # the upper half gets narrower towards its face where the panel rises, the lower half where it falls
             low, high = limits[edge.edge]
@@ -227,6 +244,11 @@ def _draft(
         brackets=brackets,
         inside=layer.at(middle, layer.level),
     )
+
+
+def _axis_height(axes: Array, sides: Sequence[tuple[int, int, SharedEdge | None]]) -> float:
+    """Return the height of the axes at both sides of a strip, m."""
+    return next(float(axes[edge.edge]) for _, _, edge in sides if edge is not None)
 
 
 def _relative(one: RigidMotion, other: RigidMotion) -> RigidMotion:
