@@ -36,8 +36,7 @@ class SplitSheet:
         thickness: of every panel and strip, m, (facet,).
         levels: heights of their mid-planes over the sheet without thickness, m, (facet,).
         axes: heights of the axes of folds, m, (edge,).
-        ends: by tail and head of the end of a strip at an interior vertex: angle between the folds in one line at this
-            vertex in the flat-folded state, rad, where the strip turns towards the next one.
+        meeting: pairs of strips that meet at a vertex, (pair, 2).
     """
 
     pattern: CreasePattern
@@ -45,7 +44,7 @@ class SplitSheet:
     thickness: Array
     levels: Array
     axes: Array
-    ends: dict[tuple[int, int], float]
+    meeting: tuple[tuple[int, int], ...]
 
     def path(self, path: Array) -> Array:
         """Return the fold angles of this sheet from those of the sheet without thickness, rad, (pose, edge)."""
@@ -106,6 +105,11 @@ def _lines(pattern: CreasePattern) -> tuple[tuple[int, ...], ...]:
                 f" got sectors of {', '.join(f'{math.degrees(sector):.6g}' for sector in sectors)} deg from crease"
                 f" {ordered[0]} on; allowed for other vertices of four creases: hinge-shift"
             )
+        if abs(sectors[0] - sectors[1]) < _STRAIGHT:
+            raise InputError(
+                f"vertex {vertex.vertex}: need sectors other than 90 deg, because the strips at creases {ordered[0]} and"
+                f" {ordered[2]} would lie in one another when folded flat, got 90 deg"
+            )
         line[first(ordered[0])] = first(ordered[2])
         unsplit |= {ordered[1], ordered[3]}
     groups: dict[int, list[int]] = {}
@@ -143,9 +147,7 @@ def _with_strips(pattern: CreasePattern, thickness: float, axes: Array, widths: 
             sides.setdefault(frozenset(side), []).append(facet)
     strips, levels = list[tuple[int, ...]](), [0.0] * len(faces)
     thicknesses, heights = [thickness] * len(faces), list(axes)
-    closing = _closing_angles(pattern)
-    slanted = dict[tuple[int, int], float]()
-    strip_ends = dict[frozenset[int], int]()
+    strip_ends = dict[frozenset[int], list[int]]()
     for edge, (tail, head) in enumerate(pattern.edges_vertices.tolist()):
         beside = sides.get(frozenset((tail, head)), [])
         if not beside:
@@ -172,14 +174,12 @@ def _with_strips(pattern: CreasePattern, thickness: float, axes: Array, widths: 
         thicknesses.append(depth)
         sense = 1.0 if letters[edge] == "V" else -1.0
         levels.append(float(axes[edge]) - sense * depth / 2)
-        for vertex, side in ((tail, (tail_left, tail_right)), (head, (head_right, head_left))):
-            if (edge, vertex) in closing:
-                slanted[side] = closing[edge, vertex]
-            strip_ends[frozenset(side)] = strip_ends.get(frozenset(side), 0) + 1
-    for side, count in strip_ends.items():
+        for side in ((tail_left, tail_right), (head_left, head_right)):
+            strip_ends.setdefault(frozenset(side), []).append(len(faces) + len(strips) - 1)
+    for side, strips_at in strip_ends.items():
         ends.append(tuple(sorted(side)))
         # the strips of two folds in one line meet at the vertex between them, but are not connected
-        letters.append("C" if count > 1 else "B")
+        letters.append("C" if len(strips_at) > 1 else "B")
         roles.append("border")
         sources.append(-1)
         shares.append(1.0)
@@ -200,7 +200,7 @@ def _with_strips(pattern: CreasePattern, thickness: float, axes: Array, widths: 
         thickness=np.array(thicknesses),
         levels=np.array(levels),
         axes=np.array(heights),
-        ends=slanted,
+        meeting=tuple((one, other) for one, *others in strip_ends.values() for other in others),
     )
 
 
@@ -237,17 +237,3 @@ def _moved_facets(pattern: CreasePattern, widths: Array) -> tuple[Array, dict[in
                 f" miss each other by {np.linalg.norm(gap):.3g} m"
             )
     return moved, {edge.edge: edge.left for edge in shared_edges(pattern)}
-
-
-def _closing_angles(pattern: CreasePattern) -> dict[tuple[int, int], float]:
-    """Return angles to which lines close on the side of their strips, rad, by edge and vertex.
-
-    The line at a vertex folds to the difference of the sectors beside it. It closes on the side of the strip at the
-    crease whose sense is unique at this vertex.
-    """
-    result = {}
-    for vertex in vertex_creases(pattern):
-        if len(vertex.edges):
-            ordered, sectors, _ = unique_first(pattern, vertex)
-            result[ordered[0], vertex.vertex] = abs(sectors[1] - sectors[0])
-    return result

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
@@ -21,7 +21,7 @@ from forficula.pattern.rotation import RigidMotion
 from forficula.pattern.shared_edges import shared_edges
 from forficula.pattern.thick.convex import ConvexSolid
 from forficula.pattern.thick.panel_heights import panel_heights, unique_first
-from forficula.pattern.thick.panel_solids import Layer, panel_cores, panel_solids
+from forficula.pattern.thick.panel_solids import Layer, panel_cores, panel_solids, strip_cuts
 from forficula.pattern.thick.split_sheet import split_sheet
 from forficula.pattern.thick.thick_motion import built_angles, deepest_overlap, facet_motions, flat_folded, fold_path
 from forficula.quantities import show_value
@@ -30,7 +30,6 @@ ThickMethod = Literal["offset", "tapered", "hinge-shift", "split"]
 Limits = tuple[tuple[float, float], ...]
 
 _ROUNDING = 1e-9
-_NO_ENDS: Mapping[tuple[int, int], float] = {}
 _FLAT_FOLDABLE = 1e-6  # rad, sums of sectors that differ by less are equal
 _TOUCHING = 1e-6  # of the thickness; panels that overlap by less touch
 # search for the largest thickness: least one that is tried, as a share of the given one, and halvings of the range
@@ -123,7 +122,7 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
             split = split_sheet(pattern, chosen)
             # a sheet whose path has no closed form is checked where it is folded flat
             angles = (np.pi * senses(pattern))[None] if path is None else path
-            return _sheet(split.pattern, split.thickness, split.levels, split.axes, split.path(angles), ends=split.ends)
+            return _sheet(split.pattern, split.thickness, split.levels, split.axes, split.path(angles), meeting=split.meeting)
         return _sheet(pattern, np.full(facets, chosen), chosen * levels, chosen * axes, path, trims=trims)
 
     made = sheet(thickness)
@@ -144,8 +143,13 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
 
 def panel_motions(sheet: ThickSheet, angles: Array) -> list[list[RigidMotion]]:
     """Return the motions of panels from the position as built to fold angles, rad, (pose, edge)."""
-    built = built_angles(sheet.pattern)
-    return [facet_motions(sheet.pattern, sheet.axis_ends, pose - built) for pose in angles]
+    return _motions(sheet.pattern, sheet.axis_ends, angles)
+
+
+def _motions(pattern: CreasePattern, axis_ends: Array, angles: Array) -> list[list[RigidMotion]]:
+    """Return the motions of facets from the position as built to fold angles, rad, (pose, edge)."""
+    built = built_angles(pattern)
+    return [facet_motions(pattern, axis_ends, pose - built) for pose in angles]
 
 
 def _sheet(
@@ -156,7 +160,7 @@ def _sheet(
     path: Array | None,
     *,
     trims: Limits | None = None,
-    ends: Mapping[tuple[int, int], float] = _NO_ENDS,
+    meeting: Sequence[tuple[int, int]] = (),
 ) -> ThickSheet:
     """Return a sheet with panels of given thicknesses, and with panels and axes at given heights, m."""
     normals = np.array([polygon_normal(pattern.vertices_coords[list(face)]) for face in pattern.faces_vertices])
@@ -174,14 +178,16 @@ def _sheet(
     for edge in shared_edges(pattern):
         axis_ends[edge.edge] = [layers[edge.left].at(end, float(axes[edge.edge])) for end in axis_ends[edge.edge]]
     closed = facet_motions(pattern, axis_ends, np.pi * senses(pattern) * pattern.edges_share - built_angles(pattern))
+    poses = [] if path is None or not meeting else _motions(pattern, axis_ends, path)
+    cuts = strip_cuts(pattern, layers, axes, poses, meeting)
     return ThickSheet(
         pattern=pattern,
         thickness=float(thickness.max()),
         layers=layers,
         axes=axes,
         axis_ends=axis_ends,
-        panels=tuple(panel_solids(pattern, layers, axes, closed, trims, ends)),
-        cores=panel_cores(pattern, layers, trims, ends),
+        panels=tuple(panel_solids(pattern, layers, axes, closed, trims, cuts)),
+        cores=panel_cores(pattern, layers, trims, cuts),
         path=path,
     )
 
