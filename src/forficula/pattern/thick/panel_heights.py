@@ -19,6 +19,8 @@ from forficula.pattern.shared_edges import shared_edges
 from forficula.pattern.thick.convex import convex_overlap
 
 _ROUNDING = 1e-9
+# [chosen] part of a crease on which brackets lie, and largest part for the brackets of several creases on one line
+BRACKETS, _BRACKETED = (0.35, 0.65), 0.8
 # [chosen] most orders of panels that are tried
 _MOST_TRIES = 600
 # [chosen] share of the width of strips in the sum that is minimised, small beside that of brackets
@@ -105,6 +107,41 @@ def _layers(pattern: CreasePattern, folded: Array) -> _Layers:
         and (min(creases[one].left, creases[other].left), max(creases[one].left, creases[other].left)) in pairs
     ]
     return _Layers(pairs, beside, nested)
+
+
+def bracket_slots(pattern: CreasePattern, folded: Array) -> list[tuple[float, float]]:
+    """Return the parts of creases on which brackets lie, so that brackets of creases on one line do not meet.
+
+    Creases that lie on one line in the flat-folded state get different parts, as shares of their length.
+
+    Args:
+        pattern: flat or folded, with mountains, valleys and flat edges.
+        folded: vertices of the flat-folded sheet without thickness, in a plane of constant z, m, (vertex, 3).
+
+    Returns:
+        Start and end of the part of every edge, from its first to its second vertex.
+    """
+    least = 1e-6 * float(np.ptp(folded, axis=0).max())
+    creases = [edge.edge for edge in shared_edges(pattern) if pattern.edges_assignment[edge.edge] in "MV"]
+    lines = {edge: folded[pattern.edges_vertices[edge], :2] for edge in creases}
+    places: dict[int, int] = {}
+    groups: list[list[int]] = []
+    for edge in creases:
+        group = next((group for group in groups if any(_on_one_line(lines[edge], lines[other], least) for other in group)), None)
+        if group is None:
+            groups.append(group := [])
+        places[edge] = len(group)
+        group.append(edge)
+    slots = [BRACKETS] * len(pattern.edges_vertices)
+    for group in groups:
+        width = min(BRACKETS[1] - BRACKETS[0], _BRACKETED / len(group))
+        start = (1 - width * len(group)) / 2
+        along = lines[group[0]][1] - lines[group[0]][0]
+        for edge in group:
+            slot = (start + width * places[edge], start + width * (places[edge] + 1))
+            opposite = float((lines[edge][1] - lines[edge][0]) @ along) < 0
+            slots[edge] = (1 - slot[1], 1 - slot[0]) if opposite else slot
+    return slots
 
 
 def _on_one_line(one: Array, other: Array, least: float) -> bool:

@@ -16,9 +16,6 @@ from forficula.pattern.rotation import RigidMotion
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
 from forficula.pattern.thick.convex import ConvexSolid, convex_faces, overlap_depths, solid_within
 
-# [chosen] a bracket is as wide as the panel is thick; shares of the crease between which the left and the right facet
-# have their brackets
-_BRACKETS = ((0.35, 0.5), (0.5, 0.65))
 _MOST_CUTS = 6  # [chosen] most cuts of the ends of two strips that meet
 _ROUNDING = 1e-9
 _TOUCHING = 1e-6  # of the thickness; solids that overlap by less touch
@@ -73,6 +70,7 @@ def panel_solids(
     folded: Sequence[RigidMotion],
     limits: Sequence[tuple[float, float]] | None,
     cuts: Sequence[Sequence[Plane]],
+    slots: Sequence[tuple[float, float]],
 ) -> list[tuple[ConvexSolid, ...]]:
     """Return the convex solids of all panels, which touch but do not overlap, in the position as built.
 
@@ -87,10 +85,11 @@ def panel_solids(
         limits: least and largest fold angle of every edge, rad, to which panels are trimmed; None if they fold flat
             and keep the outlines of their facets.
         cuts: further planes of every panel, see `strip_cuts`.
+        slots: parts of edges with the brackets of both facets, see `bracket_slots`.
     """
     sides = _sides(pattern)
     drafts = [
-        _draft(pattern, layer, axes, facet, sides[facet], limits if limits is not None else (), cuts[facet])
+        _draft(pattern, layer, axes, facet, sides[facet], limits if limits is not None else (), cuts[facet], slots)
         for facet, layer in enumerate(layers)
     ]
     brackets = [
@@ -143,14 +142,14 @@ def strip_cuts(
         motions: motions of the facets from the position as built in every pose of the fold path, (pose, facet).
         meeting: pairs of strips with a common vertex.
     """
-    sides = _sides(pattern)
+    sides, slots = _sides(pattern), [(0.0, 1.0)] * len(axes)
     cuts: list[list[Plane]] = [[] for _ in layers]
     for pair in meeting:
         moved = [_relative(pose[pair[1]], pose[pair[0]]) for pose in motions]
         poses = (np.array([motion.rotation for motion in moved]), np.array([motion.shift for motion in moved]))
         stays = (np.repeat(_STAYS[0], len(moved), axis=0), np.zeros((len(moved), 3)))
         for _ in range(_MOST_CUTS):
-            drafts = [_draft(pattern, layers[facet], axes, facet, sides[facet], (), cuts[facet]) for facet in pair]
+            drafts = [_draft(pattern, layers[facet], axes, facet, sides[facet], (), cuts[facet], slots) for facet in pair]
             solids = [_solid(draft.panel, draft.inside) for draft in drafts]
             if solids[0] is None or solids[1] is None:
                 break
@@ -252,6 +251,7 @@ def _draft(
     sides: Sequence[tuple[int, int, SharedEdge | None]],
     limits: Sequence[tuple[float, float]],
     cuts: Sequence[Plane],
+    slots: Sequence[tuple[float, float]],
 ) -> _Draft:
     """Return the planes of a panel and of its brackets."""
     coords, normal, half = pattern.vertices_coords, layer.normal, layer.thickness / 2
@@ -278,7 +278,9 @@ def _draft(
         away = float(axes[edge.edge]) - layer.level
         if abs(away) <= half * (1 + _ROUNDING):
             continue
-        first, last = _BRACKETS[0 if edge.left == facet else 1]
+        start_share, end_share = slots[edge.edge]
+        middle_share = (start_share + end_share) / 2
+        first, last = (start_share, middle_share) if edge.left == facet else (middle_share, end_share)
         if edge.tail != tail:
             first, last = 1 - last, 1 - first
         start, end = (layer.at(coords[tail] + share * (coords[head] - coords[tail]), 0.0) for share in (first, last))

@@ -20,7 +20,7 @@ from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.rotation import RigidMotion
 from forficula.pattern.shared_edges import shared_edges
 from forficula.pattern.thick.convex import ConvexSolid
-from forficula.pattern.thick.panel_heights import panel_heights, unique_first
+from forficula.pattern.thick.panel_heights import BRACKETS, bracket_slots, panel_heights, unique_first
 from forficula.pattern.thick.panel_solids import Layer, panel_cores, panel_solids, strip_cuts
 from forficula.pattern.thick.split_sheet import split_sheet
 from forficula.pattern.thick.thick_motion import built_angles, deepest_overlap, facet_motions, flat_folded, fold_path
@@ -116,6 +116,8 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
     trims = limits if method == "tapered" else None
     path = fold_path(pattern, limits)
 
+    slots: Sequence[tuple[float, float]] = ()
+
     def sheet(chosen: float) -> ThickSheet:
         """Return the sheet with panels of a thickness, which may overlap."""
         if method == "split":
@@ -123,10 +125,15 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
             # a sheet whose path has no closed form is checked where it is folded flat
             angles = (np.pi * senses(pattern))[None] if path is None else path
             return _sheet(split.pattern, split.thickness, split.levels, split.axes, split.path(angles), meeting=split.meeting)
-        return _sheet(pattern, np.full(facets, chosen), chosen * levels, chosen * axes, path, trims=trims)
+        return _sheet(pattern, np.full(facets, chosen), chosen * levels, chosen * axes, path, trims=trims, slots=slots)
 
     made = sheet(thickness)
     why = _fault(made)
+    if why and method in ("offset", "hinge-shift"):
+        # brackets of different creases may meet, but not at different places along the creases
+        slots = bracket_slots(pattern, flat_folded(pattern))
+        made = sheet(thickness)
+        why = _fault(made)
     if not why:
         return made
     low, high = _THIN * thickness, thickness
@@ -161,6 +168,7 @@ def _sheet(
     *,
     trims: Limits | None = None,
     meeting: Sequence[tuple[int, int]] = (),
+    slots: Sequence[tuple[float, float]] = (),
 ) -> ThickSheet:
     """Return a sheet with panels of given thicknesses, and with panels and axes at given heights, m."""
     normals = np.array([polygon_normal(pattern.vertices_coords[list(face)]) for face in pattern.faces_vertices])
@@ -186,7 +194,7 @@ def _sheet(
         layers=layers,
         axes=axes,
         axis_ends=axis_ends,
-        panels=tuple(panel_solids(pattern, layers, axes, closed, trims, cuts)),
+        panels=tuple(panel_solids(pattern, layers, axes, closed, trims, cuts, slots or [BRACKETS] * len(axes))),
         cores=panel_cores(pattern, layers, trims, cuts),
         path=path,
     )
