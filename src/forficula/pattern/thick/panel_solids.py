@@ -113,7 +113,7 @@ def panel_solids(
                 part
                 for piece, solid in pieces
                 for part in (
-                    _without(piece, cut, draft.inside)
+                    _without(piece, solid, cut, draft.inside)
                     if overlap_depths(solid, _STAYS, bracket, pose)[0] > least
                     else [(piece, solid)]
                 )
@@ -309,10 +309,13 @@ def _moved(plane: Plane, motion: RigidMotion) -> Plane:
     return Plane(normal, plane.offset + float(normal @ motion.shift))
 
 
-def _without(piece: list[Plane], cut: Sequence[Plane], inside: Array) -> list[tuple[list[Plane], ConvexSolid]]:
+def _without(
+    piece: list[Plane], solid: ConvexSolid, cut: Sequence[Plane], inside: Array
+) -> list[tuple[list[Plane], ConvexSolid]]:
     """Return the convex pieces of a convex solid outside another one that overlaps it; both are given by planes."""
-    outside = [Plane(-normal, -offset) for normal, offset in cut]
-    pieces = [[*piece, *cut[:number], plane] for number, plane in enumerate(outside)]
+    reaches = [float((solid.corners @ normal).max()) - offset for normal, offset in cut]
+    outside = [(number, Plane(-normal, -offset)) for number, (normal, offset) in enumerate(cut) if reaches[number] > 0]
+    pieces = [[*piece, *cut[:number], plane] for number, plane in outside]
     return [(planes, solid) for planes in pieces if (solid := _solid(planes, inside)) is not None]
 
 

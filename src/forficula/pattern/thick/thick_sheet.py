@@ -33,7 +33,8 @@ _ROUNDING = 1e-9
 _FLAT_FOLDABLE = 1e-6  # rad, sums of sectors that differ by less are equal
 _TOUCHING = 1e-6  # of the thickness; panels that overlap by less touch
 # search for the largest thickness: least one that is tried, as a share of the given one, and halvings of the range
-_THIN, _HALVINGS = 1e-3, 12
+# in sheets of at most this number of facets; half as many in larger ones, whose panels take longer
+_THIN, _HALVINGS, _SMALL = 1e-3, 12, 6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -139,13 +140,22 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
     low, high = _THIN * thickness, thickness
     if _fault(sheet(low)):
         raise InputError(f"{why}, also with thinner panels")
-    for _ in range(_HALVINGS):
+    for _ in range(_HALVINGS if facets <= _SMALL else _HALVINGS // 2):
         middle = (low + high) / 2
         low, high = (low, middle) if _fault(sheet(middle)) else (middle, high)
     # rounded down to three digits
     step = 10.0 ** (math.floor(math.log10(low)) - 2)
     largest = step * math.floor(low / step)
-    raise InputError(f"need <= {show_value(largest, 'm')}, got {show_value(thickness, 'm')}: {why}")
+    raise InputError(
+        f"need <= {show_value(largest, 'm')}, got {show_value(thickness, 'm')}: {why}; a sheet that is"
+        f" {_rounded_up(thickness / largest)} times as large would also fold flat"
+    )
+
+
+def _rounded_up(factor: float) -> str:
+    """Return a factor with three digits, rounded up."""
+    step = 10.0 ** (math.floor(math.log10(factor)) - 2)
+    return f"{step * math.ceil(factor / step - _ROUNDING):.3g}"
 
 
 def panel_motions(sheet: ThickSheet, angles: Array) -> list[list[RigidMotion]]:
