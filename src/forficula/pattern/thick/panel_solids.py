@@ -16,7 +16,7 @@ from forficula.pattern.rotation import RigidMotion
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
 from forficula.pattern.thick.convex import ConvexSolid, convex_faces, overlap_depths, solid_within
 
-_MOST_CUTS = 6  # [chosen] most cuts of the ends of two strips that meet
+_MOST_CUTS = 40  # [chosen] most cuts of the ends of two strips that meet
 _ROUNDING = 1e-9
 _TOUCHING = 1e-6  # of the thickness; solids that overlap by less touch
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -23,7 +23,7 @@ from forficula.pattern.thick.convex import ConvexSolid
 from forficula.pattern.thick.panel_heights import BRACKETS, bracket_slots, panel_heights, unique_first
 from forficula.pattern.thick.panel_solids import Layer, panel_cores, panel_solids, strip_cuts
 from forficula.pattern.thick.split_sheet import split_sheet
-from forficula.pattern.thick.thick_motion import built_angles, deepest_overlap, facet_motions, flat_folded, fold_path
+from forficula.pattern.thick.thick_motion import POSES, built_angles, deepest_overlap, facet_motions, flat_folded, fold_path
 from forficula.quantities import show_value
 
 ThickMethod = Literal["offset", "tapered", "hinge-shift", "split"]
@@ -64,6 +64,16 @@ class ThickSheet:
     panels: tuple[tuple[ConvexSolid, ...], ...]
     cores: tuple[Array | None, ...]
     path: Array | None
+
+
+class _StripCuts(NamedTuple):
+    """Pairs of strips that meet, and fold angles, rad, (pose, edge), at which their ends are cut."""
+
+    meeting: Sequence[tuple[int, int]]
+    path: Array
+
+
+_NO_STRIPS = _StripCuts((), np.zeros((0, 0)))
 
 
 def thick_sheet(pattern: CreasePattern, thickness: float, method: ThickMethod, limits: Limits) -> ThickSheet:
@@ -117,6 +127,8 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
     trims = limits if method == "tapered" else None
     path = fold_path(pattern, limits)
 
+    # strips end where they meet, so these poses are closer than those that are checked
+    finer = fold_path(pattern, limits, 4 * POSES) if method == "split" else None
     slots: Sequence[tuple[float, float]] = ()
 
     def sheet(chosen: float) -> ThickSheet:
@@ -124,8 +136,9 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
         if method == "split":
             split = split_sheet(pattern, chosen)
             # a sheet whose path has no closed form is checked where it is folded flat
-            angles = (np.pi * senses(pattern))[None] if path is None else path
-            return _sheet(split.pattern, split.thickness, split.levels, split.axes, split.path(angles), meeting=split.meeting)
+            angles, fine = ((np.pi * senses(pattern))[None] if known is None else known for known in (path, finer))
+            cuts = _StripCuts(split.meeting, split.path(fine))
+            return _sheet(split.pattern, split.thickness, split.levels, split.axes, split.path(angles), strips=cuts)
         return _sheet(pattern, np.full(facets, chosen), chosen * levels, chosen * axes, path, trims=trims, slots=slots)
 
     made = sheet(thickness)
@@ -177,7 +190,7 @@ def _sheet(
     path: Array | None,
     *,
     trims: Limits | None = None,
-    meeting: Sequence[tuple[int, int]] = (),
+    strips: _StripCuts = _NO_STRIPS,
     slots: Sequence[tuple[float, float]] = (),
 ) -> ThickSheet:
     """Return a sheet with panels of given thicknesses, and with panels and axes at given heights, m."""
@@ -196,8 +209,8 @@ def _sheet(
     for edge in shared_edges(pattern):
         axis_ends[edge.edge] = [layers[edge.left].at(end, float(axes[edge.edge])) for end in axis_ends[edge.edge]]
     closed = facet_motions(pattern, axis_ends, np.pi * senses(pattern) * pattern.edges_share - built_angles(pattern))
-    poses = [] if path is None or not meeting else _motions(pattern, axis_ends, path)
-    cuts = strip_cuts(pattern, layers, axes, poses, meeting)
+    poses = _motions(pattern, axis_ends, strips.path) if strips.meeting else []
+    cuts = strip_cuts(pattern, layers, axes, poses, strips.meeting)
     return ThickSheet(
         pattern=pattern,
         thickness=float(thickness.max()),
