@@ -140,14 +140,6 @@ def test_strips_that_do_not_fit_around_a_hole_are_refused_with_a_crease():
         split_sheet(ring, THICK)
 
 
-def test_a_refused_thickness_names_the_thickness_and_the_size_that_fold_flat():
-    pattern = pleat_pattern([SIDE] * 3, 0.1, "VV")
-    narrow = vertex_pattern(np.radians([100, 60, 80, 120]), 0.02, "MVMM")
-    with pytest.raises(InputError, match=r"need <= 2\.47 mm, got 3 mm: .*a sheet that is 1\.22 times as large"):
-        thick_sheet(narrow, 3e-3, "hinge-shift", limits_of(narrow))
-    assert thick_sheet(pattern, 3e-3, "split", limits_of(pattern)).thickness == pytest.approx(3e-3)
-
-
 def test_brackets_of_several_offset_vertices_lie_at_different_places_of_the_creases():
     pattern = miura(4, 2)
     made = thick_sheet(pattern, 0.0005, "offset", limits_of(pattern))
