@@ -34,9 +34,7 @@ def strips(pattern):
     for face in split.pattern.faces_vertices[len(pattern.faces_vertices) :]:
         corners = split.pattern.vertices_coords[list(face)]
         beside = {frozenset(face[:2]), frozenset(face[2:])}
-        edges = [
-            edge for edge, ends in enumerate(split.pattern.edges_vertices.tolist()) if frozenset(ends) in beside
-        ]
+        edges = [edge for edge, ends in enumerate(split.pattern.edges_vertices.tolist()) if frozenset(ends) in beside]
         assert len({split.sources[edge] for edge in edges}) == 1
         result[int(split.sources[edges[0]])] = float(np.linalg.norm(corners[2] - corners[1])) / THICK
     return result

@@ -72,8 +72,8 @@ class _Layers(NamedTuple):
 
     Attributes:
         pairs: panels that overlap, the one with the smaller number first.
-        beside: a panel, and two panels at a crease over or under the inside of the first one, which therefore lies above
-            both or below both.
+        beside: a panel, and two panels at a crease over or under the inside of the first one. The first panel therefore
+            lies above both or below both.
         nested: two panels at a crease and two at another crease on the same line. None, or both, of the second two lie
             between the first two.
     """
@@ -127,7 +127,9 @@ def bracket_slots(pattern: CreasePattern, folded: Array) -> list[tuple[float, fl
     places: dict[int, int] = {}
     groups: list[list[int]] = []
     for edge in creases:
-        group = next((group for group in groups if any(_on_one_line(lines[edge], lines[other], least) for other in group)), None)
+        group = next(
+            (group for group in groups if any(_on_one_line(lines[edge], lines[other], least) for other in group)), None
+        )
         if group is None:
             groups.append(group := [])
         places[edge] = len(group)
@@ -154,7 +156,7 @@ def _on_one_line(one: Array, other: Array, least: float) -> bool:
 
 
 def _ordered_heights(rows: _HeightRows, layers: _Layers) -> Array | None:
-    """Return the best variables with which panels that lie on one another have an order, and none passes through a fold.
+    """Return the best variables with which panels are in an order, and none of them passes through a fold.
 
     Pairs get an order one after another: that of the present heights first, then the opposite one.
     """

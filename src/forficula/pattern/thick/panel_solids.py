@@ -132,8 +132,8 @@ def strip_cuts(
 ) -> list[list[Plane]]:
     """Return planes that cut the ends of strips, by facet, so that strips do not overlap at the vertex where they meet.
 
-    Where two strips overlap most along the fold path, one of them ends at a face of the other one. Of all faces, the one
-    is chosen that leaves the largest volume. This is repeated until they do not overlap.
+    Where two strips overlap most along the fold path, one of them ends at a face of the other one. The face is that
+    which leaves the largest volume. This is repeated until they do not overlap.
 
     Args:
         pattern: flat or folded as built, with strips.
@@ -149,7 +149,9 @@ def strip_cuts(
         poses = (np.array([motion.rotation for motion in moved]), np.array([motion.shift for motion in moved]))
         stays = (np.repeat(_STAYS[0], len(moved), axis=0), np.zeros((len(moved), 3)))
         for _ in range(_MOST_CUTS):
-            drafts = [_draft(pattern, layers[facet], axes, facet, sides[facet], (), cuts[facet], slots) for facet in pair]
+            drafts = [
+                _draft(pattern, layers[facet], axes, facet, sides[facet], (), cuts[facet], slots) for facet in pair
+            ]
             solids = [_solid(draft.panel, draft.inside) for draft in drafts]
             if solids[0] is None or solids[1] is None:
                 break
@@ -316,7 +318,7 @@ def _without(
     reaches = [float((solid.corners @ normal).max()) - offset for normal, offset in cut]
     outside = [(number, Plane(-normal, -offset)) for number, (normal, offset) in enumerate(cut) if reaches[number] > 0]
     pieces = [[*piece, *cut[:number], plane] for number, plane in outside]
-    return [(planes, solid) for planes in pieces if (solid := _solid(planes, inside)) is not None]
+    return [(planes, part) for planes in pieces if (part := _solid(planes, inside)) is not None]
 
 
 def _solid(planes: Sequence[Plane], inside: Array) -> ConvexSolid | None:

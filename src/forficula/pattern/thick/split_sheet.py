@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -56,8 +57,8 @@ def split_sheet(pattern: CreasePattern, thickness: float) -> SplitSheet:
     """Split the folds of a sheet so that its level panels fold flat around one another.
 
     A strip of the width w between two folds of 90 deg leaves a gap of w in addition to that of the hinges. All axes lie
-    on faces of panels where possible. At an interior vertex the two creases of opposite sense must be one line. Both are
-    split with the same width, so that the panels on one side of the line move away from those on the other side,
+    on faces of panels where possible. At an interior vertex the two creases of opposite sense must be one line. Both
+    are split with the same width, so that the panels on one side of the line move away from those on the other side,
     normal to the plane in which the line folds, and keep the fold angles of the sheet without thickness.
 
     Args:
@@ -100,15 +101,15 @@ def _lines(pattern: CreasePattern) -> tuple[tuple[int, ...], ...]:
             or abs(vertex.total - 2 * math.pi) > _STRAIGHT
         ):
             raise InputError(
-                f"vertex {vertex.vertex}: need its creases of opposite sense, {ordered[0]} and {ordered[2]}, in one line,"
-                " and mirrored sectors on both sides of it, as in a Miura sheet, so that strips fit around the vertex,"
-                f" got sectors of {', '.join(f'{math.degrees(sector):.6g}' for sector in sectors)} deg from crease"
+                f"vertex {vertex.vertex}: need its creases of opposite sense, {ordered[0]} and {ordered[2]}, in one"
+                " line, and mirrored sectors on both sides of the line, as in a Miura sheet, so that strips fit around"
+                f" the vertex, got sectors of {', '.join(f'{math.degrees(sector):.6g}' for sector in sectors)} deg from crease"
                 f" {ordered[0]} on; allowed for other vertices of four creases: hinge-shift"
             )
         if abs(sectors[0] - sectors[1]) < _STRAIGHT:
             raise InputError(
-                f"vertex {vertex.vertex}: need sectors other than 90 deg, because the strips at creases {ordered[0]} and"
-                f" {ordered[2]} would lie in one another when folded flat, got 90 deg"
+                f"vertex {vertex.vertex}: need sectors other than 90 deg, because the strips at creases {ordered[0]}"
+                f" and {ordered[2]} would lie in one another when folded flat, got 90 deg"
             )
         line[first(ordered[0])] = first(ordered[2])
         unsplit |= {ordered[1], ordered[3]}
@@ -118,94 +119,132 @@ def _lines(pattern: CreasePattern) -> tuple[tuple[int, ...], ...]:
     return tuple(tuple(edges) for edges in groups.values() if not unsplit.intersection(edges))
 
 
-def _with_strips(pattern: CreasePattern, thickness: float, axes: Array, widths: Array) -> SplitSheet:
-    """Return the sheet with strips of given widths, m, (edge,), at folds whose axes are at given heights, m, (edge,)."""
-    moved, across = _moved_facets(pattern, widths)
-    coords, copies = list(pattern.vertices_coords), dict[int, list[int]]()
-    size = float(np.ptp(pattern.vertices_coords, axis=0).max())
+@dataclass(frozen=True)
+class _Edge:
+    """An edge of the sheet with strips.
 
-    def corner(facet: int, vertex: int) -> int:
+    Attributes:
+        ends: its vertices.
+        letter: assignment.
+        angle: target angle of the whole fold, rad.
+        role: label.
+        source: number of the edge of the sheet without thickness, or -1.
+        share: part of the fold angle.
+        axis: height of the axis, m.
+    """
+
+    ends: tuple[int, int]
+    letter: str
+    angle: float = math.nan
+    role: str = "border"
+    source: int = -1
+    share: float = 1.0
+    axis: float = 0.0
+
+
+@dataclass(frozen=True)
+class _Strip:
+    """A strip: its corners, thickness, m, and the height of its mid-plane, m."""
+
+    corners: tuple[int, int, int, int]
+    thickness: float
+    level: float
+
+
+class _Corners:
+    """Copies of the vertices of a sheet whose facets move: the first copy keeps the number of the vertex."""
+
+    def __init__(self, pattern: CreasePattern, moved: Array) -> None:
+        self.coords = list(pattern.vertices_coords)
+        self._copies: dict[int, list[int]] = {}
+        self._built, self._moved = pattern.vertices_coords, moved
+        self._same = _SAME * float(np.ptp(pattern.vertices_coords, axis=0).max())
+
+    def of(self, facet: int, vertex: int) -> int:
         """Return the number of the copy of a vertex that moves with a facet."""
-        place = pattern.vertices_coords[vertex] + moved[facet]
-        if vertex not in copies:
-            copies[vertex] = [vertex]
-            coords[vertex] = place
-        for copy in copies[vertex]:
-            if np.abs(coords[copy] - place).max() < _SAME * size:
+        place = self._built[vertex] + self._moved[facet]
+        if vertex not in self._copies:
+            self._copies[vertex] = [vertex]
+            self.coords[vertex] = place
+        for copy in self._copies[vertex]:
+            if np.abs(self.coords[copy] - place).max() < self._same:
                 return copy
-        copies[vertex].append(len(coords))
-        coords.append(place)
-        return len(coords) - 1
+        self._copies[vertex].append(len(self.coords))
+        self.coords.append(place)
+        return len(self.coords) - 1
 
-    faces = [tuple(corner(facet, vertex) for vertex in face) for facet, face in enumerate(pattern.faces_vertices)]
-    ends, angles = list(map(tuple, pattern.edges_vertices.tolist())), pattern.edges_fold_angle.copy()
-    letters, roles = list(pattern.edges_assignment), list(pattern.edges_role)
-    sources, shares = list(range(len(ends))), [1.0] * len(ends)
-    sides: dict[frozenset[int], list[int]] = {}
+
+def _with_strips(pattern: CreasePattern, thickness: float, axes: Array, widths: Array) -> SplitSheet:
+    """Return the sheet with strips at split folds.
+
+    Args:
+        pattern: without strips.
+        thickness: of the panels, m.
+        axes: heights of the axes of creases, m, (edge,).
+        widths: of strips, m, (edge,); 0 where a fold is not split.
+    """
+    corners = _Corners(pattern, _moved_facets(pattern, widths))
+    faces = [tuple(corners.of(facet, vertex) for vertex in face) for facet, face in enumerate(pattern.faces_vertices)]
+    beside: dict[frozenset[int], list[int]] = {}
     for facet, face in enumerate(pattern.faces_vertices):
-        for side, (tail, head) in zip(face_sides(face), face_sides(faces[facet]), strict=True):
-            sides.setdefault(frozenset(side), []).append(facet)
-    strips, levels = list[tuple[int, ...]](), [0.0] * len(faces)
-    thicknesses, heights = [thickness] * len(faces), list(axes)
-    strip_ends = dict[frozenset[int], list[int]]()
-    for edge, (tail, head) in enumerate(pattern.edges_vertices.tolist()):
-        beside = sides.get(frozenset((tail, head)), [])
-        if not beside:
-            continue
-        ends[edge] = (corner(beside[0], tail), corner(beside[0], head))
-        if len(beside) < 2 or {corner(beside[1], tail), corner(beside[1], head)} == set(ends[edge]):
-            continue
-        other = (corner(beside[1], tail), corner(beside[1], head))
-        split = bool(widths[edge])
-        ends.append(other)
-        letters.append(letters[edge])
-        roles.append(roles[edge])
-        sources.append(edge)
-        heights.append(axes[edge])
-        shares[edge] = 0.5 if split else 1.0
-        shares.append(shares[edge])
-        angles = np.append(angles, angles[edge])
-        if not split:
-            continue
-        left = across[edge]
-        (tail_left, head_left), (tail_right, head_right) = (ends[edge], other)[:: 1 if left == beside[0] else -1]
-        strips.append((head_left, tail_left, tail_right, head_right))
-        depth = min(thickness, widths[edge] / 2)
-        thicknesses.append(depth)
-        sense = 1.0 if letters[edge] == "V" else -1.0
-        levels.append(float(axes[edge]) - sense * depth / 2)
-        for side in ((tail_left, tail_right), (head_left, head_right)):
-            strip_ends.setdefault(frozenset(side), []).append(len(faces) + len(strips) - 1)
-    for side, strips_at in strip_ends.items():
-        ends.append(tuple(sorted(side)))
-        # the strips of two folds in one line meet at the vertex between them, but are not connected
-        letters.append("C" if len(strips_at) > 1 else "B")
-        roles.append("border")
-        sources.append(-1)
-        shares.append(1.0)
-        heights.append(0.0)
-        angles = np.append(angles, math.nan)
+        for side in face_sides(face):
+            beside.setdefault(frozenset(side), []).append(facet)
+    first, second, strips = list[_Edge](), list[_Edge](), list[_Strip]()
+    strips_at: dict[frozenset[int], list[int]] = {}
+    left_of = {edge.edge: edge.left for edge in shared_edges(pattern)}
+    for number, (tail, head) in enumerate(pattern.edges_vertices.tolist()):
+        edge = _Edge(
+            ends=(tail, head),
+            letter=pattern.edges_assignment[number],
+            angle=float(pattern.edges_fold_angle[number]),
+            role=pattern.edges_role[number],
+            source=number,
+            share=0.5 if widths[number] else 1.0,
+            axis=float(axes[number]),
+        )
+        # the facet on the left first
+        facets = sorted(beside.get(frozenset((tail, head)), []), key=lambda facet: facet != left_of.get(number))
+        sides = [(corners.of(facet, tail), corners.of(facet, head)) for facet in facets] or [(tail, head)]
+        first.append(replace(edge, ends=sides[0]))
+        second += [replace(edge, ends=side) for side in sides[1:] if side != sides[0]]
+        if widths[number]:
+            strips.append(_strip(edge, sides, thickness, float(widths[number])))
+            for end in zip(*sides, strict=True):
+                strips_at.setdefault(frozenset(end), []).append(len(faces) + len(strips) - 1)
+    # the strips of two folds in one line meet at the vertex between them, but are not connected
+    tips = [
+        _Edge(ends=(min(end), max(end)), letter="C" if len(numbers) > 1 else "B") for end, numbers in strips_at.items()
+    ]
+    edges = [*first, *second, *tips]
     return SplitSheet(
         pattern=CreasePattern(
             title=pattern.title,
-            vertices_coords=np.array(coords),
-            edges_vertices=np.array(ends),
-            edges_assignment=tuple(letters),
-            edges_fold_angle=angles * np.array(shares),
-            edges_role=tuple(roles),
-            faces_vertices=(*faces, *strips),
-            edges_share=np.array(shares),
+            vertices_coords=np.array(corners.coords),
+            edges_vertices=np.array([edge.ends for edge in edges]),
+            edges_assignment=tuple(edge.letter for edge in edges),
+            edges_fold_angle=np.array([edge.share * edge.angle for edge in edges]),
+            edges_role=tuple(edge.role for edge in edges),
+            faces_vertices=(*faces, *(strip.corners for strip in strips)),
+            edges_share=np.array([edge.share for edge in edges]),
         ),
-        sources=np.array(sources),
-        thickness=np.array(thicknesses),
-        levels=np.array(levels),
-        axes=np.array(heights),
-        meeting=tuple((one, other) for one, *others in strip_ends.values() for other in others),
+        sources=np.array([edge.source for edge in edges]),
+        thickness=np.array([*[thickness] * len(faces), *(strip.thickness for strip in strips)]),
+        levels=np.array([*[0.0] * len(faces), *(strip.level for strip in strips)]),
+        axes=np.array([edge.axis for edge in edges]),
+        meeting=tuple((one, other) for one, *others in strips_at.values() for other in others),
     )
 
 
-def _moved_facets(pattern: CreasePattern, widths: Array) -> tuple[Array, dict[int, int]]:
-    """Return by how much facets move as built so that strips fit between them, m, (facet, 3), and left facets of edges.
+def _strip(edge: _Edge, sides: Sequence[tuple[int, int]], thickness: float, width: float) -> _Strip:
+    """Return the strip between two sides, the left one first; it is on the side to which its folds open."""
+    (tail_left, head_left), (tail_right, head_right) = sides
+    depth = min(thickness, width / 2)
+    away = -1.0 if edge.letter == "V" else 1.0
+    return _Strip((head_left, tail_left, tail_right, head_right), depth, edge.axis + away * depth / 2)
+
+
+def _moved_facets(pattern: CreasePattern, widths: Array) -> Array:
+    """Return by how much facets move as built so that strips fit between them, m, (facet, 3).
 
     A strip halves the fold angle between its facets.
 
@@ -233,7 +272,7 @@ def _moved_facets(pattern: CreasePattern, widths: Array) -> tuple[Array, dict[in
         gap = moved[edge.right] - moved[edge.left] - strip(edge.edge, edge.tail, edge.head, edge.left)
         if np.abs(gap).max() > 1e-6 * size:
             raise InputError(
-                f"crease {edge.edge}: need strips that fit around every hole of the sheet, got strips around a hole that"
-                f" miss each other by {np.linalg.norm(gap):.3g} m"
+                f"crease {edge.edge}: need strips that fit around every hole of the sheet, got strips around a hole"
+                f" that miss each other by {np.linalg.norm(gap):.3g} m"
             )
-    return moved, {edge.edge: edge.left for edge in shared_edges(pattern)}
+    return moved

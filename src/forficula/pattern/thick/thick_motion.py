@@ -55,8 +55,7 @@ def built_angles(pattern: CreasePattern) -> Array:
 
 
 def flat_folded(pattern: CreasePattern) -> Array:
-    """Fold a sheet without thickness flat, in the plane of its first facet, from whose first corner positions are
-    measured.
+    """Fold a sheet without thickness flat, in the plane of its first facet, whose first corner is the origin.
 
     Returns:
         Positions of the vertices, m, (vertex, 3).

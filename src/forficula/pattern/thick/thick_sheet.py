@@ -23,7 +23,14 @@ from forficula.pattern.thick.convex import ConvexSolid
 from forficula.pattern.thick.panel_heights import BRACKETS, bracket_slots, panel_heights, unique_first
 from forficula.pattern.thick.panel_solids import Layer, panel_cores, panel_solids, strip_cuts
 from forficula.pattern.thick.split_sheet import split_sheet
-from forficula.pattern.thick.thick_motion import POSES, built_angles, deepest_overlap, facet_motions, flat_folded, fold_path
+from forficula.pattern.thick.thick_motion import (
+    POSES,
+    built_angles,
+    deepest_overlap,
+    facet_motions,
+    flat_folded,
+    fold_path,
+)
 from forficula.quantities import show_value
 
 ThickMethod = Literal["offset", "tapered", "hinge-shift", "split"]
@@ -126,7 +133,6 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
         levels, axes = _unit_heights(pattern, shifted=method == "hinge-shift")
     trims = limits if method == "tapered" else None
     path = fold_path(pattern, limits)
-
     # strips end where they meet, so these poses are closer than those that are checked
     finer = fold_path(pattern, limits, 4 * POSES) if method == "split" else None
     slots: Sequence[tuple[float, float]] = ()
@@ -136,9 +142,10 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
         if method == "split":
             split = split_sheet(pattern, chosen)
             # a sheet whose path has no closed form is checked where it is folded flat
-            angles, fine = ((np.pi * senses(pattern))[None] if known is None else known for known in (path, finer))
-            cuts = _StripCuts(split.meeting, split.path(fine))
-            return _sheet(split.pattern, split.thickness, split.levels, split.axes, split.path(angles), strips=cuts)
+            closed: Array = (np.pi * senses(pattern))[None]
+            checked = split.path(closed if path is None else path)
+            cuts = _StripCuts(split.meeting, checked if finer is None else split.path(finer))
+            return _sheet(split.pattern, split.thickness, split.levels, split.axes, checked, strips=cuts)
         return _sheet(pattern, np.full(facets, chosen), chosen * levels, chosen * axes, path, trims=trims, slots=slots)
 
     made = sheet(thickness)

@@ -25,9 +25,9 @@ class TouchingParts:
     """Nodes, triangles and sides of the parts of a structure that push each other apart.
 
     A pair is a node and a triangle, or two sides. Parts that share a vertex at which they stay together, such as both
-    facets at a crease, touch only with nodes and sides that do not meet at this vertex: near the vertex the thickness is
-    ignored. Vertices that only coincide as built, such as those of parts of an assembly without a common joint, are not
-    shared.
+    facets at a crease, touch only with nodes and sides that do not meet at this vertex: near the vertex the thickness
+    is ignored. Vertices that only coincide as built, such as those of parts of an assembly without a common joint, are
+    not shared.
 
     Attributes:
         points: numbers of the structure's points at the nodes, (node,).
