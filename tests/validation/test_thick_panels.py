@@ -137,7 +137,7 @@ def test_a_slow_torque_folds_a_thick_vertex_like_the_sheet_without_thickness(agr
     assert zigzag.max() > math.radians(140)
     known = straight_angles(zigzag) / (2 if method == "split" else 1)
     # the pins that close the loop are a million times as stiff as the creases and yield by this angle
-    close = {"unit": "rad", "abs": 1e-4, "by": "tan half angles"}
+    close = {"unit": "rad", "abs": 2e-4 if method == "split" else 1e-4, "by": "tan half angles"}
     agree("fold angles of the straight creases in statics", path.angles[:, roles == "straight"], known, **close)
 
 
@@ -191,7 +191,7 @@ def test_split_pleats_form_stacks_as_high_as_their_layers(agree):
 def test_the_mass_of_split_panels_is_that_of_panels_and_strips(agree):
     structure = structure_of(thick(miura(2, 2, "0 deg"), "split"))
     mass = sum(mass_of(structure, body)[0] for body in range(len(structure.bodies)))
-    # four rhombi; two strips of 2 t, one of which loses a wedge where the straight line closes to 60 deg
+    # four rhombi; two strips of 2 t; one of them loses a wedge where the straight line closes to 60 deg
     panels = 4 * 0.02**2 * math.sin(math.radians(60)) * THICK
     strips = 2 * 0.02 * 2 * THICK**2 - THICK**3 / math.tan(math.radians(60))
     agree("mass", mass, 1200.0 * (panels + strips), by="volume", unit="kg", rel=1e-9)

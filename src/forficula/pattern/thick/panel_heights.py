@@ -186,7 +186,7 @@ def _ordered_heights(rows: _HeightRows, layers: _Layers) -> Array | None:
 
 
 def _crossing(layers: _Layers, levels: Array) -> list[tuple[int, int]]:
-    """Return pairs of panels of which at least one needs another order, because a panel passes through a fold."""
+    """Return pairs of panels that may need another order because a panel passes through a fold; empty if none does."""
     for facet, one, other in layers.beside:
         if (levels[facet] > levels[one]) != (levels[facet] > levels[other]):
             return [(min(facet, side), max(facet, side)) for side in (one, other)]

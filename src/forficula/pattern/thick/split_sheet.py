@@ -103,7 +103,8 @@ def _lines(pattern: CreasePattern) -> tuple[tuple[int, ...], ...]:
             raise InputError(
                 f"vertex {vertex.vertex}: need its creases of opposite sense, {ordered[0]} and {ordered[2]}, in one"
                 " line, and mirrored sectors on both sides of the line, as in a Miura sheet, so that strips fit around"
-                f" the vertex, got sectors of {', '.join(f'{math.degrees(sector):.6g}' for sector in sectors)} deg from crease"
+                " the vertex, got sectors of"
+                f" {', '.join(f'{math.degrees(sector):.6g}' for sector in sectors)} deg from crease"
                 f" {ordered[0]} on; allowed for other vertices of four creases: hinge-shift"
             )
         if abs(sectors[0] - sectors[1]) < _STRAIGHT:

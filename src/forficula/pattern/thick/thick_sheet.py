@@ -142,8 +142,7 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
         if method == "split":
             split = split_sheet(pattern, chosen)
             # a sheet whose path has no closed form is checked where it is folded flat
-            closed: Array = (np.pi * senses(pattern))[None]
-            checked = split.path(closed if path is None else path)
+            checked = split.path(np.asarray((np.pi * senses(pattern))[None]) if path is None else path)
             cuts = _StripCuts(split.meeting, checked if finer is None else split.path(finer))
             return _sheet(split.pattern, split.thickness, split.levels, split.axes, checked, strips=cuts)
         return _sheet(pattern, np.full(facets, chosen), chosen * levels, chosen * axes, path, trims=trims, slots=slots)
