@@ -59,7 +59,9 @@ class CreasePattern:
         roles = tuple(self.edges_role) or ("",) * edge_count
         if len(roles) != edge_count:
             raise InputError(f"edges_role: need one label for each of the {edge_count} edges, got {len(roles)}")
-        share = _real_array(self.edges_share, "edges_share") if len(self.edges_share) else np.ones(edge_count)
+        share = _real_array(self.edges_share, "edges_share")
+        # also in a copy with other edges
+        share = np.ones(edge_count) if (share == 1).all() else share
         if share.shape != (edge_count,):
             raise InputError(f"edges_share: need shape ({edge_count},), got {share.shape}")
         for array in (coords, edges, fold_angle, share):
