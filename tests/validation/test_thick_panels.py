@@ -216,3 +216,12 @@ def test_layers_of_a_thickness_around_the_cores_of_panels_stay_apart_while_they_
         apart = np.linalg.norm(sides[0][:, None] - sides[1][None], axis=-1)
         least.append(apart.min(axis=(0, 1)))
     holds("distance of the sides of cores, divided by the thickness", np.array(least) / THICK, above=1 - 1e-9)
+
+
+def test_the_mass_of_offset_panels_counts_brackets_and_cut_outs(agree):
+    structure = structure_of(thick(miura(2, 2, "0 deg"), "offset"))
+    mass = sum(mass_of(structure, body)[0] for body in range(len(structure.bodies)))
+    # two panels are a thickness above the axes, with a bracket at each of their two creases; the brackets of the crease
+    # between them pass through the two panels below
+    area, bracket = 4 * 0.02**2 * math.sin(math.radians(60)), 0.15 * 0.02 * THICK**2
+    agree("mass", mass, 1200.0 * (area * THICK + (4 - 2) * bracket), by="volume", unit="kg", rel=1e-9)

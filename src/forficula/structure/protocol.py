@@ -65,7 +65,7 @@ def _driven(structure: Structure, design: Design, named: NamedProtocol) -> tuple
             if action.to_targets:
                 motor, strengths[number] = _to_targets(structure, action, named.targets)
             elif action.kind == "rest-angle":
-                motor = _rest_angle_motor(structure, action)
+                motor = Motor(name=action.motor, kind="rest-angle", hinges=tuple(_hinges(structure, action)))
             else:
                 motor = _at_places(structure, design, number, action)
             motors.append(motor)
@@ -149,15 +149,6 @@ def _to_targets(structure: Structure, action: Action, targets: Mapping[int, floa
     if largest <= _NO_CHANGE:
         return motor, 0.0
     return replace(motor, gains=tuple(change / largest for change in changes.values())), largest
-
-
-def _rest_angle_motor(structure: Structure, action: Action) -> Motor:
-    """Return the motor that changes rest angles; two parallel folds that replace a fold share the change."""
-    hinges = tuple(_hinges(structure, action))
-    pattern = structure.appearance.pattern
-    shares = [1.0 if pattern is None else float(pattern.edges_share[structure.hinges[hinge].edge]) for hinge in hinges]
-    split = any(share != 1 for share in shares)
-    return Motor(name=action.motor, kind="rest-angle", hinges=hinges, gains=tuple(shares) if split else ())
 
 
 def _at_places(structure: Structure, design: Design, number: int, action: Action) -> Motor:
