@@ -29,7 +29,10 @@ METHOD_PAPERS: Mapping[str, Mapping[str, str]] = {
     "offset": {"edmondson2014": "thick panels beside the plane of the hinges"},
     "tapered": {"tachi2011": "trimmed thick panels"},
     "hinge-shift": {"chen2015": "positions of the hinges of thick panels"},
-    "split": {"ku2015": "two folds instead of one between thick panels"},
+    "split": {
+        "ku2015": "two folds instead of one between thick panels",
+        "chen2015": "heights of the hinges of thick panels",
+    },
 }
 # factor of the imperfection of a sheet for a slightly different start
 _OTHER_START = 1.01
