@@ -10,6 +10,7 @@ from forficula.design import design_from_text, design_text, load_design, scale_d
 from forficula.dynamics import compile_model, energy_balance, simulate, why_not_portable
 from forficula.errors import InputError
 from forficula.structure import built_points, structure_of
+from forficula.structure.contact.touching_parts import touching_parts
 
 SHORT = {"binder2025": 0.02, "letter-fold": 0.02, "force-clasp": 0.005, "kresling-cell": 0.002}
 WAIT = """
@@ -408,3 +409,57 @@ def test_a_scaled_hindwing_moves_similarly_in_scaled_time_and_its_energies_scale
     for name in ("tendon", "hinge", "coupling", "spring", "membrane", "kinetic"):
         energies = one.series[f"{name}_energy"]
         np.testing.assert_allclose(8 * other.series[f"{name}_energy"], energies, atol=1e-9 * energies.max(), rtol=1e-6)
+
+
+LEAVES = """
+[part.{name}.pattern]
+kind = "pleats"
+panels = 2
+panel_lengths = ["10 cm"]
+width = "6 cm"
+assignment = "V"
+[part.{name}.facet]
+kind = "rigid"
+thickness = "2 mm"
+density = "1 g/cm^3"
+{method}
+[part.{name}.crease]
+stiffness = "1e-3 N m/rad/m"
+rest_angle = "0 deg"
+[[part.{name}.protocol.stages]]
+name = "wait"
+drive = "none"
+until = "time"
+time_limit = "1 s"
+"""
+TURN = """
+[[joint]]
+kind = "hinge"
+name = "turn"
+part = "b"
+points = ["facet0_vertex0", "facet0_vertex3"]
+"""
+
+
+def leaves(tmp_path, joint, method=""):
+    """Two sheets of two panels; the vertices at the end of one lie on those at the start of the other."""
+    parts = "".join(LEAVES.format(name=name, method=method) for name in "ab")
+    return read(tmp_path, assembly(parts, TURN + joint, step=0.1).replace("[protocol]", "[protocol]\ncontact = true"))
+
+
+@pytest.mark.parametrize(("method", "shared"), [("", 2), ('thickness_method = "hinge-shift"', 0)])
+def test_thickness_is_ignored_at_a_joint_as_at_a_crease_unless_panels_have_room_for_it(tmp_path, method, shared):
+    carried = 'to = "a.facet1"\nonto = ["facet1_vertex2", "facet1_vertex5"]\n'
+    structure = structure_of(leaves(tmp_path, carried, method))
+    parts = touching_parts(structure, structure.contact)
+    bodies = [structure.bodies[structure.points[point].body].name for point in parts.points]
+    ends = [
+        {parts.vertices[node] for node, body in enumerate(bodies) if body == name} for name in ("a.facet1", "b.facet0")
+    ]
+    assert len(ends[0] & ends[1]) == shared
+
+
+def test_vertices_of_parts_that_only_coincide_as_built_touch_each_other(tmp_path):
+    beside = 'position = ["20 cm", "0 cm", "0 cm"]\nalong = [0, 1, 0]\n'
+    with pytest.raises(InputError, match=r"facet a\.facet1 and facet b\.facet0 .* at the start"):
+        simulated(leaves(tmp_path, beside))

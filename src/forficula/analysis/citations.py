@@ -190,6 +190,15 @@ _PAPERS = {
             published="published by the author",
         ),
         Publication(
+            key="ku2015",
+            kind="inproceedings",
+            authors="Ku, J. S. and Demaine, E. D.",
+            year="2015",
+            title="Folding flat crease patterns with thick materials",
+            published="ASME International Design Engineering Technical Conferences",
+            pages="DETC2015-48039",
+        ),
+        Publication(
             key="lechenault2014",
             authors="Lechenault, F. and Thiria, B. and Adda-Bedia, M.",
             year="2014",

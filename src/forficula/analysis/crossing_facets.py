@@ -16,7 +16,8 @@ from forficula.structure import Plate, Structure, built_points, facet_triangles
 
 _ROWS = 400  # number of evenly spaced rows of a record that are examined
 _TOGETHER = 16  # rows whose bounding boxes are compared at once
-_DEEP = 0.01  # [chosen] depth, in thicknesses, at which the solids of two plates count as crossing
+# [chosen] depth, in thicknesses, at which the solids of two plates count as crossing; with contact, which yields
+_DEEP, _DEEP_IN_CONTACT = 0.01, 0.1
 _SWINGS = np.radians(5.0)  # allowed swing of a folded crease past 180 deg, because no stop limits its springs
 
 
@@ -111,10 +112,11 @@ def _overlapping_solids(structure: Structure, places: Array) -> list[tuple[str, 
     turns, shifts = (np.stack(parts, axis=1) for parts in zip(*motions, strict=True))
     panels = [[solid_of(built[list(solid)]) for solid in plate.solids] for plate in plates]
     names = [_plate_name(structure, plate) for plate in plates]
+    deep = (_DEEP if structure.contact is None else _DEEP_IN_CONTACT) * max(plate.thickness for plate in plates)
     result = [
-        (names[one], names[other], int(np.argmax(depths > _DEEP * plates[one].thickness)))
+        (names[one], names[other], int(np.argmax(depths > deep)))
         for one, other, depths in panel_overlaps(panels, turns, shifts)
-        if depths.max() > _DEEP * plates[one].thickness
+        if depths.max() > deep
     ]
     return sorted(result, key=lambda entry: entry[2])
 

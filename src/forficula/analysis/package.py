@@ -66,20 +66,27 @@ def flat_package(structure: Structure) -> FlatPackage | None:
     """Compute the size of a structure whose sheet is folded flat; None without a sheet that folds flat."""
     pattern = structure.appearance.pattern
     fold = None if pattern is None else flat_fold(pattern)
-    if fold is None:
+    if pattern is None or fold is None:
         return None
     if any(plate.solids for plate in structure.plates):
-        return _thick_package(structure, fold)
+        return _thick_package(structure, fold, pattern.edges_share)
     radius = _radius(structure)
     outline = package_of(fold.places, radius)
     return FlatPackage(folding_ratio=fold.area / outline.area, layers=fold.layers, height=2 * radius * fold.layers)
 
 
-def _thick_package(structure: Structure, fold: FlatFold) -> FlatPackage | None:
-    """Compute the size of thick panels that are folded flat; None if stops prevent it."""
+def _thick_package(structure: Structure, fold: FlatFold, shares: Array) -> FlatPackage | None:
+    """Compute the size of thick panels that are folded flat; None if stops prevent it.
+
+    Args:
+        structure: with the panels.
+        fold: flat-folded sheet without thickness.
+        shares: parts of the angles of folds by which edges fold, (edge,).
+    """
+    closed = np.pi * shares[[hinge.edge for hinge in structure.hinges]]
     folds = np.array([hinge.assignment in ("M", "V") for hinge in structure.hinges])
-    angles = np.where(folds, np.pi, [hinge.built for hinge in structure.hinges])
-    if any(hinge.upper < np.pi for hinge in structure.hinges):
+    angles = np.where(folds, closed, [hinge.built for hinge in structure.hinges])
+    if any(hinge.upper < angle for hinge, angle in zip(structure.hinges, closed, strict=True)):
         return None
     at = pose(tree_of(structure), angles[None])
     points = [structure.points[point] for plate in structure.plates for solid in plate.solids for point in solid]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 import numpy as np
@@ -31,6 +31,8 @@ class CreasePattern:
         faces_vertices: the vertices of every face, counterclockwise seen from +z; each side is an edge.
         edges_role: E labels such as "ring"; if empty, every label is "".
         title: title of the sheet.
+        edges_share: shape (E,), part of the angle of a fold by which the edge folds: 1/2 for each of two parallel folds
+            that replace a fold of thick panels (`split_sheet`), else 1; if empty, all parts are 1.
     """
 
     vertices_coords: Array
@@ -40,6 +42,7 @@ class CreasePattern:
     faces_vertices: tuple[tuple[int, ...], ...]
     edges_role: tuple[str, ...] = ()
     title: str = ""
+    edges_share: Array = field(default_factory=lambda: np.zeros(0))
 
     def __post_init__(self) -> None:
         coords = _checked_coords(self.vertices_coords)
@@ -56,13 +59,19 @@ class CreasePattern:
         roles = tuple(self.edges_role) or ("",) * edge_count
         if len(roles) != edge_count:
             raise InputError(f"edges_role: need one label for each of the {edge_count} edges, got {len(roles)}")
-        for array in (coords, edges, fold_angle):
+        share = _real_array(self.edges_share, "edges_share")
+        # also in a copy with other edges
+        share = np.ones(edge_count) if (share == 1).all() else share
+        if share.shape != (edge_count,):
+            raise InputError(f"edges_share: need shape ({edge_count},), got {share.shape}")
+        for array in (coords, edges, fold_angle, share):
             array.setflags(write=False)
         object.__setattr__(self, "vertices_coords", coords)
         object.__setattr__(self, "edges_vertices", edges)
         object.__setattr__(self, "edges_assignment", tuple(self.edges_assignment))
         object.__setattr__(self, "edges_fold_angle", fold_angle)
         object.__setattr__(self, "edges_role", roles)
+        object.__setattr__(self, "edges_share", share)
         object.__setattr__(self, "faces_vertices", _checked_faces(self.faces_vertices, len(coords), edges))
 
 

@@ -15,13 +15,16 @@ from forficula.quantities import show_quantity
 if TYPE_CHECKING:
     from forficula.design.sheets.sheet import SheetDesign
 
+# angles of a crease that two parallel folds share
+_ANGLES = ("rest_angle", "start", "fold_limit", "back_limit", "lock_angle")
 _SAME_THICKNESS = 0.01  # largest relative difference of thicknesses that count as equal
 
 
 def creases_by_edge(design: SheetDesign) -> dict[int, Crease]:
     """Return the values of every crease by the number of its edge; values of the last group with the crease prevail.
 
-    Values that a law gives are filled in, and `law` is the form of the spring.
+    Values that a law gives are filled in, and `law` is the form of the spring. Each of two parallel folds of a split
+    fold has half the angles of the fold.
     """
     sheet, groups = design.sheet, design.crease.group
     creases = dict.fromkeys(fold_edges(sheet), with_law(design.crease))
@@ -29,7 +32,16 @@ def creases_by_edge(design: SheetDesign) -> dict[int, Crease]:
         values = group_values(group)
         for edge in creases_of(sheet, group.of, groups[:number]):
             creases[edge] = creases[edge].model_copy(update=values)
+    for edge in creases:
+        if (share := float(sheet.edges_share[edge])) != 1:
+            creases[edge] = _part_of(creases[edge], share)
     return creases
+
+
+def _part_of(crease: Crease, share: float) -> Crease:
+    """Return the values of one of several parallel folds that replace a crease: its angles are parts of those."""
+    values = {key: getattr(crease, key) for key in _ANGLES}
+    return crease.model_copy(update={key: share * at for key, at in values.items() if isinstance(at, float)})
 
 
 def stops(design: SheetDesign, edge: int, crease: Crease) -> tuple[float, float]:
@@ -41,7 +53,8 @@ def stops(design: SheetDesign, edge: int, crease: Crease) -> tuple[float, float]
     back, fold = math.inf, math.inf
     if design.facet.kind == "rigid":
         both = crease.extension is not None or design.sheet.edges_assignment[edge] == "U"
-        back, fold = math.pi if both else 0.0, math.pi
+        most = math.pi * float(design.sheet.edges_share[edge])
+        back, fold = most if both else 0.0, most
     low = -(back if crease.back_limit is None else crease.back_limit)
     return low, fold if crease.fold_limit is None else crease.fold_limit
 

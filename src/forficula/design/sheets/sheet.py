@@ -19,7 +19,9 @@ from forficula.design.sheets.sheet_checks import check_sheet, measured_units
 from forficula.design.sheets.sheet_drives import SheetDrive, SheetMeasure, SheetProtocol, SheetTendon
 from forficula.design.sheets.sheet_places import edge_of, facet_of
 from forficula.design.sheets.sheet_sections import FacetSection, Imperfection, Support
+from forficula.errors import InputError
 from forficula.pattern import CreasePattern, central_facet, facet_tree
+from forficula.pattern.thick.split_sheet import split_sheet
 from forficula.quantities import Unit
 
 # publications of the methods by which facets have a thickness
@@ -27,6 +29,10 @@ METHOD_PAPERS: Mapping[str, Mapping[str, str]] = {
     "offset": {"edmondson2014": "thick panels beside the plane of the hinges"},
     "tapered": {"tachi2011": "trimmed thick panels"},
     "hinge-shift": {"chen2015": "positions of the hinges of thick panels"},
+    "split": {
+        "ku2015": "two folds instead of one between thick panels",
+        "chen2015": "heights of the hinges of thick panels",
+    },
 }
 # factor of the imperfection of a sheet for a slightly different start
 _OTHER_START = 1.01
@@ -72,8 +78,22 @@ class SheetDesign(Design):
 
     @property
     def sheet(self) -> CreasePattern:
-        """The crease pattern, as built."""
+        """The crease pattern, as built; with the strips of split folds."""
+        if self.facet.thickness_method == "split" and self.facet.kind == "rigid":
+            return _split(self.drawn_sheet, self.panel_thickness)
+        return self.drawn_sheet
+
+    @property
+    def drawn_sheet(self) -> CreasePattern:
+        """The crease pattern as built, without the strips of split folds."""
         return _drawn(self.pattern)
+
+    @property
+    def panel_thickness(self) -> float:
+        """Thickness of the facets, m, of the design or by a rule."""
+        if self.facet.thickness is not None:
+            return self.facet.thickness
+        return next(choice.value for choice in self.chosen if choice.key == "thickness")
 
     @property
     def turning_facets(self) -> dict[int, int]:
@@ -168,6 +188,15 @@ def _drawn(pattern: Any) -> CreasePattern:
     """Return the sheet of a pattern; cached, because it is needed repeatedly while a sheet is built."""
     sheet: CreasePattern = pattern.sheet
     return sheet
+
+
+@lru_cache(maxsize=64)
+def _split(drawn: CreasePattern, thickness: float) -> CreasePattern:
+    """Return a sheet with the strips of split folds."""
+    try:
+        return split_sheet(drawn, thickness).pattern
+    except InputError as error:
+        raise InputError(f"facet.thickness_method: {error}") from None
 
 
 @lru_cache(maxsize=64)

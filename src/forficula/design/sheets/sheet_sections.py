@@ -28,12 +28,12 @@ class FacetSection(Section):
     ] = "bars"
     thickness: float | None = quantity(SMALL_LENGTH, "thickness", default=None, above=0)
     thickness_method: Annotated[
-        Literal["none", "offset", "tapered", "hinge-shift"] | None,
+        Literal["none", "offset", "tapered", "hinge-shift", "split"] | None,
         Field(
             description="how rigid facets make room for their thickness. none, or not given: hinge axes lie in the"
             " mid-plane, and panels overlap when folded; offset: panels are shifted from the plane of the axes;"
             " tapered: panels are trimmed to the largest fold angle; hinge-shift: axes are shifted, for vertices of"
-            " four creases",
+            " four creases; split: two folds with a strip between them replace folds that go around other panels",
             examples=["hinge-shift"],
         ),
     ] = None

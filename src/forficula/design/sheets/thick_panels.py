@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from forficula.arrays import Array
 from forficula.design.section import ANGLE
 from forficula.design.sheets.crease_sections import largest_extension
 from forficula.design.sheets.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.sheets.sheet_creases import crease_sense
 from forficula.errors import InputError
+from forficula.pattern.thick.split_sheet import split_sheet
+from forficula.pattern.thick.thick_motion import fold_path
 from forficula.pattern.thick.thick_sheet import ThickSheet, thick_sheet
 from forficula.quantities import show_quantity
 
@@ -28,7 +31,23 @@ def thick_panels(design: SheetDesign) -> ThickSheet | None:
     method = design.facet.thickness_method
     if method is None or method == "none":
         return None
-    return thick_sheet(design.sheet, design.settled().facet.thickness or 0.0, method, thick_limits(design))
+    return thick_sheet(design.drawn_sheet, design.panel_thickness, method, _whole_limits(design))
+
+
+def panel_path(design: SheetDesign, poses: int) -> Array | None:
+    """Return fold angles of thick panels along their fold path, rad, (pose, edge), as `fold_path`."""
+    path = fold_path(design.drawn_sheet, _whole_limits(design), poses)
+    if path is None or design.facet.thickness_method != "split":
+        return path
+    return split_sheet(design.drawn_sheet, design.panel_thickness).path(path)
+
+
+def _whole_limits(design: SheetDesign) -> tuple[tuple[float, float], ...]:
+    """Return the limits of whole folds: of every edge of the sheet without strips, rad."""
+    shares = design.sheet.edges_share.tolist()
+    edges = len(design.drawn_sheet.edges_vertices)
+    limits = zip(thick_limits(design)[:edges], shares[:edges], strict=True)
+    return tuple((low / share, high / share) for (low, high), share in limits)
 
 
 def thick_limits(design: SheetDesign) -> tuple[tuple[float, float], ...]:

@@ -10,7 +10,7 @@ import scipy
 from forficula.arrays import Array
 from forficula.design import Design, MakeSection, SheetDesign
 from forficula.design.sheets.sheet_creases import crease_sense
-from forficula.design.sheets.thick_panels import thick_limits
+from forficula.design.sheets.thick_panels import panel_path
 from forficula.make.part import Part
 from forficula.make.solid.poses import PartPoses, tree_poses
 from forficula.make.solid.solids import Cut, Hull, Solid, joined
@@ -18,7 +18,6 @@ from forficula.make.stock import stock_of
 from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.rotation import rotation_to_z
 from forficula.pattern.thick.convex import overlap_depths, solid_of
-from forficula.pattern.thick.thick_motion import fold_path
 from forficula.structure import Plate, Structure, built_points
 
 # poses of a drawn fold path, between which fold angles are interpolated linearly
@@ -117,7 +116,7 @@ def panel_fold(design: Design, structure: Structure) -> Array | None:
     """
     if not isinstance(design, SheetDesign) or not any(plate.solids for plate in structure.plates):
         return None
-    path = fold_path(design.sheet, thick_limits(design), _POSES)
+    path = panel_path(design, _POSES)
     if path is None or len(path) < _POSES:
         return None
     edges = [hinge.edge for hinge in structure.hinges]

@@ -48,7 +48,7 @@ def flat_fold(pattern: CreasePattern) -> FlatFold | None:
     """
     if not is_unfolded(pattern) or not {"M", "V"} & set(pattern.edges_assignment) or flat_folding_faults(pattern):
         return None
-    angles = np.array([_CLOSED.get(letter, np.nan) for letter in pattern.edges_assignment])
+    angles = pattern.edges_share * [_CLOSED.get(letter, np.nan) for letter in pattern.edges_assignment]
     try:
         places = folded_coordinates(pattern, angles)
     except InputError:

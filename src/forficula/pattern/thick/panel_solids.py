@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 
 from forficula.arrays import Array
 from forficula.pattern.crease_pattern import CreasePattern, face_sides
@@ -15,14 +16,12 @@ from forficula.pattern.rotation import RigidMotion
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
 from forficula.pattern.thick.convex import ConvexSolid, convex_faces, overlap_depths, solid_within
 
-# [chosen] a bracket is as wide as the panel is thick; shares of the crease between which the left and the right facet
-# have their brackets
-_BRACKETS = ((0.35, 0.5), (0.5, 0.65))
+_MOST_CUTS = 40  # [chosen] most cuts of the ends of two strips that meet
 _ROUNDING = 1e-9
 _TOUCHING = 1e-6  # of the thickness; solids that overlap by less touch
 
 
-class _Plane(NamedTuple):
+class Plane(NamedTuple):
     """A plane that bounds a solid: normal @ x <= offset in the solid."""
 
     normal: Array
@@ -59,8 +58,8 @@ class _Draft:
         inside: a position in the panel, m, (3,).
     """
 
-    panel: list[_Plane]
-    brackets: list[list[_Plane]]
+    panel: list[Plane]
+    brackets: list[list[Plane]]
     inside: Array
 
 
@@ -70,6 +69,8 @@ def panel_solids(
     axes: Array,
     folded: Sequence[RigidMotion],
     limits: Sequence[tuple[float, float]] | None,
+    cuts: Sequence[Sequence[Plane]],
+    slots: Sequence[tuple[float, float]],
 ) -> list[tuple[ConvexSolid, ...]]:
     """Return the convex solids of all panels, which touch but do not overlap, in the position as built.
 
@@ -83,10 +84,12 @@ def panel_solids(
         folded: motions of the facets from the position as built to the flat-folded state.
         limits: least and largest fold angle of every edge, rad, to which panels are trimmed; None if they fold flat
             and keep the outlines of their facets.
+        cuts: further planes of every panel, see `strip_cuts`.
+        slots: parts of edges with the brackets of both facets, see `bracket_slots`.
     """
     sides = _sides(pattern)
     drafts = [
-        _draft(pattern, layer, axes, facet, sides[facet], limits if limits is not None else ())
+        _draft(pattern, layer, axes, facet, sides[facet], limits if limits is not None else (), cuts[facet], slots)
         for facet, layer in enumerate(layers)
     ]
     brackets = [
@@ -110,7 +113,7 @@ def panel_solids(
                 part
                 for piece, solid in pieces
                 for part in (
-                    _without(piece, cut, draft.inside)
+                    _without(piece, solid, cut, draft.inside)
                     if overlap_depths(solid, _STAYS, bracket, pose)[0] > least
                     else [(piece, solid)]
                 )
@@ -120,8 +123,65 @@ def panel_solids(
     return solids
 
 
+def strip_cuts(
+    pattern: CreasePattern,
+    layers: Sequence[Layer],
+    axes: Array,
+    motions: Sequence[Sequence[RigidMotion]],
+    meeting: Sequence[tuple[int, int]],
+) -> list[list[Plane]]:
+    """Return planes that cut the ends of strips, by facet, so that strips do not overlap at the vertex where they meet.
+
+    Where two strips overlap most along the fold path, one of them ends at a face of the other one. The face is that
+    which leaves the largest volume. This is repeated until they do not overlap.
+
+    Args:
+        pattern: flat or folded as built, with strips.
+        layers: panels and strips.
+        axes: heights of the axes of creases, m, (edge,).
+        motions: motions of the facets from the position as built in every pose of the fold path, (pose, facet).
+        meeting: pairs of strips with a common vertex.
+    """
+    sides, slots = _sides(pattern), [(0.0, 1.0)] * len(axes)
+    cuts: list[list[Plane]] = [[] for _ in layers]
+    for pair in meeting:
+        moved = [_relative(pose[pair[1]], pose[pair[0]]) for pose in motions]
+        poses = (np.array([motion.rotation for motion in moved]), np.array([motion.shift for motion in moved]))
+        stays = (np.repeat(_STAYS[0], len(moved), axis=0), np.zeros((len(moved), 3)))
+        for _ in range(_MOST_CUTS):
+            drafts = [
+                _draft(pattern, layers[facet], axes, facet, sides[facet], (), cuts[facet], slots) for facet in pair
+            ]
+            solids = [_solid(draft.panel, draft.inside) for draft in drafts]
+            if solids[0] is None or solids[1] is None:
+                break
+            depths = overlap_depths(solids[0], stays, solids[1], poses)
+            worst = int(np.argmax(depths))
+            if depths[worst] <= _TOUCHING * layers[pair[0]].thickness:
+                break
+            back = _relative(motions[worst][pair[0]], motions[worst][pair[1]])
+            tried = [
+                (cut, Plane(-face.normal, -face.offset))
+                for cut, motion in ((0, moved[worst]), (1, back))
+                for face in (_moved(plane, motion) for plane in drafts[1 - cut].panel[-2:])
+            ]
+            volumes = [_volume([*drafts[cut].panel, plane], drafts[cut].inside) for cut, plane in tried]
+            cut, plane = tried[int(np.argmax(volumes))]
+            cuts[pair[cut]].append(plane)
+    return cuts
+
+
+def _volume(planes: Sequence[Plane], inside: Array) -> float:
+    """Return the volume of the solid within planes, m^3."""
+    solid = _solid(planes, inside)
+    return 0.0 if solid is None else float(scipy.spatial.ConvexHull(solid.corners).volume)
+
+
 def panel_cores(
-    pattern: CreasePattern, layers: Sequence[Layer], limits: Sequence[tuple[float, float]] | None
+    pattern: CreasePattern,
+    layers: Sequence[Layer],
+    limits: Sequence[tuple[float, float]] | None,
+    cuts: Sequence[Sequence[Plane]],
 ) -> tuple[Array | None, ...]:
     """Return the corners of a polygon in the mid-plane of each panel, m, (corner, 3), for contact.
 
@@ -132,12 +192,13 @@ def panel_cores(
         pattern: flat or folded as built.
         layers: panels over the facets.
         limits: as for `panel_solids`.
+        cuts: as for `panel_solids`.
 
     Returns:
         None for a panel without such a polygon.
     """
     sides = _sides(pattern)
-    return tuple(_core(pattern, layer, facet, sides[facet], limits) for facet, layer in enumerate(layers))
+    return tuple(_core(pattern, layer, facet, sides[facet], limits, cuts[facet]) for facet, layer in enumerate(layers))
 
 
 def _core(
@@ -146,20 +207,25 @@ def _core(
     facet: int,
     sides: Sequence[tuple[int, int, SharedEdge | None]],
     limits: Sequence[tuple[float, float]] | None,
+    cuts: Sequence[Plane],
 ) -> Array | None:
     """Return the core of a panel, as `panel_cores`."""
     coords, half = pattern.vertices_coords, layer.thickness / 2
-    planes = list[_Plane]()
+    planes = list[Plane]()
     for tail, head, edge in sides:
         outwards = np.cross(coords[head] - coords[tail], layer.normal)
         outwards = outwards / np.linalg.norm(outwards)
         limit = 0.0 if limits is None or edge is None else max(np.abs(limits[edge.edge]))
         # distance from the axis at which a ball of half the thickness touches the plane that bisects the folded panels
         inset = half / math.cos(limit / 2)
-        planes.append(_Plane(outwards, float(outwards @ layer.at(coords[tail], 0.0)) - inset))
+        planes.append(Plane(outwards, float(outwards @ layer.at(coords[tail], 0.0)) - inset))
     middle = layer.at(coords[list(pattern.faces_vertices[facet])].mean(axis=0), layer.level)
     base = float(middle @ layer.normal)
-    solid = _solid([*planes, _Plane(layer.normal, base + half), _Plane(-layer.normal, half - base)], middle)
+    for normal, offset in cuts:
+        # a ball of half the thickness around a position in the mid-plane touches the plane
+        upwards = float(normal @ layer.normal)
+        planes.append(Plane(normal - upwards * layer.normal, offset - half - upwards * base))
+    solid = _solid([*planes, Plane(layer.normal, base + half), Plane(-layer.normal, half - base)], middle)
     if solid is None:
         return None
     heights = solid.corners @ layer.normal - base
@@ -186,25 +252,27 @@ def _draft(
     facet: int,
     sides: Sequence[tuple[int, int, SharedEdge | None]],
     limits: Sequence[tuple[float, float]],
+    cuts: Sequence[Plane],
+    slots: Sequence[tuple[float, float]],
 ) -> _Draft:
     """Return the planes of a panel and of its brackets."""
     coords, normal, half = pattern.vertices_coords, layer.normal, layer.thickness / 2
-    outline, trimmed, brackets = list[_Plane](), list[_Plane](), list[list[_Plane]]()
+    outline, trimmed, brackets = list[Plane](), list[Plane](), list[list[Plane]]()
     for tail, head, edge in sides:
         outwards = np.cross(coords[head] - coords[tail], normal)
         outwards = outwards / np.linalg.norm(outwards)
         start = layer.at(coords[tail], 0.0)
-        outline.append(_Plane(outwards, float(outwards @ start)))
+        outline.append(Plane(outwards, float(outwards @ start)))
         if limits and edge is not None:
             # the upper half gets narrower towards its face where the panel rises, the lower half where it falls
             low, high = limits[edge.edge]
             for limit, upwards in ((max(high, 0.0), normal), (max(-low, 0.0), -normal)):
                 leaning = outwards + math.tan(limit / 2) * upwards
-                trimmed += [_Plane(leaning, float(leaning @ start))] if limit else []
+                trimmed += [Plane(leaning, float(leaning @ start))] if limit else []
     base = float(layer.at(coords[sides[0][0]], 0.0) @ normal)
 
-    def between(low: float, high: float) -> list[_Plane]:
-        return [_Plane(normal, base + high), _Plane(-normal, -base - low)]
+    def between(low: float, high: float) -> list[Plane]:
+        return [Plane(normal, base + high), Plane(-normal, -base - low)]
 
     for (tail, head, edge), side in zip(sides, outline, strict=True):
         if edge is None or pattern.edges_assignment[edge.edge] == "F":
@@ -212,18 +280,20 @@ def _draft(
         away = float(axes[edge.edge]) - layer.level
         if abs(away) <= half * (1 + _ROUNDING):
             continue
-        first, last = _BRACKETS[0 if edge.left == facet else 1]
+        start_share, end_share = slots[edge.edge]
+        middle_share = (start_share + end_share) / 2
+        first, last = (start_share, middle_share) if edge.left == facet else (middle_share, end_share)
         if edge.tail != tail:
             first, last = 1 - last, 1 - first
         start, end = (layer.at(coords[tail] + share * (coords[head] - coords[tail]), 0.0) for share in (first, last))
         along = (end - start) / np.linalg.norm(end - start)
-        walls = [_Plane(-along, -float(along @ start)), _Plane(along, float(along @ end))]
-        walls.append(_Plane(-side.normal, layer.thickness - side.offset))
+        walls = [Plane(-along, -float(along @ start)), Plane(along, float(along @ end))]
+        walls.append(Plane(-side.normal, layer.thickness - side.offset))
         low, high = sorted((layer.level + math.copysign(half, away), float(axes[edge.edge])))
         brackets.append([*outline, *walls, *between(low, high)])
     middle = coords[list(pattern.faces_vertices[facet])].mean(axis=0)
     return _Draft(
-        panel=[*outline, *trimmed, *between(layer.level - half, layer.level + half)],
+        panel=[*outline, *trimmed, *cuts, *between(layer.level - half, layer.level + half)],
         brackets=brackets,
         inside=layer.at(middle, layer.level),
     )
@@ -235,19 +305,22 @@ def _relative(one: RigidMotion, other: RigidMotion) -> RigidMotion:
     return RigidMotion(back @ one.rotation, back @ (one.shift - other.shift))
 
 
-def _moved(plane: _Plane, motion: RigidMotion) -> _Plane:
+def _moved(plane: Plane, motion: RigidMotion) -> Plane:
     """Return a plane after a motion."""
     normal = motion.rotation @ plane.normal
-    return _Plane(normal, plane.offset + float(normal @ motion.shift))
+    return Plane(normal, plane.offset + float(normal @ motion.shift))
 
 
-def _without(piece: list[_Plane], cut: Sequence[_Plane], inside: Array) -> list[tuple[list[_Plane], ConvexSolid]]:
+def _without(
+    piece: list[Plane], solid: ConvexSolid, cut: Sequence[Plane], inside: Array
+) -> list[tuple[list[Plane], ConvexSolid]]:
     """Return the convex pieces of a convex solid outside another one that overlaps it; both are given by planes."""
-    outside = [_Plane(-normal, -offset) for normal, offset in cut]
-    pieces = [[*piece, *cut[:number], plane] for number, plane in enumerate(outside)]
-    return [(planes, solid) for planes in pieces if (solid := _solid(planes, inside)) is not None]
+    reaches = [float((solid.corners @ normal).max()) - offset for normal, offset in cut]
+    outside = [(number, Plane(-normal, -offset)) for number, (normal, offset) in enumerate(cut) if reaches[number] > 0]
+    pieces = [[*piece, *cut[:number], plane] for number, plane in outside]
+    return [(planes, part) for planes in pieces if (part := _solid(planes, inside)) is not None]
 
 
-def _solid(planes: Sequence[_Plane], inside: Array) -> ConvexSolid | None:
+def _solid(planes: Sequence[Plane], inside: Array) -> ConvexSolid | None:
     """Return the solid within planes; None if it has no volume."""
     return solid_within(np.array([plane.normal for plane in planes]), np.array([at for _, at in planes]), inside)

@@ -9,12 +9,16 @@ from itertools import combinations
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern, is_unfolded
 from forficula.pattern.facet_tree import facet_tree
 from forficula.pattern.facts.rigid_folding import folded_as_assigned, senses
 from forficula.pattern.facts.vertex_creases import vertex_creases
 from forficula.pattern.fold_angles import built_fold_angles
+from forficula.pattern.geometry import polygon_normal
+from forficula.pattern.kinematics import folded_coordinates
 from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion, turn_about
+from forficula.pattern.shared_edges import shared_edges
 from forficula.pattern.thick.convex import ConvexSolid, overlap_depths
 
 _FLAT_FOLDABLE = 1e-6  # rad, largest alternating sum of sectors that counts as rounding
@@ -48,6 +52,29 @@ def built_angles(pattern: CreasePattern) -> Array:
     if is_unfolded(pattern):
         return np.zeros(len(pattern.edges_vertices))
     return np.where(senses(pattern) != 0, np.nan_to_num(built_fold_angles(pattern)), 0.0)
+
+
+def flat_folded(pattern: CreasePattern) -> Array:
+    """Fold a sheet without thickness flat, in the plane of its first facet, whose first corner is the origin.
+
+    Returns:
+        Positions of the vertices, m, (vertex, 3).
+
+    Raises:
+        InputError: an unassigned crease, or a sheet that does not fold flat.
+    """
+    for edge in shared_edges(pattern):
+        if pattern.edges_assignment[edge.edge] == "U":
+            raise InputError(f"need mountains and valleys, got crease {edge.edge}, which is unassigned")
+    try:
+        folded = folded_coordinates(pattern, np.pi * senses(pattern) - built_angles(pattern))
+    except InputError:
+        raise InputError("need a sheet that folds flat without thickness, got one that tears") from None
+    corners = pattern.vertices_coords[list(pattern.faces_vertices[0])]
+    normal, along = polygon_normal(corners), corners[1] - corners[0]
+    frame = np.array([along, np.cross(normal, along), normal])
+    frame /= np.linalg.norm(frame, axis=1)[:, None]
+    return np.asarray((folded - corners[0]) @ frame.T)
 
 
 def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]], poses: int = POSES) -> Array | None:

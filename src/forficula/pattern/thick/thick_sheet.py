@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -16,23 +17,31 @@ from forficula.pattern.facet_tree import facet_tree
 from forficula.pattern.facts.rigid_folding import senses
 from forficula.pattern.facts.vertex_creases import vertex_creases
 from forficula.pattern.geometry import polygon_normal
-from forficula.pattern.kinematics import folded_coordinates
 from forficula.pattern.rotation import RigidMotion
 from forficula.pattern.shared_edges import shared_edges
 from forficula.pattern.thick.convex import ConvexSolid
-from forficula.pattern.thick.panel_heights import panel_heights, unique_first
-from forficula.pattern.thick.panel_solids import Layer, panel_cores, panel_solids
-from forficula.pattern.thick.thick_motion import built_angles, deepest_overlap, facet_motions, fold_path
+from forficula.pattern.thick.panel_heights import BRACKETS, bracket_slots, panel_heights, unique_first
+from forficula.pattern.thick.panel_solids import Layer, panel_cores, panel_solids, strip_cuts
+from forficula.pattern.thick.split_sheet import split_sheet
+from forficula.pattern.thick.thick_motion import (
+    POSES,
+    built_angles,
+    deepest_overlap,
+    facet_motions,
+    flat_folded,
+    fold_path,
+)
 from forficula.quantities import show_value
 
-ThickMethod = Literal["offset", "tapered", "hinge-shift"]
+ThickMethod = Literal["offset", "tapered", "hinge-shift", "split"]
 Limits = tuple[tuple[float, float], ...]
 
 _ROUNDING = 1e-9
 _FLAT_FOLDABLE = 1e-6  # rad, sums of sectors that differ by less are equal
 _TOUCHING = 1e-6  # of the thickness; panels that overlap by less touch
 # search for the largest thickness: least one that is tried, as a share of the given one, and halvings of the range
-_THIN, _HALVINGS = 1e-3, 12
+# in sheets of at most this number of facets; half as many in larger ones, whose panels take longer
+_THIN, _HALVINGS, _SMALL = 1e-3, 12, 6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -42,7 +51,8 @@ class ThickSheet:
     The panels turn like the facets of the sheet without thickness.
 
     Attributes:
-        thickness: of all panels, m.
+        pattern: of the sheet without thickness; with strips at split folds.
+        thickness: of the panels, m; strips may be thinner.
         layers: panels over the facets, without trimmed sides, brackets and cut-outs.
         axes: heights of the axes of creases over the sheet without thickness, m, (edge,); 0 on other edges.
         axis_ends: positions of the two vertices of every edge on its axis, m, (edge, 2, 3).
@@ -53,6 +63,7 @@ class ThickSheet:
             checked.
     """
 
+    pattern: CreasePattern
     thickness: float
     layers: tuple[Layer, ...]
     axes: Array
@@ -60,6 +71,16 @@ class ThickSheet:
     panels: tuple[tuple[ConvexSolid, ...], ...]
     cores: tuple[Array | None, ...]
     path: Array | None
+
+
+class _StripCuts(NamedTuple):
+    """Pairs of strips that meet, and fold angles, rad, (pose, edge), at which their ends are cut."""
+
+    meeting: Sequence[tuple[int, int]]
+    path: Array
+
+
+_NO_STRIPS = _StripCuts((), np.zeros((0, 0)))
 
 
 def thick_sheet(pattern: CreasePattern, thickness: float, method: ThickMethod, limits: Limits) -> ThickSheet:
@@ -71,12 +92,14 @@ def thick_sheet(pattern: CreasePattern, thickness: float, method: ThickMethod, l
       angles of creases at their largest fold angle (Tachi 2011, Rigid-foldable thick origami, Origami 5).
     - "hinge-shift": axes are shifted along the normals of the panels. Those at a vertex form a Bennett linkage, whose
       fold angles are those of the sheet without thickness (Chen, Peng and You 2015, doi 10.1126/science.aab2870).
+    - "split": two parallel folds with a strip between them replace folds that go around other panels, see
+      `split_sheet` (Ku and Demaine 2015, DETC2015-48039).
 
     Args:
-        pattern: flat or folded as built.
+        pattern: flat or folded as built, without strips.
         thickness: m.
         method: see above.
-        limits: least and largest fold angle of every edge, valley positive, rad.
+        limits: least and largest fold angle of every edge of the pattern, valley positive, rad.
 
     Raises:
         InputError: the method cannot give the sheet this thickness.
@@ -106,80 +129,115 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
     normals = np.array([polygon_normal(pattern.vertices_coords[list(face)]) for face in pattern.faces_vertices])
     normals /= np.linalg.norm(normals, axis=1)[:, None]
     levels, axes = np.zeros(facets), np.zeros(len(pattern.edges_vertices))
-    if method != "tapered":
+    if method in ("offset", "hinge-shift"):
         levels, axes = _unit_heights(pattern, shifted=method == "hinge-shift")
     trims = limits if method == "tapered" else None
     path = fold_path(pattern, limits)
+    # strips end where they meet, so these poses are closer than those that are checked
+    finer = fold_path(pattern, limits, 4 * POSES) if method == "split" else None
+    slots: Sequence[tuple[float, float]] = ()
 
     def sheet(chosen: float) -> ThickSheet:
         """Return the sheet with panels of a thickness, which may overlap."""
-        return _sheet(pattern, normals, chosen, chosen * levels, chosen * axes, trims, path)
+        if method == "split":
+            split = split_sheet(pattern, chosen)
+            # a sheet whose path has no closed form is checked where it is folded flat
+            checked = split.path(np.asarray((np.pi * senses(pattern))[None]) if path is None else path)
+            cuts = _StripCuts(split.meeting, checked if finer is None else split.path(finer))
+            return _sheet(split.pattern, split.thickness, split.levels, split.axes, checked, strips=cuts)
+        return _sheet(pattern, np.full(facets, chosen), chosen * levels, chosen * axes, path, trims=trims, slots=slots)
 
     made = sheet(thickness)
-    why = _fault(pattern, made)
+    why = _fault(made)
+    if why and method in ("offset", "hinge-shift"):
+        # brackets of different creases may meet, but not at different places along the creases
+        slots = bracket_slots(pattern, flat_folded(pattern))
+        made = sheet(thickness)
+        why = _fault(made)
     if not why:
         return made
     low, high = _THIN * thickness, thickness
-    if _fault(pattern, sheet(low)):
+    if _fault(sheet(low)):
         raise InputError(f"{why}, also with thinner panels")
-    for _ in range(_HALVINGS):
+    for _ in range(_HALVINGS if facets <= _SMALL else _HALVINGS // 2):
         middle = (low + high) / 2
-        low, high = (low, middle) if _fault(pattern, sheet(middle)) else (middle, high)
+        low, high = (low, middle) if _fault(sheet(middle)) else (middle, high)
     # rounded down to three digits
     step = 10.0 ** (math.floor(math.log10(low)) - 2)
     largest = step * math.floor(low / step)
-    raise InputError(f"need <= {show_value(largest, 'm')}, got {show_value(thickness, 'm')}: {why}")
+    raise InputError(
+        f"need <= {show_value(largest, 'm')}, got {show_value(thickness, 'm')}: {why}; a sheet that is"
+        f" {_rounded_up(thickness / largest)} times as large would also fold flat"
+    )
 
 
-def panel_motions(pattern: CreasePattern, sheet: ThickSheet, angles: Array) -> list[list[RigidMotion]]:
+def _rounded_up(factor: float) -> str:
+    """Return a factor with three digits, rounded up."""
+    step = 10.0 ** (math.floor(math.log10(factor)) - 2)
+    return f"{step * math.ceil(factor / step - _ROUNDING):.3g}"
+
+
+def panel_motions(sheet: ThickSheet, angles: Array) -> list[list[RigidMotion]]:
     """Return the motions of panels from the position as built to fold angles, rad, (pose, edge)."""
+    return _motions(sheet.pattern, sheet.axis_ends, angles)
+
+
+def _motions(pattern: CreasePattern, axis_ends: Array, angles: Array) -> list[list[RigidMotion]]:
+    """Return the motions of facets from the position as built to fold angles, rad, (pose, edge)."""
     built = built_angles(pattern)
-    return [facet_motions(pattern, sheet.axis_ends, pose - built) for pose in angles]
+    return [facet_motions(pattern, axis_ends, pose - built) for pose in angles]
 
 
 def _sheet(
     pattern: CreasePattern,
-    normals: Array,
-    thickness: float,
+    thickness: Array,
     levels: Array,
     axes: Array,
-    trims: Limits | None,
     path: Array | None,
+    *,
+    trims: Limits | None = None,
+    strips: _StripCuts = _NO_STRIPS,
+    slots: Sequence[tuple[float, float]] = (),
 ) -> ThickSheet:
-    """Return a sheet with panels and axes at given heights, m."""
+    """Return a sheet with panels of given thicknesses, and with panels and axes at given heights, m."""
+    normals = np.array([polygon_normal(pattern.vertices_coords[list(face)]) for face in pattern.faces_vertices])
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
     shifts = np.zeros((len(levels), 3))
     for link in facet_tree(pattern):
         if link.parent is not None and link.edge is not None and not link.closes:
             turned = normals[link.parent] - normals[link.facet]
             shifts[link.facet] = shifts[link.parent] + axes[link.edge] * turned
     layers = tuple(
-        Layer(origin=shift, normal=normal, level=float(level), thickness=thickness)
-        for shift, normal, level in zip(shifts, normals, levels, strict=True)
+        Layer(origin=shift, normal=normal, level=float(level), thickness=float(depth))
+        for shift, normal, level, depth in zip(shifts, normals, levels, thickness, strict=True)
     )
-    ends = pattern.vertices_coords[pattern.edges_vertices]
+    axis_ends = pattern.vertices_coords[pattern.edges_vertices]
     for edge in shared_edges(pattern):
-        ends[edge.edge] = [layers[edge.left].at(end, float(axes[edge.edge])) for end in ends[edge.edge]]
-    closed = facet_motions(pattern, ends, np.pi * senses(pattern) - built_angles(pattern))
+        axis_ends[edge.edge] = [layers[edge.left].at(end, float(axes[edge.edge])) for end in axis_ends[edge.edge]]
+    closed = facet_motions(pattern, axis_ends, np.pi * senses(pattern) * pattern.edges_share - built_angles(pattern))
+    poses = _motions(pattern, axis_ends, strips.path) if strips.meeting else []
+    cuts = strip_cuts(pattern, layers, axes, poses, strips.meeting)
     return ThickSheet(
-        thickness=thickness,
+        pattern=pattern,
+        thickness=float(thickness.max()),
         layers=layers,
         axes=axes,
-        axis_ends=ends,
-        panels=tuple(panel_solids(pattern, layers, axes, closed, trims)),
-        cores=panel_cores(pattern, layers, trims),
+        axis_ends=axis_ends,
+        panels=tuple(panel_solids(pattern, layers, axes, closed, trims, cuts, slots or [BRACKETS] * len(axes))),
+        cores=panel_cores(pattern, layers, trims, cuts),
         path=path,
     )
 
 
-def _fault(pattern: CreasePattern, sheet: ThickSheet) -> str:
+def _fault(sheet: ThickSheet) -> str:
     """Return why panels of a thickness cannot fold; empty if they can."""
     for facet, (layer, solids) in enumerate(zip(sheet.layers, sheet.panels, strict=True)):
         heights = np.concatenate([np.zeros(1), *(solid.corners @ layer.normal for solid in solids)])[1:]
-        if not solids or np.ptp(heights) < (1 - _TOUCHING) * sheet.thickness:
+        if not solids or np.ptp(heights) < (1 - _TOUCHING) * layer.thickness:
             return f"nothing is left of the faces of the panel on facet {facet}"
     if sheet.path is None:
         return ""
-    depth, (one, other), pose = deepest_overlap(sheet.panels, panel_motions(pattern, sheet, sheet.path))
+    depth, (one, other), pose = deepest_overlap(sheet.panels, panel_motions(sheet, sheet.path))
     if depth <= _TOUCHING * sheet.thickness:
         return ""
     largest, share = math.degrees(float(np.abs(sheet.path[pose]).max())), 100 * depth / sheet.thickness
@@ -214,19 +272,7 @@ def _check_vertices(pattern: CreasePattern) -> None:
 
 def _unit_heights(pattern: CreasePattern, *, shifted: bool) -> tuple[Array, Array]:
     """Return the heights of panels and of axes of a sheet that folds flat, in thicknesses."""
-    for edge in shared_edges(pattern):
-        if pattern.edges_assignment[edge.edge] == "U":
-            raise InputError(f"need mountains and valleys, got crease {edge.edge}, which is unassigned")
-    try:
-        folded = folded_coordinates(pattern, np.pi * senses(pattern) - built_angles(pattern))
-    except InputError:
-        raise InputError("need a sheet that folds flat without thickness, got one that tears") from None
-    # in the plane of the first facet
-    corners = pattern.vertices_coords[list(pattern.faces_vertices[0])]
-    normal, along = polygon_normal(corners), corners[1] - corners[0]
-    frame = np.array([along, np.cross(normal, along), normal])
-    frame /= np.linalg.norm(frame, axis=1)[:, None]
-    heights = panel_heights(pattern, (folded - corners[0]) @ frame.T, shifted=shifted)
+    heights = panel_heights(pattern, flat_folded(pattern), shifted=shifted)
     if heights is None:
         raise InputError("found no heights of panels and axes at which the panels fold onto one another")
-    return heights
+    return heights[:2]

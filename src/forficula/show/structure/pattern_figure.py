@@ -20,6 +20,8 @@ from forficula.show.structure.viewpoint import page_view
 from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style, number_handle
 from forficula.structure import Hinge, Structure, built_hinges, built_points, held_corners
 
+# [chosen] of the span: distance at which labels on lines overlap, and shift of the second one along its line
+_NEAR, _SHIFT = 0.06, 0.07
 _MOST_NUMBERED, _NUMBERED = 20, 9  # largest number of hinges with numbers on their lines; number of these if more
 _TALL = 0.5  # height above which a sheet is drawn from the side, as a share of the lesser of length and width
 _ON_AXIS = 1e-6  # distance in spans below which a point lies on an axis
@@ -130,6 +132,7 @@ def _number(axes: Axes, structure: Structure, drawing: _Drawing, factor: float) 
     if len(hinges) > _MOST_NUMBERED:
         shown = np.linspace(0, len(hinges) - 1, _NUMBERED).round().astype(int).tolist()
     numbered = False
+    taken = list[Array]()
     for hinge, name in ((hinges[place], words.names[place]) for place in shown):
         flaps = structure.hinges[hinge].flaps
         bar = next((bar for bar in structure.bars if bar.body == structure.hinges[hinge].body), None)
@@ -144,7 +147,13 @@ def _number(axes: Axes, structure: Structure, drawing: _Drawing, factor: float) 
                 if flaps is not None
                 else _middle(structure, structure.hinges[hinge], points, origins[hinge], directions[hinge])
             )
-            _label(axes, factor * drawing.places(middle[np.newaxis])[0], name)
+            # labels of parallel hinges beside each other are shifted along them
+            for place in (middle, *(middle + side * _SHIFT * structure.span * directions[hinge] for side in (1, -1))):
+                drawn = drawing.places(place[np.newaxis])[0]
+                if all(np.linalg.norm(drawn - other) > _NEAR * structure.span for other in taken):
+                    break
+            taken.append(drawn)
+            _label(axes, factor * drawn, name)
         numbered = True
     if not (numbered and words.heading):
         return []

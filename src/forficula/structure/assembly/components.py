@@ -48,7 +48,7 @@ def _plate(part: JoinedPart, plate: Plate) -> Plate:
         plate,
         body=part.body(plate.body),
         points=part.point_numbers(plate.points),
-        touching_distance=_touching_distance(part),
+        touching_distance=_touching_distance(part) if plate.touching_distance is None else plate.touching_distance,
         solids=tuple(part.point_numbers(solid) for solid in plate.solids),
         core=part.point_numbers(plate.core),
     )

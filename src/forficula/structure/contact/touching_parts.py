@@ -14,7 +14,7 @@ from forficula.structure.parts import GROUND, Facet, Plate
 from forficula.structure.sheets.facets import facet_triangles
 from forficula.structure.structure import Structure
 from forficula.structure.surroundings import Contact
-from forficula.structure.tree import built_points
+from forficula.structure.tree import built_hinges, built_points
 
 # points that are nearer than this share of the span as built are one vertex
 _SAME = 1e-9
@@ -24,12 +24,15 @@ _SAME = 1e-9
 class TouchingParts:
     """Nodes, triangles and sides of the parts of a structure that push each other apart.
 
-    A pair is a node and a triangle, or two sides. Parts that share a vertex as built, such as both facets at a crease,
-    touch only with nodes and sides that do not meet at this vertex: near the vertex the thickness is ignored.
+    A pair is a node and a triangle, or two sides. Parts that share a vertex at which they stay together, such as both
+    facets at a crease, touch only with nodes and sides that do not meet at this vertex: near the vertex the thickness
+    is ignored. Vertices that only coincide as built, such as those of parts of an assembly without a common joint, are
+    not shared.
 
     Attributes:
         points: numbers of the structure's points at the nodes, (node,).
-        vertices: number of the vertex of each node; nodes that coincide as built have the same vertex, (node,).
+        vertices: number of the vertex of each node; nodes that coincide as built and stay together have the same
+            vertex, (node,).
         triangles: three nodes each, (triangle, 3).
         sides: two nodes each, (side, 2).
         half: half the thickness, or the radius of a bar, by part, m, (part,).
@@ -93,7 +96,7 @@ def touching_parts(structure: Structure, contact: Contact) -> TouchingParts | No
     places = built_points(structure)
     points = np.array(sorted({point for part in parts for point in part.points}), dtype=np.int64)
     number = {point: node for node, point in enumerate(points.tolist())}
-    vertices = _vertices(places[points], _SAME * structure.span)
+    vertices = _vertices(structure, places, points, _SAME * structure.span)
     triangles = [[number[point] for point in corners] for part in parts for corners in part.triangles]
     sides: dict[tuple[int, int], list[int]] = {}
     for owner, part in enumerate(parts):
@@ -187,11 +190,63 @@ def _around(corners: Sequence[int]) -> list[tuple[int, int]]:
     return list(zip(corners, [*corners[1:], corners[0]], strict=True))
 
 
-def _vertices(places: Array, same: float) -> Indices:
-    """Number positions so that positions within a distance have the same number, (node,)."""
-    near = cKDTree(places).query_ball_point(places, same)
-    _, numbers = np.unique([min(nodes) for nodes in near], return_inverse=True)
-    return np.asarray(numbers.ravel(), dtype=np.int64)
+def _vertices(structure: Structure, places: Array, points: Indices, same: float) -> Indices:
+    """Number nodes so that nodes that coincide as built and stay together have the same number, (node,).
+
+    Args:
+        structure: structure with the points.
+        places: positions of all of its points as built, m, (point, 3).
+        points: numbers of the points at the nodes, (node,).
+        same: distance of positions that coincide, m.
+    """
+    near = cKDTree(places[points]).query_ball_point(places[points], same)
+    clusters: dict[int, list[int]] = {}
+    for node, nodes in enumerate(near):
+        clusters.setdefault(min(nodes), []).append(node)
+    axes = built_hinges(structure)
+    first = np.arange(len(points))
+    for nodes in clusters.values():
+        bodies = [structure.points[point].body for point in points[nodes].tolist()]
+        if len(nodes) > 1:
+            joined = _joined_bodies(structure, axes, places, points[nodes[0]], same) if len(set(bodies)) > 1 else {}
+            seen: dict[int, int] = {}
+            for node, body in zip(nodes, bodies, strict=True):
+                first[node] = seen.setdefault(joined.get(body, body), node)
+    return np.asarray(np.unique(first, return_inverse=True)[1].ravel(), dtype=np.int64)
+
+
+def _joined_bodies(
+    structure: Structure, axes: tuple[Array, Array], places: Array, point: int, same: float
+) -> dict[int, int]:
+    """Return a number for every body, equal for bodies that stay together at a point: by joints, closures and springs.
+
+    Args:
+        structure: structure with the bodies.
+        axes: positions, m, and directions of the axes of its hinges, (hinge, 3) each.
+        places: positions of its points as built, m, (point, 3).
+        point: number of the point.
+        same: distance of positions that coincide, m.
+    """
+    place = places[point]
+    beside = np.linalg.norm(np.cross(place - axes[0], axes[1]), axis=1) > same if len(axes[0]) else np.zeros(0)
+    turned = {hinge.body for hinge, off in zip(structure.hinges, beside, strict=True) if off}
+    pairs = [
+        (number, body.parent)
+        for number, body in enumerate(structure.bodies)
+        if number not in turned and not body.slides and not body.turns
+    ]
+    pairs += [closure.bodies for closure in structure.closures]
+    pairs += [
+        (structure.points[one].body, structure.points[other].body)
+        for one, other in (spring.points for spring in structure.springs if not spring.rest_length)
+        if max(np.linalg.norm(places[end] - place) for end in (one, other)) <= same
+    ]
+    first = {number: number for number in range(GROUND, len(structure.bodies))}
+    for one, other in pairs:
+        low, high = sorted((first[one], first[other]))
+        if low != high:
+            first = {body: low if root == high else root for body, root in first.items()}
+    return first
 
 
 def _attached(structure: Structure, parts: Sequence[_Part]) -> Flags:

@@ -56,6 +56,7 @@ def facet_plates(
             ]
             for solid, convex in enumerate(() if thick is None else thick.panels[number])
         ]
+        thickness = (facet.thickness or 0.0) if thick is None else thick.layers[number].thickness
         core = None if thick is None else thick.cores[number]
         within = [
             add(f"facet{number}_core{corner}", "core", place)
@@ -65,10 +66,12 @@ def facet_plates(
             Plate(
                 body=body,
                 points=tuple(corners),
-                thickness=facet.thickness or 0.0,
+                thickness=thickness,
                 density=facet.density or 0.0,
                 solids=tuple(map(tuple, solids)),
                 core=tuple(within),
+                # the touching distance of the structure is that of panels, and strips of split folds may be thinner
+                touching_distance=thickness if thick is not None and thickness < thick.thickness else None,
             )
         )
     return points, tuple(plates)
