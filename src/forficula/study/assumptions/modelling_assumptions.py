@@ -82,7 +82,8 @@ def variant_of(assumption: Assumption, design: Design) -> Variant | str:
     except InputError as error:
         return str(error).removeprefix(f"{design.name}: ")
     if isinstance(variant, Variant):
-        idle = [text for text in variant.design.idle if text not in design.idle]
+        # parts of an assembly that is settled have its surroundings
+        idle = [text for text in variant.design.settled().idle if text not in design.idle]
         if idle:
             return idle[0]
         if variant.design.hash == design.hash:
