@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 # beginnings of cells that a spreadsheet would run as a formula; an apostrophe before them makes them text (OWASP, CSV
 # Injection). Numbers are harmless.
@@ -16,6 +16,11 @@ _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 def csv_text(rows: Iterable[Sequence[object]]) -> str:
     """Return rows of cells as text; an apostrophe precedes a text that a spreadsheet would run as a formula."""
     return "".join(f"{_line(row)}\n" for row in rows)
+
+
+def csv_table(rows: Sequence[Mapping[str, object]]) -> str:
+    """Return one row or more with the same keys as text, below a line with the keys; the cell of None is empty."""
+    return csv_text([list(rows[0]), *(list(row.values()) for row in rows)])
 
 
 def _line(row: Sequence[object]) -> str:

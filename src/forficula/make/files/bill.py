@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from forficula.csv_text import csv_text
+from forficula.csv_text import csv_table
 from forficula.design import SheetDesign
 from forficula.make.files.print_orientation import print_size
 from forficula.make.made_values import printed_shares
@@ -124,7 +124,7 @@ def bill_csv(rows: Sequence[BillRow]) -> str:
         # a spreadsheet has no lists in its cells
         size = line.pop("size_mm")
         line |= {f"size_{axis}_mm": side for axis, side in zip("xyz", size, strict=True)}
-    return csv_text([list(lines[0]), *([_cell(value) for value in line.values()] for line in lines)])
+    return csv_table(lines)
 
 
 def bill_json(rows: Sequence[BillRow]) -> dict[str, Any]:
@@ -181,7 +181,3 @@ def _plain(row: BillRow) -> dict[str, Any]:
 def _rounded(value: float | None, factor: float) -> float | None:
     """Convert to another unit and round to significant digits."""
     return None if value is None else float(f"{factor * value:.{_DIGITS}g}")
-
-
-def _cell(value: object) -> object:
-    return "" if value is None else value

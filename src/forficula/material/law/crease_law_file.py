@@ -16,6 +16,7 @@ import tomli_w
 from forficula.errors import InputError, error_prefix
 from forficula.files import read_toml, write_text
 from forficula.material.law.law_keys import nearest
+from forficula.material.law.law_tables import read_facts, read_table, read_text
 from forficula.material.law.material_law import LawFact
 from forficula.names import check_known
 from forficula.quantities import Unit, as_written
@@ -124,51 +125,22 @@ def _read(file: str, tables: Mapping[str, Any]) -> CreaseLawFile:
         if "crease" not in tables and "modulus" in tables:
             raise InputError("need a law of creases with a table [crease], got a law of tendons")
         check_known(tables, (*_TEXTS, *_TABLES), "")
-        values = _table("crease", tables.get("crease"))
-        check_known(values, LAW_VALUES, "crease.")
+        values = read_table("crease", tables.get("crease"), LAW_VALUES)
         if "stiffness" not in values:
             raise InputError("crease.stiffness: is missing; a law of creases needs it")
         for section in ("chosen", "interval"):
-            check_known(_table(section, tables.get(section, {})), tuple(values), f"{section}.")
+            read_table(section, tables.get(section, {}), tuple(values))
         return CreaseLawFile(
-            **{name: _text(name, tables.get(name, "")) for name in _TEXTS},
+            **{name: read_text(name, tables.get(name, "")) for name in _TEXTS},
             values=values,
-            chosen={key: _text(f"chosen.{key}", why) for key, why in tables.get("chosen", {}).items()},
+            chosen={key: read_text(f"chosen.{key}", why) for key, why in tables.get("chosen", {}).items()},
             intervals={key: _pair(f"interval.{key}", pair) for key, pair in tables.get("interval", {}).items()},
-            facts=tuple(_fact(f"facts.{number}", fact) for number, fact in enumerate(_list(tables.get("facts", [])))),
+            facts=read_facts(tables),
         )
-
-
-def _table(key: str, value: object) -> dict[str, Any]:
-    if not isinstance(value, dict):
-        raise InputError(f"{key}: need a table under [{key}], got {'nothing' if value is None else as_written(value)}")
-    return value
-
-
-def _list(value: object) -> list[Any]:
-    if not isinstance(value, list):
-        raise InputError(f"facts: need a list of tables, each under [[facts]], got {as_written(value)}")
-    return value
-
-
-def _text(key: str, value: object) -> str:
-    if not isinstance(value, str):
-        raise InputError(f"{key}: need text in quotes, got {as_written(value)}")
-    return value
 
 
 def _pair(key: str, value: object) -> tuple[str, str]:
     if not isinstance(value, list) or len(value) != 2:
         raise InputError(f"{key}: need two values, the lower one first, got {as_written(value)}")
-    low, high = (_text(key, entry) for entry in value)
+    low, high = (read_text(key, entry) for entry in value)
     return low, high
-
-
-def _fact(key: str, value: object) -> LawFact:
-    names = ("what", "value", "source")
-    table = _table(key, value)
-    check_known(table, names, f"{key}.")
-    for name in names:
-        if name not in table:
-            raise InputError(f"{key}.{name}: is missing; needed here: {', '.join(names)}")
-    return LawFact(**{name: _text(f"{key}.{name}", table[name]) for name in names})

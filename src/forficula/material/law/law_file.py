@@ -18,7 +18,8 @@ from forficula.files import read_toml, write_text
 from forficula.material.law.drift import Drift
 from forficula.material.law.law_cycle import drifts_of
 from forficula.material.law.law_keys import TERMS, law_unit, nearest, number
-from forficula.material.law.material_law import Bounds, LawFact, MaterialLaw, MaxwellBranch, Unknown
+from forficula.material.law.law_tables import read_facts, read_list, read_table, read_text
+from forficula.material.law.material_law import Bounds, MaterialLaw, MaxwellBranch, Unknown
 from forficula.material.law.softening import OgdenRoxburgh, Triple
 from forficula.names import check_known
 from forficula.quantities import as_written, format_quantity, parse_quantity
@@ -130,7 +131,7 @@ def _read(file: str, tables: dict[str, Any]) -> MaterialLaw:
     """Convert the tables of a file to a law; every error begins with the name of the file."""
     with error_prefix(f"{file}: "):
         check_known(tables, (*_TEXTS, *_NUMBERS, *_TABLES), "")
-        texts = {name: _string(name, tables.get(name, "")) for name in _TEXTS}
+        texts = {name: read_text(name, tables.get(name, "")) for name in _TEXTS}
         numbers = {name: _quantity(name, tables[name]) for name in _NUMBERS if name in tables}
         softening = _softening(tables["softening"]) if "softening" in tables else None
         return MaterialLaw(
@@ -144,37 +145,14 @@ def _read(file: str, tables: dict[str, Any]) -> MaterialLaw:
             highest_strain_rate=numbers.get("highest_strain_rate"),
             moduli=_triple("modulus", tables),
             viscosity=_triple("viscosity", tables),
-            branches=tuple(_branch(index, branch) for index, branch in enumerate(_list("branches", tables))),
+            branches=tuple(_branch(index, branch) for index, branch in enumerate(read_list("branches", tables))),
             softening=softening,
             **{f"{name}_drift": drift for name, drift in _drifts(tables).items()},
             intervals=_bounds("interval", tables),
             ranges=_bounds("range", tables),
             unknown=_unknown(tables),
-            facts=tuple(_fact(index, fact) for index, fact in enumerate(_list("facts", tables))),
+            facts=read_facts(tables),
         )
-
-
-def _table(key: str, value: object, allowed: tuple[str, ...], needed: tuple[str, ...] = ()) -> dict[str, Any]:
-    if not isinstance(value, dict):
-        raise InputError(f"{key}: need a table under [{key}], got {as_written(value)}")
-    check_known(value, allowed, f"{key}.")
-    for name in needed:
-        if name not in value:
-            raise InputError(f"{key}.{name}: is missing; needed here: {', '.join(needed)}")
-    return value
-
-
-def _list(key: str, tables: Mapping[str, Any]) -> list[Any]:
-    value = tables.get(key, [])
-    if not isinstance(value, list):
-        raise InputError(f"{key}: need a list of tables, each under [[{key}]], got {as_written(value)}")
-    return value
-
-
-def _string(key: str, value: object) -> str:
-    if not isinstance(value, str):
-        raise InputError(f"{key}: need text in quotes, got {as_written(value)}")
-    return value
 
 
 def _quantity(key: str, value: object) -> float:
@@ -189,14 +167,14 @@ def _triple(section: str, tables: Mapping[str, Any]) -> Triple | None:
     """Read the three terms of a polynomial; the quadratic and the cubic one are 0 if they are left out."""
     if section not in tables:
         return None
-    table = _table(section, tables[section], TERMS, needed=TERMS[:1])
+    table = read_table(section, tables[section], TERMS, needed=TERMS[:1])
     first, second, third = (_quantity(f"{section}.{term}", table[term]) if term in table else 0.0 for term in TERMS)
     return first, second, third
 
 
 def _branch(index: int, value: object) -> MaxwellBranch:
     keys, key = ("modulus", "time"), f"branches.{index}"
-    table = _table(key, value, keys, needed=keys)
+    table = read_table(key, value, keys, needed=keys)
     try:
         return MaxwellBranch(**{name: _quantity(f"{key}.{name}", table[name]) for name in keys})
     except InputError as error:
@@ -204,7 +182,7 @@ def _branch(index: int, value: object) -> MaxwellBranch:
 
 
 def _softening(value: object) -> OgdenRoxburgh:
-    table = _table("softening", value, _SOFTENING, needed=("r", "m"))
+    table = read_table("softening", value, _SOFTENING, needed=("r", "m"))
     return OgdenRoxburgh(**{name: _quantity(f"softening.{name}", entry) for name, entry in table.items()})
 
 
@@ -219,15 +197,15 @@ def _drift_table(drift: Drift) -> dict[str, Any]:
 
 
 def _drifts(tables: Mapping[str, Any]) -> dict[str, Drift]:
-    table = _table("drift", tables.get("drift", {}), tuple(_DRIFTS))
+    table = read_table("drift", tables.get("drift", {}), tuple(_DRIFTS))
     return {name: _drift(f"drift.{name}", drift, _DRIFTS[name]) for name, drift in table.items()}
 
 
 def _drift(key: str, value: object, relative: bool) -> Drift:
     needed: tuple[str, ...] = ("kind", "seen")
-    table = _table(key, value, ("kind", "rate", "interval", "cycles", "seen"), needed=needed)
+    table = read_table(key, value, ("kind", "rate", "interval", "cycles", "seen"), needed=needed)
     if table["kind"] != "none":
-        _table(key, value, tuple(table), needed=("rate", "interval", *(["cycles"] * (table["kind"] == "plateau"))))
+        read_table(key, value, tuple(table), needed=("rate", "interval", *(["cycles"] * (table["kind"] == "plateau"))))
     low, high = _numbers(f"{key}.interval", table.get("interval", [0.0, 0.0]))
     first, last = _numbers(f"{key}.seen", table["seen"])
     if first % 1 or last % 1:
@@ -281,11 +259,5 @@ def _pair(section: str, key: str, value: object) -> Bounds:
 
 
 def _unknown(tables: Mapping[str, Any]) -> tuple[Unknown, ...]:
-    table = _table("unknown", tables.get("unknown", {}), _SECTIONS)
-    return tuple(Unknown(key=key, why=_string(f"unknown.{key}", why)) for key, why in table.items())
-
-
-def _fact(index: int, value: object) -> LawFact:
-    keys, key = ("what", "value", "source"), f"facts.{index}"
-    table = _table(key, value, keys, needed=keys)
-    return LawFact(**{name: _string(f"{key}.{name}", table[name]) for name in keys})
+    table = read_table("unknown", tables.get("unknown", {}), _SECTIONS)
+    return tuple(Unknown(key=key, why=read_text(f"unknown.{key}", why)) for key, why in table.items())

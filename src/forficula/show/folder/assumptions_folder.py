@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from forficula.csv_text import csv_text
+from forficula.csv_text import csv_table
 from forficula.files import replacing_all, write_text
 from forficula.show.folder.notebook_cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
@@ -33,9 +33,7 @@ def write_assumptions(results: Assumptions, folder: Path) -> None:
 
 
 def _write_files(results: Assumptions, folder: Path) -> None:
-    rows = assumption_rows(results)
-    cells = [["" if value is None else value for value in row.values()] for row in rows]
-    write_text(folder / "assumptions.csv", csv_text([list(rows[0]), *cells]))
+    write_text(folder / "assumptions.csv", csv_table(assumption_rows(results)))
     save_assumptions(results, folder / ASSUMPTIONS_FILE)
     texts = save_figures(assumptions_drawings(results), folder)
     write_results_page(folder, "assumptions", results.design.name, assumptions_table(results), _HEADINGS, texts)

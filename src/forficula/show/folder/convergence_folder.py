@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from forficula.csv_text import csv_text
+from forficula.csv_text import csv_table
 from forficula.design.design import DesignIdentity
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_text
@@ -43,9 +43,7 @@ def write_convergence(convergence: Convergence, folder: Path) -> None:
 
 
 def _write_files(convergence: Convergence, folder: Path) -> None:
-    rows = convergence_rows(convergence)
-    cells = [["" if value is None else value for value in row.values()] for row in rows]
-    write_text(folder / "convergence.csv", csv_text([list(rows[0]), *cells]))
+    write_text(folder / "convergence.csv", csv_table(convergence_rows(convergence)))
     write_text(folder / "convergence.json", json_text(convergence_summary(convergence)))
     save_convergence(convergence, folder / CONVERGENCE_FILE)
     texts = save_figures(convergence_drawings(convergence), folder)

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 from rich.console import Console
 
 from forficula.analysis.summary import drive_strength
-from forficula.csv_text import csv_text
+from forficula.csv_text import csv_table
 from forficula.design import load_design
 from forficula.design.design import DesignIdentity
 from forficula.dynamics import versions
@@ -87,8 +87,7 @@ def _columns(structure: Structure) -> list[str]:
 
 def cycling_csv(cycling: Cycling) -> str:
     """Return the rows as text; missing numbers are empty."""
-    rows = cycling_rows(cycling)
-    return csv_text([list(rows[0]), *(["" if value is None else value for value in row.values()] for row in rows)])
+    return csv_table(cycling_rows(cycling))
 
 
 @dataclass(frozen=True, kw_only=True)

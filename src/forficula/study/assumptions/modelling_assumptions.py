@@ -43,7 +43,6 @@ _GRAVITY = 9.81  # m/s^2
 _OF_HINGES = re.compile(r"(hinge|crease(\.group\.\d+)?)\.(damping|extension_damping)")
 _OF_OTHERS = re.compile(r"tendon(\.\d+)?\.damping|membrane\.damping|facet\.stretch_damping")
 _FRICTION = re.compile(r"hinge\.friction|crease(\.group\.\d+)?\.friction")
-_CONTACT = re.compile(r"((\w+\.)*contact)\.friction")
 _OFFSETS = ("tendon.proximal_offset", "tendon.distal_offset")
 
 
@@ -82,8 +81,7 @@ def variant_of(assumption: Assumption, design: Design) -> Variant | str:
     except InputError as error:
         return str(error).removeprefix(f"{design.name}: ")
     if isinstance(variant, Variant):
-        idle = [text for text in variant.design.idle if text not in design.idle]
-        if idle:
+        if idle := [text for text in variant.design.settled().idle if text not in design.idle]:
             return idle[0]
         if variant.design.hash == design.hash:
             return "the change has no effect on the design"
@@ -128,8 +126,8 @@ def _slow_rise(design: Design) -> Variant | str:
     if not limits:
         return "the protocol drives nothing"
     scale = scale_of(structure_of(design))
-    known = scale is not None and scale.time > 0
-    rise = float(f"{min(_SLOW * scale.time if scale and known else _SHARE * min(limits), *limits):.0e}")
+    slow = _SLOW * scale.time if scale is not None and scale.time > 0 else _SHARE * min(limits)
+    rise = float(f"{min(slow, *limits):.0e}")
     rises = _rises(design)
     slower = {key: rise for key, value in rises.items() if value < rise}
     if not slower:
@@ -225,16 +223,14 @@ def _hinge_mass(design: Design) -> Variant | str:
 
 def _medium(design: Design) -> Variant | str:
     if design.medium is not None:
-        empty = {"medium.density": 0.0, "medium.viscosity": 0.0}
-        return Variant(label="empty space", design=design.with_values(empty))
+        return Variant(label="empty space", design=design.with_values(dict.fromkeys(_AIR, 0.0)))
     return Variant(label="in air", design=design.with_values(_AIR))
 
 
 def _weight(design: Design) -> Variant | str:
     if design.protocol.gravity:
         # without gravity, only a table needs its direction
-        direction = design.protocol.gravity_direction if design.table is not None else "-z"
-        off = {"protocol.gravity": 0.0, "protocol.gravity_direction": direction}
+        off = {"protocol.gravity": 0.0} | ({} if design.table else {"protocol.gravity_direction": "-z"})
         return Variant(label="no gravity", design=design.with_values(off))
     direction = design.protocol.gravity_direction
     label = "gravity across the sheet" if direction == "-z" else f"gravity along {direction}"
@@ -246,27 +242,25 @@ def _dry_friction(design: Design) -> Variant | str:
     if rubbing := {key: 0.0 for key, value in values.items() if value and _FRICTION.fullmatch(key)}:
         return Variant(label="no dry friction", design=design.with_values(rubbing))
     if _has(design, "crease.friction"):
-        stiffness = values.get("crease.stiffness")
-        if not stiffness:
-            return "the creases have no stiffness, and their dry friction is a fraction of their moment"
-        friction = float(f"{_FRICTION_SHARE * stiffness * math.pi / 2:.2g}")
-        label = f"dry friction of {show_quantity(friction, CREASE_MOMENT)} in every crease"
-        return Variant(label=label, design=design.with_values({"crease.friction": friction}))
-    if not _has(design, "hinge.friction"):
+        moment, unit, where = math.pi / 2 * (values.get("crease.stiffness") or 0.0), CREASE_MOMENT, "crease"
+        what = "creases have no stiffness, and their dry friction is a fraction of their moment"
+    elif _has(design, "hinge.friction"):
+        torques = [value for key, value in values.items() if re.fullmatch(r"protocol\.\w+_torque", key)]
+        moment, unit, where = min((value for value in torques if value), default=0.0), TORQUE, "hinge"
+        what = "protocol has no torque, and the dry friction is a fraction of the smallest torque"
+    else:
         return "dry friction is only added to the hinges of fans and joints and to the creases of sheets"
-    torques = [value for key, value in values.items() if re.fullmatch(r"protocol\.\w+_torque", key)]
-    smallest = min((value for value in torques if value), default=0.0)
-    if not smallest:
-        return "the protocol has no torque, and the dry friction is a fraction of the smallest torque"
-    friction = float(f"{_FRICTION_SHARE * smallest:.2g}")
-    label = f"dry friction of {show_quantity(friction, TORQUE)} in every hinge"
-    return Variant(label=label, design=design.with_values({"hinge.friction": friction}))
+    if not moment:
+        return f"the {what}"
+    friction = float(f"{_FRICTION_SHARE * moment:.2g}")
+    label = f"dry friction of {show_quantity(friction, unit)} in every {where}"
+    return Variant(label=label, design=design.with_values({f"{where}.friction": friction}))
 
 
 def _contact(design: Design) -> Variant | str:
     if design.protocol.contact:
-        keys = map(_CONTACT.fullmatch, dict(_values(design.si_tables())))
-        sections = {match[1]: "none" for match in keys if match is not None}
+        keys = [key for key in dict(_values(design.si_tables())) if f".{key}".endswith(".contact.friction")]
+        sections = {key.removesuffix(".friction"): "none" for key in keys}
         return Variant(label="no contact", design=design.with_values({"protocol.contact": False, **sections}))
     return Variant(label="contact between bodies", design=design.with_values({"protocol.contact": True}))
 
@@ -276,8 +270,7 @@ def _stop_time(design: Design, factor: float) -> Variant | str:
     if not math.isfinite(resolving_timestep(structure_of(free))):
         return "the structure has no stops that use stops.time_constant"
     label = f"stops of {'half' if factor < 1 else 'twice'} the time constant"
-    changed = {"stops.time_constant": factor * design.stops.time_constant}
-    return Variant(label=label, design=design.with_values(changed))
+    return Variant(label=label, design=design.with_values({"stops.time_constant": factor * design.stops.time_constant}))
 
 
 def _half_step(design: Design) -> Variant | str:
