@@ -15,7 +15,7 @@ from forficula.show.page.parts.design_rows import design_rows
 from forficula.show.page.parts.design_tables import design_tables
 from forficula.show.progress import run_progress
 from forficula.show.study.maps_text import maps_text
-from forficula.statics.tree.potential import ensemble_of
+from forficula.statics.tree.ensemble import ensemble_of
 from forficula.structure import structure_of
 from forficula.study.convergence.convergence import converge
 from forficula.study.convergence.refinement import MESH, YOUNGS_MODULUS

@@ -10,7 +10,8 @@ from forficula.design import load_design, with_values
 from forficula.errors import InputError
 from forficula.statics import energy_landscape
 from forficula.statics.tree.couplings import ties_of
-from forficula.statics.tree.potential import ensemble, ensemble_of, rest, stored_energy
+from forficula.statics.tree.ensemble import ensemble, ensemble_of
+from forficula.statics.tree.potential import rest, stored_energy
 from forficula.statics.tree.quasi_static import least_slow_torque, start_state, state_beyond
 from forficula.structure import GROUND, Body, Coupling, Hinge, Motor, Structure, hinges_of
 from tests.statics.test_potential import check_derivatives

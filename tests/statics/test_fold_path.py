@@ -12,7 +12,7 @@ from forficula.design import load_design, with_values
 from forficula.pattern import earwig_pattern, fan_fold_angles
 from forficula.statics import tendon_hinges
 from forficula.statics.tree import fold_path as module
-from forficula.statics.tree.potential import ensemble_of
+from forficula.statics.tree.ensemble import ensemble_of
 from forficula.structure import structure_of
 from tests.statics.hinge_numbers import holding_torque
 

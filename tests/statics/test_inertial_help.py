@@ -7,8 +7,9 @@ import pytest
 
 from forficula.design import load_design
 from forficula.statics.tree import quasi_static
+from forficula.statics.tree.ensemble import ensemble_of
 from forficula.statics.tree.inertial_help import inertial_help
-from forficula.statics.tree.potential import ensemble_of, potential
+from forficula.statics.tree.potential import potential
 from forficula.statics.tree.quasi_static import TorquePath, least_slow_torque, start_state
 from forficula.structure import Drive, drive_of, hinges_of
 

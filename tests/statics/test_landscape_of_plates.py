@@ -16,7 +16,8 @@ import forficula as ff
 from forficula.design import with_values
 from forficula.errors import InputError
 from forficula.statics import landscape_summary
-from forficula.statics.tree.potential import ensemble, potential
+from forficula.statics.tree.ensemble import ensemble
+from forficula.statics.tree.potential import potential
 from forficula.statics.tree.quasi_static import least_slow_torque, start_state
 from forficula.structure import structure_of
 

@@ -9,8 +9,8 @@ import pytest
 
 from forficula.design import load_design
 from forficula.statics.tree import partial_folds as module
+from forficula.statics.tree.ensemble import ensemble_of
 from forficula.statics.tree.hinge import tendon_hinges
-from forficula.statics.tree.potential import ensemble_of
 from forficula.statics.tree.quasi_static import start_state
 from forficula.structure import structure_of
 from tests.statics.hinge_numbers import top_barrier

@@ -8,7 +8,7 @@ from forficula.statics import tendon_hinges
 from forficula.statics.tree import potential as potential_module
 from forficula.statics.tree import quasi_static
 from forficula.statics.tree import sheet as sheet_module
-from forficula.statics.tree.potential import ensemble_of
+from forficula.statics.tree.ensemble import ensemble_of
 from forficula.statics.tree.quasi_static import start_state, state_beyond
 from forficula.structure import Drive, hinges_of, structure_of
 from tests.statics.hinge_numbers import peak_opening_torque

@@ -7,8 +7,8 @@ import math
 import pytest
 
 from forficula.design import load_design
+from forficula.statics.tree.ensemble import ensemble_of
 from forficula.statics.tree.hinge import tendon_hinges
-from forficula.statics.tree.potential import ensemble_of
 from forficula.statics.tree.quasi_static import start_state
 from forficula.statics.tree.tip_stiffness import tip_stiffness
 from forficula.structure import structure_of

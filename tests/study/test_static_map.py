@@ -9,7 +9,7 @@ import xarray
 from forficula.design import load_design, with_values
 from forficula.errors import InputError
 from forficula.statics import energy_landscape
-from forficula.statics.tree.potential import ensemble_of
+from forficula.statics.tree.ensemble import ensemble_of
 from forficula.statics.tree.quasi_static import slow_transition, start_state, state_beyond
 from forficula.study import load_study
 from forficula.study.tables.map_comparison import (

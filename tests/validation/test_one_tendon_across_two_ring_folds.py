@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 
 import forficula as ff
 from forficula.design import with_values
+from forficula.statics.tree.ensemble import ensemble_of
 from forficula.statics.tree.lines import line_energy
-from forficula.statics.tree.potential import ensemble_of
 from forficula.structure import hinges_of
 
 THICK = ff.load_design("binder2025-thick", {"protocol.contact": False})

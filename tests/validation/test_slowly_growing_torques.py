@@ -11,8 +11,8 @@ import numpy as np
 
 import forficula as ff
 from forficula.design import load_design, with_values
+from forficula.statics.tree.ensemble import ensemble_of
 from forficula.statics.tree.inertial_help import inertial_help
-from forficula.statics.tree.potential import ensemble_of
 from forficula.statics.tree.quasi_static import least_slow_torque, start_state, state_after
 from forficula.structure import drive_of, hinges_of
 

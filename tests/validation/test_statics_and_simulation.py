@@ -17,8 +17,9 @@ import pytest
 import forficula as ff
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, simulate
+from forficula.statics.tree.ensemble import ensemble_of
 from forficula.statics.tree.lines import line_energy
-from forficula.statics.tree.potential import ensemble_of, rest
+from forficula.statics.tree.potential import rest
 from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state
 from forficula.statics.tree.sheet import sheet_energy
 from forficula.structure import drive_of, goal_of, hinges_of

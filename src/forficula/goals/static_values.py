@@ -9,10 +9,10 @@ from forficula.design import Design
 from forficula.goals.outcome_quantity import Source
 from forficula.statics.path_dependence import refuse_path_dependence
 from forficula.statics.survey import slow_drives
+from forficula.statics.tree.ensemble import ensemble
 from forficula.statics.tree.equilibrium import barrier_between
 from forficula.statics.tree.fold_path import fold_path
 from forficula.statics.tree.hinge_landscape import crossed_hinges
-from forficula.statics.tree.potential import ensemble
 from forficula.structure import Structure, mass_of, structure_of
 
 # points of a hinge's and of a fold's curves; their ends, maxima and peaks are exact or interpolated by cubics

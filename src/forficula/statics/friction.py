@@ -12,7 +12,8 @@ import numpy as np
 from forficula.arrays import Array, Flags
 from forficula.design import TORQUE
 from forficula.quantities import Unit, show_quantity
-from forficula.statics.tree.potential import Ensemble, potential
+from forficula.statics.tree.ensemble import Ensemble
+from forficula.statics.tree.potential import potential
 from forficula.structure import Drive, Structure
 
 _STEP = np.radians(1.0)  # between two angles that are tried, rad

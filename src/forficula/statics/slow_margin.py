@@ -9,7 +9,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.design import Design
 from forficula.statics.path_dependence import refuse_path_dependence
-from forficula.statics.tree.potential import Ensemble, ensemble_of
+from forficula.statics.tree.ensemble import Ensemble, ensemble_of
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
     least_slow_torque,

@@ -26,7 +26,7 @@ from forficula.statics.path_dependence import (
     wear,
 )
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
-from forficula.statics.tree.potential import ensemble
+from forficula.statics.tree.ensemble import ensemble
 from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
 from forficula.statics.tree.tree_drag import tree_drag
 from forficula.statics.tree.tree_path import tree_path

@@ -14,6 +14,7 @@ from forficula.arrays import Array
 from forficula.design import Design
 from forficula.statics.friction import friction_bands, friction_remarks
 from forficula.statics.landscape import EnergyLandscape, LeastTorque, Pass, Rest, stable_rests
+from forficula.statics.tree.ensemble import Ensemble, ensemble, slight_energy
 from forficula.statics.tree.equilibrium import Equilibria
 from forficula.statics.tree.fold_path import FoldPath, fold_path, fold_states
 from forficula.statics.tree.hinge_landscape import CrossedHinge, crossed_hinges
@@ -24,14 +25,7 @@ from forficula.statics.tree.partial_folds import (
     single_hinge_barriers,
     soft_stiffness,
 )
-from forficula.statics.tree.potential import (
-    Ensemble,
-    ensemble,
-    hinge_angles,
-    potential,
-    slight_energy,
-    stored_energy,
-)
+from forficula.statics.tree.potential import hinge_angles, potential, stored_energy
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
     at_goal,

@@ -12,10 +12,11 @@ from forficula.design import TORQUE, Design, stage_drives
 from forficula.names import listed
 from forficula.quantities import Unit, show_quantity, show_value
 from forficula.statics.landscape import Rest
+from forficula.statics.tree.ensemble import Ensemble
 from forficula.statics.tree.hinge_landscape import CrossedHinge
 from forficula.statics.tree.inertial_help import InertialHelp
 from forficula.statics.tree.partial_folds import folding_hinges
-from forficula.statics.tree.potential import Ensemble, largest_gap
+from forficula.statics.tree.potential import largest_gap
 from forficula.statics.tree.quasi_static import FIRST_STEP, SlowTransition
 from forficula.structure import Structure, Transition, drive_of, drive_unit
 

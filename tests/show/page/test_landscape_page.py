@@ -11,8 +11,9 @@ from forficula.show.page.data.landscape_curves import curve_data, landscape_curv
 from forficula.show.page.data.landscape_poses import poses_of, poses_travel
 from forficula.show.page.landscape_page import landscape_page
 from forficula.statics import energy_landscape
+from forficula.statics.tree.ensemble import ensemble
 from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
-from forficula.statics.tree.potential import ensemble, stored_energy
+from forficula.statics.tree.potential import stored_energy
 from forficula.study.running.runs import run
 from tests.show.page.conftest import until
 from tests.show.page.test_page import HOSTILE, data_of

@@ -12,9 +12,10 @@ import scipy
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.quantities import show_value
+from forficula.statics.tree.ensemble import Ensemble
 from forficula.statics.tree.equilibrium import Equilibria, PathState, states_along
 from forficula.statics.tree.pose import span
-from forficula.statics.tree.potential import Ensemble, hinge_angles, rest
+from forficula.statics.tree.potential import hinge_angles, rest
 from forficula.statics.tree.sheet import sheet_energy
 from forficula.structure import RigidFold, Structure, drive_of, goal_of, state_of
 

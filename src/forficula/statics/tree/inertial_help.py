@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.serial import Joules, NewtonMetres
-from forficula.statics.tree.potential import Ensemble, potential
+from forficula.statics.tree.ensemble import Ensemble
+from forficula.statics.tree.potential import potential
 from forficula.statics.tree.quasi_static import TorquePath
 from forficula.structure import Drive
 

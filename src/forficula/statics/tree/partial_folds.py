@@ -13,9 +13,10 @@ import numpy as np
 from forficula.arrays import Array, Flags
 from forficula.quantities import Unit
 from forficula.serial import Joules, Key
+from forficula.statics.tree.ensemble import Ensemble, sheet_torque, slight_energy
 from forficula.statics.tree.hinge import folding_sense, ideal_hinges, tendon_hinge, tendon_hinges
 from forficula.statics.tree.lines import largest_pull
-from forficula.statics.tree.potential import Ensemble, potential, rest, sheet_torque, slight_energy
+from forficula.statics.tree.potential import potential, rest
 from forficula.statics.tree.sheet import sheet_energy
 from forficula.structure import Structure, hinges_between
 

@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.errors import InputError
+from forficula.statics.tree.ensemble import Ensemble, start_angles
 from forficula.statics.tree.equilibrium import Equilibria
 from forficula.statics.tree.hinge_landscape import CrossedHinge
 from forficula.statics.tree.pose import carried_points, places_of, pose
-from forficula.statics.tree.potential import Ensemble, hinge_angles, rest, start_angles
+from forficula.statics.tree.potential import hinge_angles, rest
 from forficula.structure import (
     Drive,
     StageGoal,

@@ -8,9 +8,10 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.serial import Metres, Newtons, NewtonsPerMetre
+from forficula.statics.tree.ensemble import Ensemble
 from forficula.statics.tree.fold_path import rigid_fold
 from forficula.statics.tree.pose import span
-from forficula.statics.tree.potential import Ensemble, potential
+from forficula.statics.tree.potential import potential
 
 DEFLECTION = 0.01  # small deflection, as a share of the length beyond the folds
 

@@ -21,8 +21,9 @@ from forficula.statics.drag import (
 )
 from forficula.statics.quasi_static_path import QuasiStaticPoint
 from forficula.statics.tree.elements import Expansion, LinePiece, elements, stretched
+from forficula.statics.tree.ensemble import Ensemble, ensemble, start_angles, torque_scale
 from forficula.statics.tree.pose import carried_points, moves_of, places_of, pose
-from forficula.statics.tree.potential import Ensemble, ensemble, potential, rest, start_angles, torque_scale
+from forficula.statics.tree.potential import potential, rest
 from forficula.statics.tree.tree_path import place_carriers, tree_points
 from forficula.structure import GROUND, Drive, Structure
 

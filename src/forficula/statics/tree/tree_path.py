@@ -19,18 +19,11 @@ from forficula.statics.growing_path import (
     path_of,
 )
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint, rest_changes
+from forficula.statics.tree.ensemble import Ensemble, ensemble, start_angles
 from forficula.statics.tree.hinge_landscape import crossed_hinges
 from forficula.statics.tree.permanent_folds import PermanentFolds
 from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
-from forficula.statics.tree.potential import (
-    Ensemble,
-    ensemble,
-    hinge_angles,
-    potential,
-    rest,
-    start_angles,
-    stored_energy,
-)
+from forficula.statics.tree.potential import hinge_angles, potential, rest, stored_energy
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
     TorquePath,

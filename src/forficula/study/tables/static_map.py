@@ -15,8 +15,8 @@ from forficula.design.section import Section
 from forficula.errors import InputError
 from forficula.statics.net.net_of import is_net
 from forficula.statics.path_dependence import refuse_path_dependence
+from forficula.statics.tree.ensemble import Ensemble, ensemble_of
 from forficula.statics.tree.lines import line_energy
-from forficula.statics.tree.potential import Ensemble, ensemble_of
 from forficula.statics.tree.quasi_static import at_goal, slow_transition, start_state, state_after
 from forficula.structure import Structure, Transition, goal_of, static_keys, structure_of
 from forficula.study.factors import read_factor

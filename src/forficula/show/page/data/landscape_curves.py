@@ -20,7 +20,8 @@ from forficula.show.run.energies_figure import stored_energies
 from forficula.show.structure.labels import label_of, parts_of, title_of
 from forficula.statics import EnergyLandscape, HingeLandscape
 from forficula.statics.landscape import fold_states
-from forficula.statics.tree.potential import ensemble, stored_energy
+from forficula.statics.tree.ensemble import ensemble
+from forficula.statics.tree.potential import stored_energy
 from forficula.structure import Structure
 
 _PLACES = 721  # points of a line

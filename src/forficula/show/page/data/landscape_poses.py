@@ -14,7 +14,8 @@ from forficula.show.page.data.landscape_curves import Travel, posed_travel
 from forficula.show.page.data.shape_mesh import shape_mesh
 from forficula.statics import CrossedHinge, EnergyLandscape
 from forficula.statics.quasi_static_path import spring_moments
-from forficula.statics.tree.potential import ensemble, stored_energy
+from forficula.statics.tree.ensemble import ensemble
+from forficula.statics.tree.potential import stored_energy
 from forficula.statics.tree.tree_path import place_positions
 from forficula.structure import Structure
 
