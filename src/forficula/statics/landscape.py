@@ -18,7 +18,7 @@ from forficula.design import Design
 from forficula.errors import InputError
 from forficula.quantities import Unit, show_value
 from forficula.results import Result, pandas_module
-from forficula.serial import Joules, Written
+from forficula.serial import Joules, Newtons, Written
 from forficula.statics.friction import FrictionBand
 from forficula.statics.net.driven.net_course import Course
 from forficula.statics.net.net import Net, NetShape
@@ -52,6 +52,8 @@ class Rest:
         within: whether it is within the bounds of the state.
         same_as: name of the first earlier state that rests at the same angles; empty if there is none.
         shape: of a net; None for a tree, whose angles define its shape.
+        contacts: force between each part of a tree and a table, N, by the names of both; None without a table, and for
+            a net.
     """
 
     name: str
@@ -62,6 +64,7 @@ class Rest:
     within: Annotated[bool, Written.NEVER]
     same_as: Annotated[str, Written.OR_NULL] = ""
     shape: Annotated[NetShape | None, Written.NEVER] = None
+    contacts: Annotated[Mapping[str, Newtons] | None, Written.IF_KNOWN] = None
 
     def __repr__(self) -> str:
         """Name and energy."""

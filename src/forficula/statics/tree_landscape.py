@@ -39,6 +39,7 @@ from forficula.statics.tree.quasi_static import (
     withstood_torques,
 )
 from forficula.statics.tree.saddle import level_between, saddle_between
+from forficula.statics.tree.table import table_forces
 from forficula.statics.tree.tip_stiffness import tip_stiffness
 from forficula.statics.tree_remarks import (
     coupling_remarks,
@@ -48,6 +49,7 @@ from forficula.statics.tree_remarks import (
     slow_remarks,
     stage_remarks,
     start_remarks,
+    table_remarks,
     tendon_remarks,
     withstood_remark,
 )
@@ -65,7 +67,9 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     """Compute the landscape of bodies on joints; see `forficula.statics.survey.energy_landscape`."""
     structures = ensemble([structure])
     hinges = crossed_hinges(structure, points)
-    path = None if structure.rigid_fold is None else fold_path(structures, points)
+    # shapes of the rigid fold and of partial folds may be below a table
+    above = structures.table is None
+    path = None if structure.rigid_fold is None or not above else fold_path(structures, points)
     start = start_state(structures)
     rests, courses, slow_paths, torque_remarks = _protocol(structures, start, hinges)
     stable = stable_rests(rests)
@@ -84,6 +88,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             *shared_remarks(structure),
             *friction_remarks(structure, bands),
             *ignored_contact_remarks(structure),
+            *table_remarks(structure),
             *(() if path is None else path.remarks),
             *start_remarks(structure, start.position[0]),
             *torque_remarks,
@@ -93,9 +98,9 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
         ),
         hinges=hinges,
         fold_path=path,
-        levels=fold_levels(structure),
-        partial_folds=partial_folds(structures, start.position),
-        hinge_barriers=single_hinge_barriers(structures, start.position),
+        levels=fold_levels(structure) if above else None,
+        partial_folds=partial_folds(structures, start.position) if above else (),
+        hinge_barriers=single_hinge_barriers(structures, start.position) if above else np.zeros(0),
         friction_bands=bands,
         tips=None if path is None else tip_stiffness(structures, start.position),
     )
@@ -292,6 +297,7 @@ def _rest(structures: Ensemble, name: str, equilibria: Equilibria, earlier: Sequ
         stable=bool(equilibria.rests[0] and equilibria.stiffness[0] > -soft_stiffness(structures)),
         within=within,
         same_as=next((rest.name for rest in earlier if np.all(np.abs(rest.angles - angles) <= _SAME)), ""),
+        contacts=None if structures.table is None else table_forces(structures.table, equilibria.position[:1])[0],
     )
 
 

@@ -51,7 +51,7 @@ from forficula.structure.slow_stage import GrowingLoad, RestPath, RestShape, Res
 from forficula.structure.structure import Structure
 from forficula.structure.structure_warnings import structure_warnings
 from forficula.structure.surroundings import Contact, Medium, Stops, Table
-from forficula.structure.table import TouchingPoint, touching_points
+from forficula.structure.table import TouchingPoint, refuse_below_table, touching_points
 from forficula.structure.tree import (
     ancestry,
     built_frames,
@@ -147,6 +147,7 @@ __all__ = [
     "outer_ends",
     "point_distances",
     "read_angles",
+    "refuse_below_table",
     "springs_name",
     "state_of",
     "static_keys",

@@ -43,6 +43,11 @@ class Body:
     turns: bool = False
     mass: float = 0.0
 
+    @property
+    def label(self) -> str:
+        """Return the role and the number of the body, such as "facet 3"."""
+        return f"{self.role} {self.name.removeprefix(self.role)}"
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Point:

@@ -142,10 +142,10 @@ def _expanded(
     blocks = layout.gather @ np.concatenate([piece[2] for piece in pieces], axis=1).T
     if net.table is not None:
         up, table = -np.array(net.down), net.table
-        sunk = np.maximum(table.least - shape.positions @ up, 0.0)
+        sunk = table.sunk(shape.positions, up)
         stored += table.stiffness / 2 * float(np.sum(sunk**2))
-        forces -= table.stiffness * sunk[:, None] * up
-        blocks[layout.diagonal[sunk > 0]] += table.stiffness * np.outer(up, up).ravel()
+        forces -= np.outer(table.stiffness * (table.spheres.T @ sunk), up)
+        blocks += np.outer(layout.on_table @ (sunk > 0), table.stiffness * np.outer(up, up))
     energy = stored
     if load is not None:
         forces -= factor * load.forces

@@ -84,16 +84,23 @@ class Triangles:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class NetTable:
-    """A table under a net: a stiff spring pushes each node back that sinks into it.
+    """A table under a net: a stiff spring pushes each sphere back that sinks into it.
 
     Attributes:
-        least: height of each node above the origin at which it touches the table, m, (node,); -inf for one that never
-            does.
-        stiffness: of the spring of a node, N/m.
+        spheres: weights of the nodes at the centres of the spheres, (sphere, node).
+        names: of the bodies that carry them, (sphere,).
+        least: height of each centre above the origin at which its sphere touches the table, m, (sphere,).
+        stiffness: of the spring of a sphere, N/m.
     """
 
+    spheres: csr_array
+    names: tuple[str, ...]
     least: Array
     stiffness: float
+
+    def sunk(self, positions: Array, up: Array) -> Array:
+        """Return the depth of each sphere in the table, m, (sphere,), for positions of the nodes, m, (node, 3)."""
+        return np.asarray(np.maximum(self.least - self.spheres @ (positions @ up), 0.0))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

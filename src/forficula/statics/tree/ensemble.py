@@ -31,6 +31,7 @@ from forficula.statics.tree.pose import (
 )
 from forficula.statics.tree.sheet import Sheet, sheet_of
 from forficula.statics.tree.springs import Springs, pins_of, springs_of
+from forficula.statics.tree.table import TreeTable, tree_table
 from forficula.statics.tree.weight import Weight, weight_of
 from forficula.structure import Motor, Structure, joint_count, static_keys, structure_of
 
@@ -50,6 +51,7 @@ class Ensemble:
         flaps: creases between flaps; None if there are none.
         pins: of closures; None if there are none.
         weight: of the bodies; None without gravity.
+        table: under the bodies; None without one.
         forces: of motors at points; None if there are none.
         twists: elastic couplings between joints; None if there are none.
         ties: groups of joints that rigid couplings tie together; None if there are none.
@@ -78,6 +80,7 @@ class Ensemble:
     flaps: Flaps | None
     pins: Springs | None
     weight: Weight | None
+    table: TreeTable | None
     forces: PointForces | None
     twists: Twists | None
     ties: Ties | None
@@ -176,6 +179,7 @@ def ensemble(structures: Sequence[Structure]) -> Ensemble:
         flaps=flaps,
         pins=pins_of(first, tree, _stiffest(first)),
         weight=weight_of(first, tree),
+        table=tree_table(first, tree),
         forces=point_forces_of(first, tree),
         twists=twists_of(first),
         ties=ties_of(first),

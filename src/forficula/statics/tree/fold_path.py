@@ -139,9 +139,14 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
         points: number of places along the fold.
 
     Raises:
-        InputError: the structure has no single folding path.
+        InputError: the structure has no single folding path, or lies on a table.
     """
     fold = rigid_fold(structures.structure)
+    if structures.table is not None:
+        raise InputError(
+            f"{structures.structure.name}: has no energy along its rigid fold, because the fold may lead below the"
+            ' table; table = "none" leaves the table out'
+        )
     ratio, turns, folds = fold.ratio, span(fold.turns), span(fold.folds)
     pleat = np.unique(np.concatenate([np.linspace(fold.first or 0.0, fold.last, points), [0.0]]))
     half_sine = np.sin(pleat / 2)

@@ -24,6 +24,7 @@ from forficula.statics.tree.pose import (
 )
 from forficula.statics.tree.sheet import sheet_energy
 from forficula.statics.tree.springs import closure_gap, spring_energy
+from forficula.statics.tree.table import table_energy
 from forficula.statics.tree.weight import weight_energy
 from forficula.structure import springs_name
 
@@ -144,6 +145,8 @@ def _optional_parts(structures: Ensemble, angles: Array, torques: Array, at: Pos
         parts.append(twist_energy(structures.twists, angles))
     if structures.forces is not None and torques.any():
         parts.append(force_energy(structures.forces, angles, torques))
+    if structures.table is not None:
+        parts.append(table_energy(structures.table, angles, at))
     return parts if structures.weight is None else [*parts, weight_energy(structures.weight, angles)]
 
 
@@ -165,6 +168,9 @@ def rest(
     Joints that rigid couplings tie together share one coordinate; if their start angles contradict each other, the mean
     is used. The returned gradient is by every hinge, as if the hinges were not tied.
 
+    On a table, structures first move with springs that are a thousand times as soft, because the length of a step down
+    the slope along the table is limited by its stiffness, and then with the stiff ones.
+
     Args:
         structures: side by side.
         start: angles, rad, (case, hinge).
@@ -184,7 +190,28 @@ def rest(
     lower, upper = np.maximum(structures.lower, start - within), np.minimum(structures.upper, start + within)
     fixed = list(fixed)
     lower[:, fixed] = upper[:, fixed] = start[:, fixed]
-    lower, upper = np.where(held, start, lower), np.where(held, start, upper)
+    bounds = np.where(held, start, lower), np.where(held, start, upper)
+    steps: Any = {"longest_step": longest_step or _LONGEST_STEP, "force": quiet_torque(structures)}
+    steps |= {"follow": follow, "enough": enough}
+    if structures.table is not None:
+        softened = replace(structures, table=structures.table.softened)
+        start = _descended(softened, start, torques, bounds, pull, **steps).position
+    return _descended(structures, start, torques, bounds, pull, **steps)
+
+
+def _descended(
+    structures: Ensemble,
+    start: Array,
+    torques: Array,
+    bounds: tuple[Array, Array],
+    pull: Callable[[Array], Expansion] | None,
+    *,
+    longest_step: float,
+    force: float,
+    follow: Follow | None,
+    enough: Enough | None,
+) -> Equilibria:
+    """Follow the potential downhill to rest within bounds of the angles, both rad, (case, hinge); see `rest`."""
     some, ties = structures, structures.ties
 
     def energy(angles: Array, cases: Cases) -> Expansion:
@@ -198,9 +225,8 @@ def rest(
         (value, slope, curvature), (more, steeper, stiffer) = expansion, pull(angles)
         return value + more, slope + steeper, curvature + stiffer
 
-    steps: Any = {"longest_step": longest_step or _LONGEST_STEP, "force": quiet_torque(structures)}
     if ties is None:
-        return descend(energy, start, lower, upper, follow=follow, enough=enough, **steps)
+        return descend(energy, start, *bounds, longest_step=longest_step, force=force, follow=follow, enough=enough)
     spread = ties.spread
 
     def tied_energy(coordinates: Array, cases: Cases) -> Expansion:
@@ -216,10 +242,17 @@ def rest(
         return enough(ties.angles(coordinates), cases)
 
     ended = None if enough is None else tied_enough
-    bounds = ties.bounds(lower, upper)
-    result = descend(tied_energy, ties.start(start), *bounds, follow=follow_tied, enough=ended, **steps)
+    result = descend(
+        tied_energy,
+        ties.start(start),
+        *ties.bounds(*bounds),
+        longest_step=longest_step,
+        force=force,
+        follow=follow_tied,
+        enough=ended,
+    )
     position = ties.angles(result.position)
-    return replace(result, position=position, slope=energy(position, np.arange(count))[1])
+    return replace(result, position=position, slope=energy(position, np.arange(len(start)))[1])
 
 
 def hinge_angles(structures: Ensemble, angles: Array) -> Array:

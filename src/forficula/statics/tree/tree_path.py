@@ -12,6 +12,8 @@ from forficula.kept_frames import kept_frames
 from forficula.statics.growing_path import (
     GrowingPath,
     NumberedEvent,
+    contact_events,
+    first_contacts,
     interval_errors,
     last_event,
     lengths_along,
@@ -33,6 +35,7 @@ from forficula.statics.tree.quasi_static import (
     start_state,
     state_after,
 )
+from forficula.statics.tree.table import table_forces
 from forficula.structure import Drive, Structure, Transition, goal_of
 
 _MOST_POINTS = 2000  # of a path
@@ -221,7 +224,9 @@ def _points(
     positions = place_positions(driven.structures.structure, path.position)
     # steps that move nothing keep their order
     time = lengths_along(positions) + _STILL * span * np.arange(len(positions))
-    ends = sorted({0, len(resting) - 1, *(end for snap in path.snaps for end in snap)})
+    forces = table_forces(driven.structures.table, path.position)
+    touched = first_contacts([row if rests else {} for row, rests in zip(forces, resting.tolist(), strict=True)])
+    ends = sorted({0, len(resting) - 1, *touched, *(end for snap in path.snaps for end in snap)})
     kept = kept_frames(time, positions, time[ends], most=_MOST_POINTS, tolerance=bound)
     numbers = {row: number for number, row in enumerate(kept.tolist())}
     folds = driven.structures.folds
@@ -234,7 +239,7 @@ def _points(
         resting[kept],
         None if folds is None or sets is None else replace(folds, sets=sets[kept]),
     )
-    events = list[NumberedEvent]()
+    events = contact_events(points)
     for first, last in path.snaps:
         torque = float(path.torque[last])
         both = driven.structures.repeated(2).with_sets(None if sets is None else sets[[first, first]])
@@ -271,6 +276,7 @@ def tree_points(
     """
     further = strength[:, None] * rest_changes(structures.structure, drive)
     energy = stored_energy(structures.repeated(len(strength)), angles, further, folds)
+    contacts = table_forces(structures.table, angles)
     positions, every = place_positions(structures.structure, angles), hinge_angles(structures, angles)
     return [
         QuasiStaticPoint(
@@ -281,6 +287,7 @@ def tree_points(
             coordinates=angles[number],
             energy={part: float(values[number]) for part, values in energy.items()},
             sets=None if folds is None else folds.sets[number],
+            contacts=contacts[number] if resting[number] else {},
         )
         for number in range(len(strength))
     ]

@@ -13,6 +13,7 @@ from forficula.arrays import Array, Flags
 from forficula.statics.net.contact.closest import Closest, distance_hessians, gradients
 from forficula.statics.net.contact.net_contact import NetContact, Pressing
 from forficula.statics.net.factor import Factorisation
+from forficula.statics.table import forces_by_body
 from forficula.structure.contact.distances import squared_sines
 from forficula.structure.contact.pairs import Pairs
 
@@ -133,16 +134,25 @@ def with_contact_forces(net: Net, shape: NetShape, parts: Factorisation) -> tupl
 
 
 def contact_forces(net: Net, shape: NetShape) -> dict[str, float]:
-    """Return the sum of the forces between each pair of parts that touch at equilibrium, N, by the names of both."""
-    contact, pressing = net.contact, shape.pressing
+    """Return the sum of the forces between each pair of parts that touch at equilibrium, N, by the names of both.
+
+    A table counts as a part.
+    """
+    contact, pressing, result = net.contact, shape.pressing, dict[str, float]()
+    if net.table is not None:
+        sunk = net.table.sunk(shape.positions, -np.array(net.down))
+        result = forces_by_body(net.table.names, (net.table.stiffness * sunk).tolist())
     if contact is None or pressing is None or not len(pressing.forces):
-        return {}
-    pairs, result = pressing.pairs, dict[tuple[int, int], float]()
+        return result
+    pairs, by_parts = pressing.pairs, dict[tuple[int, int], float]()
     forces = _shares(pairs, (contact.points @ shape.positions)[pairs.nodes])[0] * pressing.forces
     for parts, force in zip(contact.parts_of(pairs), forces.tolist(), strict=True):
-        result[parts] = result.get(parts, 0.0) + force
+        by_parts[parts] = by_parts.get(parts, 0.0) + force
     names = contact.parts.names
-    return {f"{names[one]} and {names[other]}": force for (one, other), force in sorted(result.items()) if force > 0}
+    touching = {
+        f"{names[one]} and {names[other]}": force for (one, other), force in sorted(by_parts.items()) if force > 0
+    }
+    return touching | result
 
 
 def passes_through(net: Net, before: Array, after: Array) -> bool:
