@@ -10,6 +10,8 @@ from forficula.design.files.design_file import design_from_text
 from forficula.dynamics import compile_model
 from forficula.errors import InputError
 from forficula.show.structure.surroundings import surroundings_text
+from forficula.statics.tree.ensemble import ensemble
+from forficula.statics.tree.fold_path import fold_path
 from forficula.structure import structure_of, touching_points
 
 SHEET = """
@@ -103,12 +105,34 @@ def test_a_table_is_normal_to_gravity():
     np.testing.assert_allclose(turned.reshape(3, 3)[:, 2], (0, 1, 0), atol=1e-12)
 
 
-@pytest.mark.parametrize("result", [ff.landscape, ff.quasi_static_path])
-def test_statics_refuses_a_table(result):
+def test_the_energy_along_a_rigid_fold_is_refused_on_a_table():
+    structures = ensemble([structure_of(load_design("binder2025-on-table"))])
     with pytest.raises(
-        InputError, match=r"statics ignores the table under bodies that turn; a run includes it, and table = \"none\""
+        InputError, match=r"has no energy along its rigid fold, .*table = \"none\" leaves the table out"
     ):
-        result(load_design("binder2025-on-table"))
+        fold_path(structures)
+
+
+def test_a_landscape_on_a_table_lists_what_it_leaves_out():
+    values = WEIGHT | {"table.height": "-4 cm", "table.friction": 0.2}
+    landscape = ff.landscape(load_design("binder2025-joint", values), points=11)
+    text = " ".join(landscape.remarks)
+    assert "partial folds and barriers of single hinges are not computed on a table" in text
+    assert "statics ignores friction on the table (table.friction = 0.2), which holds the joint" in text
+    assert not landscape.partial_folds
+    assert landscape.rests[1].contacts == {}
+
+
+@pytest.mark.parametrize("kind", ["rigid", "bars"])
+def test_statics_refuses_a_start_below_the_table(kind):
+    with pytest.raises(InputError, match=r"need <= -0\.05 cm, the height of its lowest part, got -0\.04 cm"):
+        ff.landscape(sheet('[table]\nheight = "-0.4 mm"', kind))
+
+
+def test_a_quasi_static_stage_on_a_table_with_friction_is_refused():
+    values = {"protocol.stages.fold.motion": "quasi-static"}
+    with pytest.raises(InputError, match=r"statics ignores friction on the table \(table\.friction\)"):
+        ff.run(load_design("binder2025-on-table", values))
 
 
 def test_a_closed_loop_of_rigid_facets_has_no_table():

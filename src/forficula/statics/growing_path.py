@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -100,27 +100,17 @@ class NumberedEvent:
     parts: tuple[str, ...] = ()
 
 
-def first_contacts(contacts: Sequence[Mapping[str, float]]) -> dict[int, tuple[str, ...]]:
-    """Return the pairs of parts that touch for the first time at each point of a path, by the number of the point.
-
-    Args:
-        contacts: forces of each point, N, by the names of both parts.
-    """
-    known, result = set[str](), dict[int, tuple[str, ...]]()
-    for number, forces in enumerate(contacts):
-        if parts := tuple(name for name, force in forces.items() if force > 0 and name not in known):
-            known.update(parts)
-            result[number] = parts
-    return result
-
-
 def contact_events(points: Sequence[QuasiStaticPoint]) -> list[NumberedEvent]:
     """Return the points of a path at which parts touch for the first time."""
-    first = first_contacts([point.contacts if point.resting else {} for point in points])
-    return [
-        NumberedEvent(kind="contact", first=number, last=number, strength=points[number].strength, parts=parts)
-        for number, parts in first.items()
-    ]
+    known, events = set[str](), list[NumberedEvent]()
+    for number, point in enumerate(points):
+        parts = tuple(name for name, force in point.contacts.items() if force > 0 and name not in known)
+        if parts and point.resting:
+            known.update(parts)
+            events.append(
+                NumberedEvent(kind="contact", first=number, last=number, strength=point.strength, parts=parts)
+            )
+    return events
 
 
 def last_event(points: Sequence[QuasiStaticPoint], *, reached: bool) -> NumberedEvent:

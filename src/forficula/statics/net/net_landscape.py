@@ -87,7 +87,7 @@ def _lower_remarks(structure: Structure, first: NetRest, states: Sequence[NetSta
     if structure.contact is None or not structure.plates or not states:
         return ()
     lowest = min(states, key=lambda state: state.energy)
-    if first.energy <= (1 + _SAME) * lowest.energy:
+    if first.energy - lowest.energy <= _SAME * abs(lowest.energy):
         return ()
     return (
         f"released as built, the {structure.appearance.whole} comes to a state of {show_value(first.energy, 'J')} here,"

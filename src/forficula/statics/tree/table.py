@@ -12,7 +12,6 @@ from forficula.statics.tree.elements import Expansion
 from forficula.statics.tree.pose import Carried, Pose, Tree, carried_points, moves_of, places_of, pose, pulled
 from forficula.structure import Structure, refuse_below_table, touching_points
 
-
 _SOFTER = 1e-3  # stiffness of the springs of a table on the way to an equilibrium, divided by that at rest
 
 

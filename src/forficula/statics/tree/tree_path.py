@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -13,7 +14,6 @@ from forficula.statics.growing_path import (
     GrowingPath,
     NumberedEvent,
     contact_events,
-    first_contacts,
     interval_errors,
     last_event,
     lengths_along,
@@ -180,11 +180,15 @@ def _snapping(path: TorquePath) -> Flags:
 
 
 def _refined(driven: _DrivenTree, path: TorquePath, bound: float) -> TorquePath:
-    """Add a step in the middle of every interval between equilibria whose error exceeds a bound, m."""
+    """Add a step in the middle of every interval whose error exceeds a bound, m, or in which parts touch or part.
+
+    Snaps have no such intervals.
+    """
     structures = driven.structures
     for _ in range(_SWEEPS):
         errors = interval_errors(place_positions(structures.structure, path.position))
-        rows = np.flatnonzero((errors > bound) & ~_snapping(path) & (np.diff(path.torque) > 0))
+        coarse = (errors > bound) | _touch_changes(driven, path)
+        rows = np.flatnonzero(coarse & ~_snapping(path) & (np.diff(path.torque) > 0))
         if not len(rows):
             break
         torque = (path.torque[rows] + path.torque[rows + 1]) / 2
@@ -207,6 +211,12 @@ def _refined(driven: _DrivenTree, path: TorquePath, bound: float) -> TorquePath:
     return path
 
 
+def _touch_changes(driven: _DrivenTree, path: TorquePath) -> Flags:
+    """Return in which intervals between steps of a path a body begins or ceases to touch the table, (interval,)."""
+    touching = [set(forces) for forces in table_forces(driven.structures.table, path.position)]
+    return np.array([before != after for before, after in pairwise(touching)], dtype=np.bool_)
+
+
 def _points(
     driven: _DrivenTree, path: TorquePath, bound: float
 ) -> tuple[list[QuasiStaticPoint], list[NumberedEvent], float]:
@@ -224,8 +234,8 @@ def _points(
     positions = place_positions(driven.structures.structure, path.position)
     # steps that move nothing keep their order
     time = lengths_along(positions) + _STILL * span * np.arange(len(positions))
-    forces = table_forces(driven.structures.table, path.position)
-    touched = first_contacts([row if rests else {} for row, rests in zip(forces, resting.tolist(), strict=True)])
+    changed = np.flatnonzero(_touch_changes(driven, path) & ~_snapping(path)).tolist()
+    touched = {row for change in changed for row in (change, change + 1)}
     ends = sorted({0, len(resting) - 1, *touched, *(end for snap in path.snaps for end in snap)})
     kept = kept_frames(time, positions, time[ends], most=_MOST_POINTS, tolerance=bound)
     numbers = {row: number for number, row in enumerate(kept.tolist())}
