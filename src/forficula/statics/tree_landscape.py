@@ -25,6 +25,7 @@ from forficula.statics.tree.partial_folds import (
     single_hinge_barriers,
     soft_stiffness,
 )
+from forficula.statics.tree.planes import table_forces
 from forficula.statics.tree.potential import hinge_angles, potential, stored_energy
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
@@ -39,7 +40,6 @@ from forficula.statics.tree.quasi_static import (
     withstood_torques,
 )
 from forficula.statics.tree.saddle import level_between, saddle_between
-from forficula.statics.tree.table import table_forces
 from forficula.statics.tree.tip_stiffness import tip_stiffness
 from forficula.statics.tree_remarks import (
     coupling_remarks,
@@ -68,7 +68,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     structures = ensemble([structure])
     hinges = crossed_hinges(structure, points)
     # shapes of the rigid fold and of partial folds may be below a table
-    above = structures.table is None
+    above = structure.table is None
     path = None if structure.rigid_fold is None or not above else fold_path(structures, points)
     start = start_state(structures)
     rests, courses, slow_paths, torque_remarks = _protocol(structures, start, hinges)
@@ -297,7 +297,9 @@ def _rest(structures: Ensemble, name: str, equilibria: Equilibria, earlier: Sequ
         stable=bool(equilibria.rests[0] and equilibria.stiffness[0] > -soft_stiffness(structures)),
         within=within,
         same_as=next((rest.name for rest in earlier if np.all(np.abs(rest.angles - angles) <= _SAME)), ""),
-        contacts=None if structures.table is None else table_forces(structures.table, equilibria.position[:1])[0],
+        contacts=None
+        if structures.structure.table is None
+        else table_forces(structures.planes, equilibria.position[:1])[0],
     )
 
 

@@ -12,7 +12,7 @@ from forficula.design import TORQUE, Design, stage_drives
 from forficula.names import listed
 from forficula.quantities import Unit, show_quantity, show_value
 from forficula.statics.landscape import Rest
-from forficula.statics.table import table_friction_remarks
+from forficula.statics.planes import table_friction_remarks
 from forficula.statics.tree.ensemble import Ensemble
 from forficula.statics.tree.hinge_landscape import CrossedHinge
 from forficula.statics.tree.inertial_help import InertialHelp

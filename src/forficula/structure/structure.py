@@ -20,6 +20,7 @@ from forficula.structure.parts import (
     Coupling,
     Facet,
     Hinge,
+    Hold,
     LengthLimit,
     Mechanism,
     Plate,
@@ -47,6 +48,7 @@ class Structure:
             creases.
         couplings: couplings between joints.
         closures: creases that close loops of bodies.
+        holds: supports of points of plates.
         springs: elastic bars.
         tendons: pull-only springs.
         limits: unstressed length limits.
@@ -86,6 +88,7 @@ class Structure:
     hinges: tuple[Hinge, ...]
     couplings: tuple[Coupling, ...] = ()
     closures: tuple[Closure, ...] = ()
+    holds: tuple[Hold, ...] = ()
     springs: tuple[Spring, ...] = ()
     tendons: tuple[Tendon, ...] = ()
     limits: tuple[LengthLimit, ...] = ()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import mujoco
 import numpy as np
 
 from forficula.arrays import Array, Indices
@@ -63,6 +64,8 @@ class WorkBalance:
         )
         self._forces = np.full((len(models), len(self._motors)), np.nan)
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
+        self._gap_lengths = models[0].gap_lengths
+        self._degrees, self._places = _coordinates(models[0])
         # positions of the stops of joints
         self._stops = [np.array(ends) for ends in zip(*(joint_ranges(model) for model in models), strict=True)]
         # in which of the last steps a hinge met or left its stop
@@ -106,7 +109,9 @@ class WorkBalance:
         with np.errstate(over="ignore", invalid="ignore"):  # diverging structures, whose later steps do not count
             travel = (velocity[:, :-1] + velocity[:, 1:]) / 2 * self._timestep[rows, None, None]
             if self._explicit:
-                travel = np.diff(np.concatenate([steps.position_before[:, None], steps.position], axis=1), axis=1)
+                moved = np.diff(np.concatenate([steps.position_before[:, None], steps.position], axis=1), axis=1)
+                # the positions of a body that turns freely are no coordinates of its velocity
+                travel[:, :, self._degrees] = moved[:, :, self._places]
             before_step = np.concatenate([self._set[rows, None], torques[:, :-1]], axis=1)
             work, of_creases = self._driven(rows, steps, travel, torques, before_step)
             if "qfrc_applied" in steps.derived:
@@ -358,7 +363,8 @@ class WorkBalance:
         """Return the widest gap of a closure up to the state before each step, m, (row, step)."""
         unit = np.array([self._models[row].units.length for row in rows.tolist()])
         assert steps.late is not None
-        ends = [fields["ten_length"][:, :, self._gaps].max(axis=2) for fields in (steps.derived, steps.late)]
+        lengths = [fields["ten_length"][:, :, self._gaps] for fields in (steps.derived, steps.late)]
+        ends = [np.abs(length - self._gap_lengths).max(axis=2) for length in lengths]
         gaps = unit[:, None] * np.concatenate([ends[0][:, :1], ends[1]], axis=1)
         widest = np.maximum.accumulate(np.maximum(gaps, self._widest[rows, None]), axis=1)
         self._widest[rows] = widest[np.arange(len(rows)), taken]
@@ -378,6 +384,13 @@ class WorkBalance:
         total = np.cumsum(np.concatenate([done[rows, None], works], axis=1), axis=1)
         done[rows] = total[np.arange(len(rows)), taken]
         return np.asarray(total[:, :-1])
+
+
+def _coordinates(model: Model) -> tuple[Indices, Indices]:
+    """Return the degrees of freedom of joints with one coordinate, and the indices of these coordinates."""
+    engine = model.engine
+    single = np.array(engine.jnt_type) != mujoco.mjtJoint.mjJNT_FREE
+    return np.array(engine.jnt_dofadr)[single], np.array(engine.jnt_qposadr)[single]
 
 
 def motor_work_name(motor: int) -> str:

@@ -140,12 +140,12 @@ def _expanded(
         stored -= float(np.sum(layout.weight * shape.positions))
         forces -= layout.weight
     blocks = layout.gather @ np.concatenate([piece[2] for piece in pieces], axis=1).T
-    if net.table is not None:
-        up, table = -np.array(net.down), net.table
-        sunk = table.sunk(shape.positions, up)
-        stored += table.stiffness / 2 * float(np.sum(sunk**2))
-        forces -= np.outer(table.stiffness * (table.spheres.T @ sunk), up)
-        blocks += np.outer(layout.on_table @ (sunk > 0), table.stiffness * np.outer(up, up))
+    if net.planes is not None:
+        planes, depths = net.planes.planes, net.planes.depths(shape.positions)
+        stored += planes.stiffness / 2 * float(np.sum(depths**2))
+        forces -= net.planes.weights.T @ (planes.stiffness * depths[:, None] * planes.normals)
+        squares = np.einsum("pi,pj->pij", planes.normals, planes.normals).reshape(-1, 9)
+        blocks += layout.on_planes @ (planes.stiffness * planes.active(depths)[:, None] * squares)
     energy = stored
     if load is not None:
         forces -= factor * load.forces

@@ -35,7 +35,7 @@ class Layout:
         free_rows: rows of these entries, (entry,).
         free_starts: index at which each column of the free part begins, (coordinate + 1,).
         weight: forces of gravity, N, (node, 3).
-        on_table: weights with which stiffnesses of springs of spheres on a table add up to blocks, (block, sphere).
+        on_planes: weights with which stiffnesses of springs of planes add up to blocks, (block, plane).
     """
 
     sides: csr_array | Array
@@ -48,7 +48,7 @@ class Layout:
     free_rows: Indices
     free_starts: Indices
     weight: Array
-    on_table: csr_array
+    on_planes: csr_array
 
     @cached_property
     def on_nodes(self) -> csr_array | Array:
@@ -121,25 +121,26 @@ def layout_of(net: Net) -> Layout:
         free_rows=part.indices,
         free_starts=part.indptr,
         weight=weight,
-        on_table=_table_weights(net, columns, rows),
+        on_planes=_plane_weights(net, columns, rows),
     )
 
 
-def _table_weights(net: Net, columns: Indices, rows: Indices) -> csr_array:
-    """Return `Layout.on_table`; the nodes of a plate, which weigh its spheres, have a block for each pair."""
+def _plane_weights(net: Net, columns: Indices, rows: Indices) -> csr_array:
+    """Return `Layout.on_planes`; the nodes of a plate, which weigh its points, have a block for each pair."""
     count = len(net.nodes)
-    if net.table is None:
+    if net.planes is None:
         return csr_array((len(columns), 0))
     blocks = np.repeat(np.arange(count), np.diff(rows)) * count + columns
-    sphere, at, weights = list[Indices](), list[Indices](), list[Array]()
-    for number in range(len(net.table.least)):
-        entries = slice(*net.table.spheres.indptr[number : number + 2])
-        nodes, shares = net.table.spheres.indices[entries].astype(np.int64), net.table.spheres.data[entries]
+    plane, at, weights = list[Indices](), list[Indices](), list[Array]()
+    matrix = net.planes.weights
+    for number in range(matrix.shape[0]):
+        entries = slice(*matrix.indptr[number : number + 2])
+        nodes, shares = matrix.indices[entries].astype(np.int64), matrix.data[entries]
         at.append(np.searchsorted(blocks, (nodes[:, None] * count + nodes).ravel()))
         weights.append(np.outer(shares, shares).ravel())
-        sphere.append(np.full(len(weights[-1]), number))
-    entry = np.concatenate(weights), (np.concatenate(at), np.concatenate(sphere))
-    return csr_array(entry, shape=(len(columns), len(net.table.least)))
+        plane.append(np.full(len(weights[-1]), number))
+    entry = np.concatenate(weights), (np.concatenate(at), np.concatenate(plane))
+    return csr_array(entry, shape=(len(columns), matrix.shape[0]))
 
 
 def _sides(net: Net) -> csr_array:

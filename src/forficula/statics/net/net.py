@@ -14,6 +14,7 @@ from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.tendon_law import ElasticLaw
 from forficula.statics.net.contact.net_contact import NetContact, Pressing
+from forficula.statics.planes import Planes
 
 Flags = NDArray[np.bool_]
 
@@ -83,24 +84,20 @@ class Triangles:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class NetTable:
-    """A table under a net: a stiff spring pushes each sphere back that sinks into it.
+class NetPlanes:
+    """Planes of a net: its table, and supports of points of plates.
 
     Attributes:
-        spheres: weights of the nodes at the centres of the spheres, (sphere, node).
-        names: of the bodies that carry them, (sphere,).
-        least: height of each centre above the origin at which its sphere touches the table, m, (sphere,).
-        stiffness: of the spring of a sphere, N/m.
+        planes: with their points.
+        weights: of the nodes at these points, (plane, node).
     """
 
-    spheres: csr_array
-    names: tuple[str, ...]
-    least: Array
-    stiffness: float
+    planes: Planes
+    weights: csr_array
 
-    def sunk(self, positions: Array, up: Array) -> Array:
-        """Return the depth of each sphere in the table, m, (sphere,), for positions of the nodes, m, (node, 3)."""
-        return np.asarray(np.maximum(self.least - self.spheres @ (positions @ up), 0.0))
+    def depths(self, positions: Array) -> Array:
+        """Return `Planes.depths`, m, (plane,), for positions of the nodes, m, (node, 3)."""
+        return self.planes.depths(self.weights @ positions)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -118,7 +115,7 @@ class Net:
         membranes: None for none.
         gravity: acceleration along `down`, m/s^2.
         down: unit vector along gravity.
-        table: normal to gravity; None without a table.
+        planes: above or on which points stay; None for none.
         contact: of its triangles; None if they pass through each other.
 
     Raises:
@@ -135,7 +132,7 @@ class Net:
     membranes: Triangles | None = None
     gravity: float = 0.0
     down: tuple[float, float, float] = (0.0, 0.0, -1.0)
-    table: NetTable | None = None
+    planes: NetPlanes | None = None
     contact: NetContact | None = None
 
     def __post_init__(self) -> None:

@@ -24,7 +24,7 @@ from forficula.statics.net.net_state import NetState, mobility, net_state, round
 from forficula.statics.net.panel_crossing import panels_cross
 from forficula.statics.net.saddle import Saddle, find_saddle
 from forficula.statics.net.stable_states import StableStates, by_energy, find_stable_states, same_shape
-from forficula.statics.table import table_friction_remarks
+from forficula.statics.planes import table_friction_remarks
 from forficula.structure import Structure, drive_of, first_state, goal_of, state_of
 
 Progress = Callable[[str], None]

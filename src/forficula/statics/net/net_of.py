@@ -17,10 +17,10 @@ from forficula.material.law.tendon_law import stacked_laws
 from forficula.statics.net.contact.contact_of import with_contact
 from forficula.statics.net.energy import kept_folds, shape_at
 from forficula.statics.net.load import Load, no_load, point_forces
-from forficula.statics.net.net import Net, NetCreases, NetShape, NetTable, Springs, Tendons, Triangles
+from forficula.statics.net.net import Net, NetCreases, NetPlanes, NetShape, Springs, Tendons, Triangles
 from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, stiffness_of
 from forficula.statics.path_dependence import refuse_rest_angles
-from forficula.statics.table import table_stiffness
+from forficula.statics.planes import planes_of
 from forficula.structure import (
     GROUND,
     Structure,
@@ -28,8 +28,6 @@ from forficula.structure import (
     crease_flaps,
     crease_law,
     facet_triangles,
-    refuse_below_table,
-    touching_points,
 )
 from forficula.structure.sheets.facets import BEND
 
@@ -84,36 +82,30 @@ def net_of(structure: Structure) -> Net:
         membranes=_membranes(structure),
         gravity=structure.gravity,
         down=structure.down,
-        table=_table(structure, laid.nodes),
+        planes=_planes(structure, laid.nodes),
     )
     return with_contact(structure, net)
 
 
-def _table(structure: Structure, nodes: Array) -> NetTable | None:
-    """Return the table under the nodes of a net, (node, 3); None without a table.
+def _planes(structure: Structure, nodes: Array) -> NetPlanes | None:
+    """Return the planes of a net with its nodes as built, m, (node, 3); None without any.
 
     Raises:
         InputError: a part is below the table as built.
     """
-    if structure.table is None:
+    planes = planes_of(structure)
+    if planes is None:
         return None
-    points = touching_points(structure)
     if structure.plates:
         plates = plate_nodes(structure)
-        rows = [place_weights(structure, plates, point.body, point.place) for point in points]
+        points = zip(planes.bodies, planes.places, strict=True)
+        rows = [place_weights(structure, plates, body, place) for body, place in points]
     else:
         node = {point.body: number for number, point in enumerate(structure.points)}
-        rows = [{node[point.body]: 1.0} for point in points]
-    radii = np.array([point.radius for point in points])
-    table = NetTable(
-        spheres=_weights(rows, len(nodes)),
-        names=tuple(structure.bodies[point.body].label for point in points),
-        least=structure.table.height + radii,
-        stiffness=table_stiffness(structure),
-    )
-    heights = table.spheres @ (nodes @ -np.array(structure.down)) - radii
-    refuse_below_table(structure, float(heights.min(initial=np.inf)))
-    return table
+        rows = [{node[body]: 1.0} for body in planes.bodies]
+    weights = _weights(rows, len(nodes))
+    planes.refuse_start(structure, weights @ nodes)
+    return NetPlanes(planes=planes, weights=weights)
 
 
 def _weights(rows: list[dict[int, float]], count: int) -> csr_array:

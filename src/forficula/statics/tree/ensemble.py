@@ -24,6 +24,7 @@ from forficula.statics.tree.forces import PointForces, point_forces_of
 from forficula.statics.tree.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.tree.lines import Lines, largest_pull, lines_of
 from forficula.statics.tree.permanent_folds import PermanentFolds, permanent_folds_of
+from forficula.statics.tree.planes import TreePlanes, tree_planes
 from forficula.statics.tree.pose import (
     Span,
     span,
@@ -31,7 +32,6 @@ from forficula.statics.tree.pose import (
 )
 from forficula.statics.tree.sheet import Sheet, sheet_of
 from forficula.statics.tree.springs import Springs, pins_of, springs_of
-from forficula.statics.tree.table import TreeTable, tree_table
 from forficula.statics.tree.weight import Weight, weight_of
 from forficula.structure import Motor, Structure, joint_count, static_keys, structure_of
 
@@ -51,7 +51,7 @@ class Ensemble:
         flaps: creases between flaps; None if there are none.
         pins: of closures; None if there are none.
         weight: of the bodies; None without gravity.
-        table: under the bodies; None without one.
+        planes: of a table and of supports of points; None if there are none.
         forces: of motors at points; None if there are none.
         twists: elastic couplings between joints; None if there are none.
         ties: groups of joints that rigid couplings tie together; None if there are none.
@@ -80,7 +80,7 @@ class Ensemble:
     flaps: Flaps | None
     pins: Springs | None
     weight: Weight | None
-    table: TreeTable | None
+    planes: TreePlanes | None
     forces: PointForces | None
     twists: Twists | None
     ties: Ties | None
@@ -107,8 +107,9 @@ class Ensemble:
 
     @property
     def coupled(self) -> bool:
-        """Return whether springs between points, creases between flaps or closures couple the joints."""
-        return any(part is not None for part in (self.springs, self.flaps, self.pins))
+        """Return whether springs between points, creases between flaps, closures or supports couple the joints."""
+        supported = self.planes is not None and bool(self.planes.planes.fixed.any())
+        return supported or any(part is not None for part in (self.springs, self.flaps, self.pins))
 
     def only(self, cases: Indices) -> Ensemble:
         """Select cases by index; repeats are allowed."""
@@ -179,7 +180,7 @@ def ensemble(structures: Sequence[Structure]) -> Ensemble:
         flaps=flaps,
         pins=pins_of(first, tree, _stiffest(first)),
         weight=weight_of(first, tree),
-        table=tree_table(first, tree),
+        planes=tree_planes(first, tree),
         forces=point_forces_of(first, tree),
         twists=twists_of(first),
         ties=ties_of(first),

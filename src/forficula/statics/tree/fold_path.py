@@ -142,7 +142,7 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
         InputError: the structure has no single folding path, or lies on a table.
     """
     fold = rigid_fold(structures.structure)
-    if structures.table is not None:
+    if structures.structure.table is not None:
         raise InputError(
             f"{structures.structure.name}: has no energy along its rigid fold, because the fold may lead below the"
             ' table; table = "none" leaves the table out'

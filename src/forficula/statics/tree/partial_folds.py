@@ -246,7 +246,7 @@ def _independent(structure: Structure, folding: Sequence[int]) -> list[tuple[flo
     energies = dict.fromkeys(folding, (0.0, 0.0))
     if not structure.tendons or any(structure.hinges[hinge].stiffness for hinge in folding):
         return None
-    if structure.springs or structure.closures or any(hinge.flaps for hinge in structure.hinges):
+    if structure.springs or structure.closures or structure.holds or any(hinge.flaps for hinge in structure.hinges):
         return None
     for tendon in structure.tendons:
         if tendon.crossing is None or tendon.crossing.hinge not in energies:

@@ -18,13 +18,13 @@ from forficula.statics.tree.flaps import crease_angles, crease_energy, folded_en
 from forficula.statics.tree.forces import force_energy
 from forficula.statics.tree.lines import line_energy
 from forficula.statics.tree.permanent_folds import PermanentFolds
+from forficula.statics.tree.planes import plane_energy
 from forficula.statics.tree.pose import (
     Pose,
     pose,
 )
 from forficula.statics.tree.sheet import sheet_energy
 from forficula.statics.tree.springs import closure_gap, spring_energy
-from forficula.statics.tree.table import table_energy
 from forficula.statics.tree.weight import weight_energy
 from forficula.structure import springs_name
 
@@ -145,8 +145,8 @@ def _optional_parts(structures: Ensemble, angles: Array, torques: Array, at: Pos
         parts.append(twist_energy(structures.twists, angles))
     if structures.forces is not None and torques.any():
         parts.append(force_energy(structures.forces, angles, torques))
-    if structures.table is not None:
-        parts.append(table_energy(structures.table, angles, at))
+    if structures.planes is not None:
+        parts.append(plane_energy(structures.planes, angles, at))
     return parts if structures.weight is None else [*parts, weight_energy(structures.weight, angles)]
 
 
@@ -168,8 +168,8 @@ def rest(
     Joints that rigid couplings tie together share one coordinate; if their start angles contradict each other, the mean
     is used. The returned gradient is by every hinge, as if the hinges were not tied.
 
-    On a table, structures first move with springs that are a thousand times as soft, because the length of a step down
-    the slope along the table is limited by its stiffness, and then with the stiff ones.
+    On a table or on supports of points, structures first move with springs that are a thousand times as soft, because
+    the length of a step down the slope along the table is limited by its stiffness, and then with the stiff ones.
 
     Args:
         structures: side by side.
@@ -193,8 +193,8 @@ def rest(
     bounds = np.where(held, start, lower), np.where(held, start, upper)
     steps: Any = {"longest_step": longest_step or _LONGEST_STEP, "force": quiet_torque(structures)}
     steps |= {"follow": follow, "enough": enough}
-    if structures.table is not None:
-        softened = replace(structures, table=structures.table.softened)
+    if structures.planes is not None:
+        softened = replace(structures, planes=structures.planes.softened)
         start = _descended(softened, start, torques, bounds, pull, **steps).position
     return _descended(structures, start, torques, bounds, pull, **steps)
 

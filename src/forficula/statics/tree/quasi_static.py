@@ -126,7 +126,7 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
 
 def is_led(structures: Ensemble, drive: Drive) -> bool:
     """Return whether a structure rests where a drive leads it, and not at the stops to which the drive turns hinges."""
-    return structures.coupled or structures.table is not None or "force" in drive_kinds(structures.structure, drive)
+    return structures.coupled or structures.planes is not None or "force" in drive_kinds(structures.structure, drive)
 
 
 def state_after(structures: Ensemble, transition: Transition, torque: Array, position: Array) -> Equilibria:

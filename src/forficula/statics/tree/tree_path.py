@@ -24,6 +24,7 @@ from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoin
 from forficula.statics.tree.ensemble import Ensemble, ensemble, start_angles
 from forficula.statics.tree.hinge_landscape import crossed_hinges
 from forficula.statics.tree.permanent_folds import PermanentFolds
+from forficula.statics.tree.planes import table_forces
 from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
 from forficula.statics.tree.potential import hinge_angles, potential, rest, stored_energy
 from forficula.statics.tree.quasi_static import (
@@ -35,7 +36,6 @@ from forficula.statics.tree.quasi_static import (
     start_state,
     state_after,
 )
-from forficula.statics.tree.table import table_forces
 from forficula.structure import Drive, Structure, Transition, goal_of
 
 _MOST_POINTS = 2000  # of a path
@@ -213,7 +213,7 @@ def _refined(driven: _DrivenTree, path: TorquePath, bound: float) -> TorquePath:
 
 def _touch_changes(driven: _DrivenTree, path: TorquePath) -> Flags:
     """Return in which intervals between steps of a path a body begins or ceases to touch the table, (interval,)."""
-    touching = [set(forces) for forces in table_forces(driven.structures.table, path.position)]
+    touching = [set(forces) for forces in table_forces(driven.structures.planes, path.position)]
     return np.array([before != after for before, after in pairwise(touching)], dtype=np.bool_)
 
 
@@ -286,7 +286,7 @@ def tree_points(
     """
     further = strength[:, None] * rest_changes(structures.structure, drive)
     energy = stored_energy(structures.repeated(len(strength)), angles, further, folds)
-    contacts = table_forces(structures.table, angles)
+    contacts = table_forces(structures.planes, angles)
     positions, every = place_positions(structures.structure, angles), hinge_angles(structures, angles)
     return [
         QuasiStaticPoint(

@@ -13,7 +13,6 @@ from forficula.arrays import Array, Flags
 from forficula.statics.net.contact.closest import Closest, distance_hessians, gradients
 from forficula.statics.net.contact.net_contact import NetContact, Pressing
 from forficula.statics.net.factor import Factorisation
-from forficula.statics.table import forces_by_body
 from forficula.structure.contact.distances import squared_sines
 from forficula.structure.contact.pairs import Pairs
 
@@ -139,9 +138,8 @@ def contact_forces(net: Net, shape: NetShape) -> dict[str, float]:
     A table counts as a part.
     """
     contact, pressing, result = net.contact, shape.pressing, dict[str, float]()
-    if net.table is not None:
-        sunk = net.table.sunk(shape.positions, -np.array(net.down))
-        result = forces_by_body(net.table.names, (net.table.stiffness * sunk).tolist())
+    if net.planes is not None:
+        result = net.planes.planes.table_forces(net.planes.depths(shape.positions))
     if contact is None or pressing is None or not len(pressing.forces):
         return result
     pairs, by_parts = pressing.pairs, dict[tuple[int, int], float]()
