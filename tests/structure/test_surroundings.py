@@ -6,8 +6,9 @@ import pytest
 
 import forficula as ff
 from forficula.design import load_design
-from forficula.design.files.design_file import design_from_text
-from forficula.dynamics import compile_model
+from forficula.design.files.design_file import design_from_text, with_values
+from forficula.dynamics import compile_model, why_not_portable
+from forficula.dynamics.gpu.device import check_device
 from forficula.errors import InputError
 from forficula.show.structure.surroundings import surroundings_text
 from forficula.statics.tree.ensemble import ensemble
@@ -141,7 +142,9 @@ def test_a_closed_loop_of_rigid_facets_has_no_table():
     )
     text = SHEET.format(kind="rigid", more='[table]\nheight = "-1 m"')
     begin, end = text.index('kind = "pleats"'), text.index("[facet]")
-    with pytest.raises(InputError, match=r"table: need a sheet without closed loops of rigid facets"):
+    with pytest.raises(
+        InputError, match=r"table: need a sheet without closed loops and supported points of rigid facets"
+    ):
         compile_model(design_from_text(text[:begin] + pattern + "\n" + text[end:]))
 
 
@@ -149,6 +152,16 @@ def test_a_rigid_sheet_turns_about_an_edge_on_the_ground():
     structure = structure_of(sheet('[[support]]\nof = "edge 1"', "rigid"))
     assert [hinge.role for hinge in structure.hinges] == ["support", "crease"]
     np.testing.assert_allclose(structure.hinges[0].axis, (0, 1, 0))
+
+
+def test_supported_points_of_rigid_facets_are_refused_where_they_are_not_simulated():
+    more = '[[support]]\nof = "edge 1"\n[[support]]\nof = "vertex 2"\naxes = "z"\n'
+    with pytest.raises(InputError, match=r"need a sheet without closed loops and supported points of rigid facets"):
+        compile_model(sheet(more + '[table]\nheight = "-1 cm"', "rigid"))
+    design = sheet(more, "rigid")
+    assert why_not_portable(compile_model(design)).startswith("supports hold points of its plates")
+    with pytest.raises(InputError, match="closed loops and supported points take steps of Runge and Kutta"):
+        check_device(compile_model(with_values(design, {"protocol.device": "warp-cpu"})))
 
 
 def test_facets_that_bend_are_held_along_an_edge():
@@ -160,7 +173,12 @@ def test_facets_that_bend_are_held_along_an_edge():
     ("more", "kind", "message"),
     [
         ('[[support]]\nof = "edge 99"', "rigid", "support.0.of: need an edge from 0 to 6, got 99"),
-        ('[[support]]\nof = "edge 1"\naxes = "x"', "rigid", "support.0.axes: is for facets that bend"),
+        ('[[support]]\nof = "facet 0"\naxes = "x"', "rigid", "support.0.axes: is for edges and vertices"),
+        (
+            '[[support]]\nof = "vertex 0"\n[crease]\nstart = "9 deg"',
+            "rigid",
+            "crease.start: need 0 deg for rigid facets that several supports, or vertices, hold",
+        ),
         (
             '[crease]\nfriction = "1e-3 N m/m"\ndamage = { loss = 0.5, turn = "10 rad" }',
             "bars",

@@ -274,7 +274,7 @@ motion = "quasi-static"
 until = "time"
 time_limit = "1 s"
 """
-LIFT = 1.2e-3  # N m, of the drive
+TURNING = 1.2e-3  # N m, of the drive
 
 
 def holding(angle):
@@ -283,7 +283,7 @@ def holding(angle):
 
 
 LIFT_OFF = holding(-RESTING)  # N m, takes the weight of the plate off the table
-LIFTED = scipy.optimize.brentq(lambda angle: holding(angle) - LIFT, 0, 1)  # rad
+LIFTED = scipy.optimize.brentq(lambda angle: holding(angle) - TURNING, 0, 1)  # rad
 
 
 @pytest.mark.parametrize("contact", [False, True], ids=["joints", "loose plates"])
@@ -298,7 +298,7 @@ def test_a_hinged_plate_rests_on_a_table_at_the_angle_of_its_height(contact, agr
 def test_the_depth_in_the_table_vanishes_as_its_springs_become_stiffer(monkeypatch, agree):
     errors = []
     for depth in (1e-4, 1e-5):
-        monkeypatch.setattr("forficula.statics.table.SUNK", depth)
+        monkeypatch.setattr("forficula.statics.planes.SUNK", depth)
         errors.append(RESTING + ff.landscape(sheet(ON_TABLE), points=11).rests[0].angles[0])
     agree("ratio of the errors of the angle", errors[0] / errors[1], 10, unit="", by="a linear spring", rel=1e-2)
 
@@ -321,7 +321,7 @@ def test_a_quasi_static_stage_begins_on_a_table(agree, holds):
     angle = record.series["hinge_angle"][:, 0]
     # the torque grows evenly for 1 s
     raised = record.stages[1].end - record.time[np.flatnonzero(angle < 1e-4 - RESTING)[-1]]
-    agree("time from lift-off to the end", raised, 1 - LIFT_OFF / LIFT, unit="s", by="moments", abs=0.04)
+    agree("time from lift-off to the end", raised, 1 - LIFT_OFF / TURNING, unit="s", by="moments", abs=0.04)
     agree("last angle", angle[-1], LIFTED, unit="rad", by="moments", abs=1e-5)
     balance = energy_balance(record)
     holds("residual of the energy balance", balance.residual, below=0.005, by="the energy balance")
@@ -337,3 +337,62 @@ def test_the_wing_rests_on_a_table_as_in_a_slow_run(agree):
     resting = record.series["hinge_angle"][np.searchsorted(record.time, record.stages[0].end) - 1]
     structures = ensemble_of([wing])
     agree("angles at rest", start_state(structures).position[0], resting, unit="rad", by="a run", abs=2e-3)
+
+
+ON_FOUR_VERTICES = """
+[[support]]
+of = "vertex 0"
+
+[[support]]
+of = "vertex 3"
+axes = "xz"
+
+[[support]]
+of = "vertex 2"
+axes = "yz"
+
+[[support]]
+of = "vertex 5"
+axes = "z"
+"""
+
+
+@pytest.mark.parametrize("supports", [ON_TWO_EDGES, ON_FOUR_VERTICES], ids=["two edges", "four vertices"])
+def test_a_strip_of_rigid_facets_on_supports_sags_until_its_crease_carries_it(supports, agree, holds):
+    stiffness = 0.2  # N m/rad/m
+    values = {
+        **{"facet.kind": "rigid", "crease.back_limit": "170 deg", "protocol.stages.free.time_limit": "0.5 s"},
+        **{"crease.stiffness": f"{stiffness} N m/rad/m", "crease.damping": "2e-3 N m s/rad/m"},
+    }
+    slope = scipy.optimize.brentq(lambda a: 4 * stiffness * SIDE * a - PANEL * G * SIDE * math.cos(a), 0, math.pi / 2)
+    rest = ff.landscape(sheet(values, supports), points=11).rests[0].angles[-1]
+    agree("fold angle in statics", rest, 2 * slope, unit="rad", by="4 k a = m g L cos a", rel=1e-6)
+    record = simulated(values, supports)
+    angle = record.series["hinge_angle"][-1, -1]
+    agree("fold angle in a run", angle, 2 * slope, unit="rad", by="4 k a = m g L cos a", rel=1e-6)
+    holds("residual of the energy balance", energy_balance(record).residual, below=1e-6, by="the energy balance")
+    holds("gap of the supports", record.series["closure_gap"].max() / SIDE, below=1e-6, by="rigid supports")
+
+
+def test_a_loop_of_rigid_facets_on_vertices_rests_in_statics_as_in_a_run(agree, holds):
+    pattern = """kind = "miura-ori"
+columns = 2
+rows = 2
+long_side = "5 cm"
+short_side = "5 cm"
+acute_angle = "60 deg"
+fold = "60 deg"
+
+"""
+    begin, end = SHEET.index('kind = "pleats"'), SHEET.index("[facet]")
+    supports = ON_FOUR_VERTICES.replace('"vertex 3"', '"vertex 6"').replace('axes = "xz"', 'axes = "z"')
+    supports = supports[: supports.index('[[support]]\nof = "vertex 5"')]
+    values = {
+        **{"facet.kind": "rigid", "crease.stiffness": "0.2 N m/rad/m", "crease.damping": "2e-3 N m s/rad/m"},
+        **{"crease.back_limit": "170 deg", "crease.rest_angle": "40 deg", "protocol.gravity_direction": [0, 0.3, -1]},
+    }
+    design = with_values(design_from_text(SHEET[:begin] + pattern + SHEET[end:] + supports), values)
+    record = ff.run(design, confirm=False).record
+    rest, angles = ff.landscape(design).rests[0].angles, record.series["hinge_angle"][-1]
+    agree("fold angles", rest, angles, unit="rad", by="a run", abs=1e-4)
+    holds("residual of the energy balance", energy_balance(record).residual, below=0.005, by="the energy balance")

@@ -19,7 +19,7 @@ LARGEST_GAP = 1e-3
 # plane by 5e-7 of the size where it moves by the size, and rounding of the length is 1e-10 of the size.
 _ROD = 1e6
 # why a run with larger gaps is unreliable; pages fill in the same field
-APART_TEXT = "creases that close loops come apart by {share} of its size: a shorter timestep closes them"
+APART_TEXT = "loops or supported points come apart by {share} of its size: a shorter timestep closes them"
 
 
 def add_closures(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> None:

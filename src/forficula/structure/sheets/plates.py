@@ -55,7 +55,7 @@ def plate_structure(design: SheetDesign) -> Structure:
     design, pattern = design.settled(), design.sheet
     opening, held = opening_creases(design), design.held_facets
     # plates that only points hold begin at a free plate
-    links = facet_tree(pattern, held or (() if opening else (central_facet(pattern),)), opening)
+    links = facet_tree(pattern, held if held or opening else (central_facet(pattern),), opening)
     number = {link.facet: body for body, link in enumerate(links) if not link.closes}
     built = _built(pattern)
     thick = thick_panels(design)
@@ -171,7 +171,7 @@ def _bodies(
 def _holds(design: SheetDesign, pattern: CreasePattern, points: Sequence[Point]) -> tuple[Hold, ...]:
     """Return the supports of points: corners of facets, ends of edges and vertices, along their axes.
 
-    A vertex at which hinged facets meet is a corner of the first of them; where creases open, it is one of all of them.
+    A vertex at which hinged facets meet is a corner of the first of them.
     """
     named = {point.name: number for number, point in enumerate(points)}
     holds = []
@@ -185,8 +185,7 @@ def _holds(design: SheetDesign, pattern: CreasePattern, points: Sequence[Point])
         else:
             vertex, chosen = vertex_of(pattern, support.of)
             around = [facet for facet, corners in enumerate(pattern.faces_vertices) if vertex in corners]
-            facets = around if chosen is None else [chosen]
-            corners = [(facet, vertex) for facet in (facets if design.opens else facets[:1])]
+            corners = [(around[0] if chosen is None else chosen, vertex)]
         holds += [
             Hold(name=f"support{number}_{name}_{axis}", point=named[name], axis="xyz".index(axis))
             for name in (corner_name(facet, vertex) for facet, vertex in corners)
