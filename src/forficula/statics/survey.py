@@ -187,8 +187,8 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
     if is_net(structure):
         displaced = structure.plates and any(motor.kind == "displacement" for motor in motors)
         return "a drive displaces points of plates" if displaced else ""
-    if any(body.slides for body in structure.bodies) or structure.closures or structure.holds:
-        return "its bodies slide, form loops or are held at points"
+    if any(body.slides for body in structure.bodies) or structure.closures:
+        return "its bodies slide or form loops"
     if any(motor.kind not in ("torque", "force") for motor in motors):
         return "a drive of its bodies on joints is neither a torque nor a force"
     return ""
