@@ -274,21 +274,6 @@ class Closure:
     points: tuple[tuple[int, int], ...]
 
 
-@dataclass(frozen=True, kw_only=True)
-class Hold:
-    """A support that keeps a point of a plate at its position as built along one axis of the ground.
-
-    Attributes:
-        name: name of the support.
-        point: number of the point.
-        axis: of the ground, 0 to 2.
-    """
-
-    name: str
-    point: int
-    axis: int
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Spring:
     """An elastic bar between two points, which pulls and pushes.
@@ -404,16 +389,3 @@ class Mechanism:
     tendons: tuple[int, ...] = ()
     membranes: tuple[int, ...] = ()
     couplings: tuple[int, ...] = ()
-
-
-@dataclass(frozen=True, kw_only=True)
-class BodyGroup:
-    """A named group of bodies, which drawings show in one colour.
-
-    Attributes:
-        name: name of the group, in legends.
-        bodies: numbers of the bodies.
-    """
-
-    name: str
-    bodies: tuple[int, ...]

@@ -9,18 +9,16 @@ from dataclasses import dataclass, field
 
 from forficula.design import Imperfection
 from forficula.design.named_protocol import Drive, RestState, Transition
-from forficula.structure.appearance import Appearance
+from forficula.structure.appearance import Appearance, BodyGroup
 from forficula.structure.membranes import Membrane
 from forficula.structure.motors_and_measures import Measure, Motor, RigidFold, StageGoal
 from forficula.structure.parts import (
     Bar,
     Body,
-    BodyGroup,
     Closure,
     Coupling,
     Facet,
     Hinge,
-    Hold,
     LengthLimit,
     Mechanism,
     Plate,
@@ -29,7 +27,7 @@ from forficula.structure.parts import (
     Spring,
     Tendon,
 )
-from forficula.structure.surroundings import Contact, Medium, Stops, Table
+from forficula.structure.surroundings import Contact, Hold, Medium, Stops, Table
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

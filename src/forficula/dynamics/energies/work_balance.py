@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import mujoco
 import numpy as np
 
 from forficula.arrays import Array, Indices
@@ -20,6 +19,7 @@ from forficula.dynamics.energies.dissipated_work import (
     add_yielding,
     divide_friction,
     explicit_works,
+    travel_of,
 )
 from forficula.dynamics.energies.energy import energy_of
 from forficula.dynamics.energies.tendon_losses import TendonLosses
@@ -65,7 +65,6 @@ class WorkBalance:
         self._forces = np.full((len(models), len(self._motors)), np.nan)
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
         self._gap_lengths = models[0].gap_lengths
-        self._degrees, self._places = _coordinates(models[0])
         # positions of the stops of joints
         self._stops = [np.array(ends) for ends in zip(*(joint_ranges(model) for model in models), strict=True)]
         # in which of the last steps a hinge met or left its stop
@@ -104,14 +103,9 @@ class WorkBalance:
             `motor_power_name` and `motor_setting_name`; forces of motors that displace points, N, have the names of
             `motor_force_name`.
         """
-        velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
         models = [self._models[row] for row in rows.tolist()]
         with np.errstate(over="ignore", invalid="ignore"):  # diverging structures, whose later steps do not count
-            travel = (velocity[:, :-1] + velocity[:, 1:]) / 2 * self._timestep[rows, None, None]
-            if self._explicit:
-                moved = np.diff(np.concatenate([steps.position_before[:, None], steps.position], axis=1), axis=1)
-                # the positions of a body that turns freely are no coordinates of its velocity
-                travel[:, :, self._degrees] = moved[:, :, self._places]
+            travel = travel_of(models[0], steps, self._timestep[rows])
             before_step = np.concatenate([self._set[rows, None], torques[:, :-1]], axis=1)
             work, of_creases = self._driven(rows, steps, travel, torques, before_step)
             if "qfrc_applied" in steps.derived:
@@ -384,13 +378,6 @@ class WorkBalance:
         total = np.cumsum(np.concatenate([done[rows, None], works], axis=1), axis=1)
         done[rows] = total[np.arange(len(rows)), taken]
         return np.asarray(total[:, :-1])
-
-
-def _coordinates(model: Model) -> tuple[Indices, Indices]:
-    """Return the degrees of freedom of joints with one coordinate, and the indices of these coordinates."""
-    engine = model.engine
-    single = np.array(engine.jnt_type) != mujoco.mjtJoint.mjJNT_FREE
-    return np.array(engine.jnt_dofadr)[single], np.array(engine.jnt_qposadr)[single]
 
 
 def motor_work_name(motor: int) -> str:

@@ -23,7 +23,7 @@ from forficula.structure.appearance import Appearance
 from forficula.structure.contact.contact_section import contact_of
 from forficula.structure.fans.crossing import tendon_crossing
 from forficula.structure.medium import facet_panels, immersed
-from forficula.structure.parts import GROUND, Body, Closure, Hinge, Hold, Point, Spring
+from forficula.structure.parts import GROUND, Body, Closure, Hinge, Point, Spring
 from forficula.structure.protocol import force_point_name, with_protocol
 from forficula.structure.sheets.facet_plates import (
     AddPoint,
@@ -36,7 +36,7 @@ from forficula.structure.sheets.facet_plates import (
 from forficula.structure.sheets.sheet_hinge import sheet_hinge
 from forficula.structure.sheets.sheet_measures import sheet_measures
 from forficula.structure.structure import Structure
-from forficula.structure.surroundings import Panel, Stops
+from forficula.structure.surroundings import Hold, Panel, Stops
 
 # weights of the three springs along a crease: the gap varies linearly, so Simpson's rule is exact for its square
 _WEIGHTS = (1 / 6, 4 / 6, 1 / 6)
