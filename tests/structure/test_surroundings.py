@@ -11,7 +11,7 @@ from forficula.dynamics import compile_model, why_not_portable
 from forficula.dynamics.gpu.device import check_device
 from forficula.errors import InputError
 from forficula.show.structure.surroundings import surroundings_text
-from forficula.statics.tree.ensemble import ensemble
+from forficula.statics.tree.ensemble import ensemble, ensemble_of
 from forficula.statics.tree.fold_path import fold_path
 from forficula.structure import structure_of, touching_points
 
@@ -128,6 +128,13 @@ def test_a_landscape_on_a_table_lists_what_it_leaves_out():
 def test_statics_refuses_a_start_below_the_table(kind):
     with pytest.raises(InputError, match=r"need <= -0\.05 cm, the height of its lowest part, got -0\.04 cm"):
         ff.landscape(sheet('[table]\nheight = "-0.4 mm"', kind))
+
+
+def test_joints_over_tables_of_several_heights_are_not_laid_out_as_one():
+    joints = [load_design("binder2025-joint", WEIGHT | {"table.height": height}) for height in ("-4 cm", "-5 cm")]
+    with pytest.raises(InputError, match="need joints that differ in their tendons only, got another table"):
+        ensemble_of(joints)
+    assert ensemble_of(joints[:1] * 2).cases == 2
 
 
 def test_a_quasi_static_stage_on_a_table_with_friction_is_refused():
