@@ -171,6 +171,13 @@ def test_supported_points_of_rigid_facets_are_refused_where_they_are_not_simulat
         check_device(compile_model(with_values(design, {"protocol.device": "warp-cpu"})))
 
 
+def test_a_part_of_an_assembly_is_not_held_at_points(tmp_path):
+    file = tmp_path / "design.toml"
+    file.write_text('based_on = "two-clasps"\nname = "held"\n[[part.inner.support]]\nof = "vertex 0"')
+    with pytest.raises(InputError, match=r"part\.inner\.support: need one facet or edge in a part of rigid facets"):
+        structure_of(load_design(str(file)))
+
+
 def test_facets_that_bend_are_held_along_an_edge():
     structure = structure_of(sheet('[[support]]\nof = "edge 1"\naxes = "xz"'))
     assert [body.slides for body in structure.bodies].count((1,)) == 2
