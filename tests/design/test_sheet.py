@@ -199,8 +199,7 @@ def test_every_key_that_a_file_has_is_known():
         ),
         ("contact = true", "contact: need a table under [contact], got true; did you mean protocol.contact?"),
         ('[[support]]\nof = "facet 3"', "support.0.of: need a facet from 0 to 2, got 3"),
-        ('[[support]]\nof = "vertex 3"', 'support.0.of: need a facet such as "facet 0", got "vertex 3"'),
-        ('[[support]]\nof = "facet 0"\n[[support]]\nof = "facet 1"', "support: need at most 1 entry for hinged"),
+        ('[[support]]\nof = "corner 3"', 'support.0.of: need a vertex such as "vertex 4", got "corner 3"'),
         ('[support]\nof = "facet 0"', "support: need a list of tables, each under [[support]], got "),
         ('[[drive]]\nname = "close"', "drive.0.kind: is missing; needed here: name, kind, of"),
         (

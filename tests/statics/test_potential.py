@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from forficula.design import load_design, with_values
 from forficula.errors import InputError
 from forficula.statics import tendon_hinges
-from forficula.statics.tree.ensemble import ensemble, ensemble_of
+from forficula.statics.tree.ensemble import ensemble, ensemble_of, start_angles, torque_scale
 from forficula.statics.tree.pose import tree_of
-from forficula.statics.tree.potential import potential, rest, start_angles, torque_scale
+from forficula.statics.tree.potential import potential, rest
 from forficula.statics.tree.sheet import sheet_energy
 from forficula.structure import GROUND, Bar, Body, Hinge, Motor, Structure, hinges_of, mass_of, structure_of
 from tests.statics.test_pose import turned_one_by_one

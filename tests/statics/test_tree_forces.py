@@ -14,9 +14,9 @@ from forficula.dynamics import compile_model, energy_balance, simulate
 from forficula.statics import energy_landscape, landscape_summary
 from forficula.statics.net.driven.net_rest import net_rest_path
 from forficula.statics.survey import stage_rest_path
-from forficula.statics.tree.ensemble import ensemble
+from forficula.statics.tree.ensemble import ensemble, start_angles
 from forficula.statics.tree.pose import pose, tree_of
-from forficula.statics.tree.potential import hinge_angles, potential, rest, start_angles
+from forficula.statics.tree.potential import hinge_angles, potential, rest
 from forficula.statics.tree.quasi_static import start_state
 from forficula.statics.tree.saddle import level_between
 from forficula.statics.tree.tree_path import place_positions, tree_path

@@ -20,9 +20,9 @@ from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net_of import net_of, own_angles, start_shape, valley_angles
 from forficula.statics.net.plate_nodes import plate_nodes
 from forficula.statics.net.saddle import find_saddle
-from forficula.statics.tree.ensemble import ensemble
+from forficula.statics.tree.ensemble import ensemble, start_angles
 from forficula.statics.tree.pose import pose, tree_of
-from forficula.statics.tree.potential import hinge_angles, largest_gap, potential, rest, start_angles, stored_energy
+from forficula.statics.tree.potential import hinge_angles, largest_gap, potential, rest, stored_energy
 from forficula.statics.tree.saddle import saddle_between
 from forficula.statics.tree.tree_path import tree_path
 from forficula.statics.tree_landscape import tree_landscape

@@ -6,10 +6,13 @@ import pytest
 
 import forficula as ff
 from forficula.design import load_design
-from forficula.design.files.design_file import design_from_text
-from forficula.dynamics import compile_model
+from forficula.design.files.design_file import design_from_text, with_values
+from forficula.dynamics import compile_model, why_not_portable
+from forficula.dynamics.gpu.device import check_device
 from forficula.errors import InputError
 from forficula.show.structure.surroundings import surroundings_text
+from forficula.statics.tree.ensemble import ensemble, ensemble_of
+from forficula.statics.tree.fold_path import fold_path
 from forficula.structure import structure_of, touching_points
 
 SHEET = """
@@ -103,12 +106,41 @@ def test_a_table_is_normal_to_gravity():
     np.testing.assert_allclose(turned.reshape(3, 3)[:, 2], (0, 1, 0), atol=1e-12)
 
 
-@pytest.mark.parametrize("result", [ff.landscape, ff.quasi_static_path])
-def test_statics_refuses_a_table(result):
+def test_the_energy_along_a_rigid_fold_is_refused_on_a_table():
+    structures = ensemble([structure_of(load_design("binder2025-on-table"))])
     with pytest.raises(
-        InputError, match=r"statics ignores the table under bodies that turn; a run includes it, and table = \"none\""
+        InputError, match=r"has no energy along its rigid fold, .*table = \"none\" leaves the table out"
     ):
-        result(load_design("binder2025-on-table"))
+        fold_path(structures)
+
+
+def test_a_landscape_on_a_table_lists_what_it_leaves_out():
+    values = WEIGHT | {"table.height": "-4 cm", "table.friction": 0.2}
+    landscape = ff.landscape(load_design("binder2025-joint", values), points=11)
+    text = " ".join(landscape.remarks)
+    assert "partial folds and barriers of single hinges are not computed on a table" in text
+    assert "statics ignores friction on the table (table.friction = 0.2), which holds the joint" in text
+    assert not landscape.partial_folds
+    assert landscape.rests[1].contacts == {}
+
+
+@pytest.mark.parametrize("kind", ["rigid", "bars"])
+def test_statics_refuses_a_start_below_the_table(kind):
+    with pytest.raises(InputError, match=r"need <= -0\.05 cm, the height of its lowest part, got -0\.04 cm"):
+        ff.landscape(sheet('[table]\nheight = "-0.4 mm"', kind))
+
+
+def test_joints_over_tables_of_several_heights_are_not_laid_out_as_one():
+    joints = [load_design("binder2025-joint", WEIGHT | {"table.height": height}) for height in ("-4 cm", "-5 cm")]
+    with pytest.raises(InputError, match="need joints that differ in their tendons only, got another table"):
+        ensemble_of(joints)
+    assert ensemble_of(joints[:1] * 2).cases == 2
+
+
+def test_a_quasi_static_stage_on_a_table_with_friction_is_refused():
+    values = {"protocol.stages.fold.motion": "quasi-static"}
+    with pytest.raises(InputError, match=r"statics ignores friction on the table \(table\.friction\)"):
+        ff.run(load_design("binder2025-on-table", values))
 
 
 def test_a_closed_loop_of_rigid_facets_has_no_table():
@@ -117,7 +149,9 @@ def test_a_closed_loop_of_rigid_facets_has_no_table():
     )
     text = SHEET.format(kind="rigid", more='[table]\nheight = "-1 m"')
     begin, end = text.index('kind = "pleats"'), text.index("[facet]")
-    with pytest.raises(InputError, match=r"table: need a sheet without closed loops of rigid facets"):
+    with pytest.raises(
+        InputError, match=r"table: need a sheet without closed loops and supported points of rigid facets"
+    ):
         compile_model(design_from_text(text[:begin] + pattern + "\n" + text[end:]))
 
 
@@ -125,6 +159,23 @@ def test_a_rigid_sheet_turns_about_an_edge_on_the_ground():
     structure = structure_of(sheet('[[support]]\nof = "edge 1"', "rigid"))
     assert [hinge.role for hinge in structure.hinges] == ["support", "crease"]
     np.testing.assert_allclose(structure.hinges[0].axis, (0, 1, 0))
+
+
+def test_supported_points_of_rigid_facets_are_refused_where_they_are_not_simulated():
+    more = '[[support]]\nof = "edge 1"\n[[support]]\nof = "vertex 2"\naxes = "z"\n'
+    with pytest.raises(InputError, match=r"need a sheet without closed loops and supported points of rigid facets"):
+        compile_model(sheet(more + '[table]\nheight = "-1 cm"', "rigid"))
+    design = sheet(more, "rigid")
+    assert why_not_portable(compile_model(design)).startswith("supports hold points of its plates")
+    with pytest.raises(InputError, match="closed loops and supported points take steps of Runge and Kutta"):
+        check_device(compile_model(with_values(design, {"protocol.device": "warp-cpu"})))
+
+
+def test_a_part_of_an_assembly_is_not_held_at_points(tmp_path):
+    file = tmp_path / "design.toml"
+    file.write_text('based_on = "two-clasps"\nname = "held"\n[[part.inner.support]]\nof = "vertex 0"')
+    with pytest.raises(InputError, match=r"part\.inner\.support: need one facet or edge in a part of rigid facets"):
+        structure_of(load_design(str(file)))
 
 
 def test_facets_that_bend_are_held_along_an_edge():
@@ -136,7 +187,12 @@ def test_facets_that_bend_are_held_along_an_edge():
     ("more", "kind", "message"),
     [
         ('[[support]]\nof = "edge 99"', "rigid", "support.0.of: need an edge from 0 to 6, got 99"),
-        ('[[support]]\nof = "edge 1"\naxes = "x"', "rigid", "support.0.axes: is for facets that bend"),
+        ('[[support]]\nof = "facet 0"\naxes = "x"', "rigid", "support.0.axes: is for edges and vertices"),
+        (
+            '[[support]]\nof = "vertex 0"\n[crease]\nstart = "9 deg"',
+            "rigid",
+            "crease.start: need 0 deg for rigid facets that several supports, or vertices, hold",
+        ),
         (
             '[crease]\nfriction = "1e-3 N m/m"\ndamage = { loss = 0.5, turn = "10 rad" }',
             "bars",

@@ -9,6 +9,8 @@ import scipy.optimize
 import forficula as ff
 from forficula.design.files.design_file import design_from_text, with_values
 from forficula.dynamics import energy_balance
+from forficula.statics.tree.ensemble import ensemble_of
+from forficula.statics.tree.quasi_static import start_state
 
 G = 9.81
 SIDE, THICK, DENSITY = 0.05, 1e-3, 1270.0
@@ -262,3 +264,147 @@ def test_a_sheet_leans_on_a_table_in_statics_until_a_force_takes_its_weight_off(
     raised = path.strength[np.argmax(path.positions[:, 2, 2] > THICK / 2 - height + 1e-6)]
     carried = PANEL * G / 2 - stiffness * angle / math.cos(angle)
     agree("force on each corner at lift-off", raised, carried / 2, unit="N", by="m g / 2 - k a / (L cos a)", rel=1e-3)
+
+
+HEIGHT, STIFFNESS = 0.005, 0.05  # m, N m/rad/m
+RESTING = math.asin((HEIGHT - THICK / 2) / SIDE)  # rad, of a hinged plate on the table
+ON_TABLE = RIGID | {
+    **{"table.height": f"{-HEIGHT} m", "crease.back_limit": "90 deg", "crease.damping": "1e-4 N m s/rad/m"},
+    "crease.stiffness": f"{STIFFNESS} N m/rad/m",
+}
+TURN = """
+[[drive]]
+name = "turn"
+kind = "torque"
+of = "creases"
+value = "0.12 N cm"
+
+[[protocol.stages]]
+name = "lift"
+drive = "turn"
+motion = "quasi-static"
+until = "time"
+time_limit = "1 s"
+"""
+TURNING = 1.2e-3  # N m, of the drive
+
+
+def holding(angle):
+    """Return the torque that holds the plate at an angle without a table, N m."""
+    return PANEL * G * SIDE / 2 * math.cos(angle) + STIFFNESS * SIDE * angle
+
+
+LIFT_OFF = holding(-RESTING)  # N m, takes the weight of the plate off the table
+LIFTED = scipy.optimize.brentq(lambda angle: holding(angle) - TURNING, 0, 1)  # rad
+
+
+@pytest.mark.parametrize("contact", [False, True], ids=["joints", "loose plates"])
+def test_a_hinged_plate_rests_on_a_table_at_the_angle_of_its_height(contact, agree):
+    landscape = ff.landscape(sheet(ON_TABLE | {"protocol.contact": contact}), points=11)
+    angle, state = landscape.rests[0].angles[0], landscape.states[0]
+    agree("angle on the table", angle, -RESTING, unit="rad", by="asin(h / L)", abs=5e-6)
+    force = LIFT_OFF / (SIDE * math.cos(RESTING))
+    agree("force of the table", state.contacts["facet 1 and table"], force, unit="N", by="moments", rel=1e-4)
+
+
+def test_the_depth_in_the_table_vanishes_as_its_springs_become_stiffer(monkeypatch, agree):
+    errors = []
+    for depth in (1e-4, 1e-5):
+        monkeypatch.setattr("forficula.statics.planes.SUNK", depth)
+        errors.append(RESTING + ff.landscape(sheet(ON_TABLE), points=11).rests[0].angles[0])
+    agree("ratio of the errors of the angle", errors[0] / errors[1], 10, unit="", by="a linear spring", rel=1e-2)
+
+
+def test_a_torque_takes_the_weight_of_a_plate_off_a_table(agree):
+    path = ff.quasi_static_path(sheet(ON_TABLE | {"protocol.stages.free.drive": "turn"}, TURN))
+    force = path.contacts["facet 1 and table"]
+    raised = path.strength[np.argmax(force == 0)]
+    agree("torque at lift-off", raised, LIFT_OFF, unit="N m", by="moments", rel=2e-2)
+    fallen = force[0] * (1 - path.strength / LIFT_OFF)
+    agree("force under the growing torque", force, np.maximum(fallen, 0), unit="N", by="moments", abs=1e-4 * force[0])
+    work = np.sum((path.strength[1:] + path.strength[:-1]) / 2 * np.diff(path.angles[:, 0]))
+    stored = sum(path.energy.values())
+    agree("stored energy", stored[-1] - stored[0], work, unit="J", by="work of the torque", rel=2e-3)
+    agree("last angle", path.angles[-1, 0], LIFTED, unit="rad", by="moments", abs=1e-6)
+
+
+def test_a_quasi_static_stage_begins_on_a_table(agree, holds):
+    record = simulated(ON_TABLE | {"protocol.stages.free.time_limit": "0.5 s"}, TURN)
+    angle = record.series["hinge_angle"][:, 0]
+    # the torque grows evenly for 1 s
+    raised = record.stages[1].end - record.time[np.flatnonzero(angle < 1e-4 - RESTING)[-1]]
+    agree("time from lift-off to the end", raised, 1 - LIFT_OFF / TURNING, unit="s", by="moments", abs=0.04)
+    agree("last angle", angle[-1], LIFTED, unit="rad", by="moments", abs=1e-5)
+    balance = energy_balance(record)
+    holds("residual of the energy balance", balance.residual, below=0.005, by="the energy balance")
+
+
+def test_the_wing_rests_on_a_table_as_in_a_slow_run(agree):
+    values = {"protocol.stages.fold.time_limit": "0.2 ms"} | {
+        "table.friction": 0,
+        "protocol.stages.settle.time_limit": "1 s",
+    }
+    wing = ff.load_design("binder2025-on-table", values)
+    record = ff.run(wing, confirm=False).record
+    resting = record.series["hinge_angle"][np.searchsorted(record.time, record.stages[0].end) - 1]
+    structures = ensemble_of([wing])
+    agree("angles at rest", start_state(structures).position[0], resting, unit="rad", by="a run", abs=2e-3)
+
+
+ON_FOUR_VERTICES = """
+[[support]]
+of = "vertex 0"
+
+[[support]]
+of = "vertex 3"
+axes = "xz"
+
+[[support]]
+of = "vertex 2"
+axes = "yz"
+
+[[support]]
+of = "vertex 5"
+axes = "z"
+"""
+
+
+@pytest.mark.parametrize("supports", [ON_TWO_EDGES, ON_FOUR_VERTICES], ids=["two edges", "four vertices"])
+def test_a_strip_of_rigid_facets_on_supports_sags_until_its_crease_carries_it(supports, agree, holds):
+    stiffness = 0.2  # N m/rad/m
+    values = {
+        **{"facet.kind": "rigid", "crease.back_limit": "170 deg", "protocol.stages.free.time_limit": "0.5 s"},
+        **{"crease.stiffness": f"{stiffness} N m/rad/m", "crease.damping": "2e-3 N m s/rad/m"},
+    }
+    slope = scipy.optimize.brentq(lambda a: 4 * stiffness * SIDE * a - PANEL * G * SIDE * math.cos(a), 0, math.pi / 2)
+    rest = ff.landscape(sheet(values, supports), points=11).rests[0].angles[-1]
+    agree("fold angle in statics", rest, 2 * slope, unit="rad", by="4 k a = m g L cos a", rel=1e-6)
+    record = simulated(values, supports)
+    angle = record.series["hinge_angle"][-1, -1]
+    agree("fold angle in a run", angle, 2 * slope, unit="rad", by="4 k a = m g L cos a", rel=1e-6)
+    holds("residual of the energy balance", energy_balance(record).residual, below=1e-6, by="the energy balance")
+    holds("gap of the supports", record.series["closure_gap"].max() / SIDE, below=1e-6, by="rigid supports")
+
+
+def test_a_loop_of_rigid_facets_on_vertices_rests_in_statics_as_in_a_run(agree, holds):
+    pattern = """kind = "miura-ori"
+columns = 2
+rows = 2
+long_side = "5 cm"
+short_side = "5 cm"
+acute_angle = "60 deg"
+fold = "60 deg"
+
+"""
+    begin, end = SHEET.index('kind = "pleats"'), SHEET.index("[facet]")
+    supports = ON_FOUR_VERTICES.replace('"vertex 3"', '"vertex 6"').replace('axes = "xz"', 'axes = "z"')
+    supports = supports[: supports.index('[[support]]\nof = "vertex 5"')]
+    values = {
+        **{"facet.kind": "rigid", "crease.stiffness": "0.2 N m/rad/m", "crease.damping": "2e-3 N m s/rad/m"},
+        **{"crease.back_limit": "170 deg", "crease.rest_angle": "40 deg", "protocol.gravity_direction": [0, 0.3, -1]},
+    }
+    design = with_values(design_from_text(SHEET[:begin] + pattern + SHEET[end:] + supports), values)
+    record = ff.run(design, confirm=False).record
+    rest, angles = ff.landscape(design).rests[0].angles, record.series["hinge_angle"][-1]
+    agree("fold angles", rest, angles, unit="rad", by="a run", abs=1e-4)
+    holds("residual of the energy balance", energy_balance(record).residual, below=0.005, by="the energy balance")

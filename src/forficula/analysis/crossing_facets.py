@@ -122,8 +122,7 @@ def _overlapping_solids(structure: Structure, places: Array) -> list[tuple[str, 
 
 
 def _plate_name(structure: Structure, plate: Plate) -> str:
-    body = structure.bodies[plate.body]
-    return f"{body.role} {body.name.removeprefix(body.role)}"
+    return structure.bodies[plate.body].label
 
 
 def _pieces(structure: Structure) -> _Pieces:

@@ -302,7 +302,8 @@ def _angles(recorders: Sequence[Recorder], steps: Steps, structure: Indices, bef
     """Return the angles of all hinges in the kept states, in own senses, rad, (row, hinge)."""
     positions = steps.states(structure, before, slice(1, 1 + steps.positions))
     if steps.angles is None:
-        return np.asarray(np.array([recorder.model.folds.senses for recorder in recorders])[structure] * positions)
+        senses = np.array([recorder.model.folds.senses for recorder in recorders])[structure]
+        return np.asarray(senses * positions[:, recorders[0].model.folds.joints])
     angles = np.zeros((len(positions), len(recorders[0].model.folds.senses)))
     for place in np.unique(structure).tolist():
         rows, folds = structure == place, recorders[place].model.folds

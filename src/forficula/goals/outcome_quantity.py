@@ -13,6 +13,7 @@ from forficula.names import near_name
 from forficula.quantities import Unit
 from forficula.serial import unit_suffix
 from forficula.statics.path_dependence import refuse_path_dependence
+from forficula.statics.tree.fold_path import refuse_fold_on_table
 from forficula.structure import Structure, Transition, distances_of, drive_of, drive_unit, first_state, structure_of
 from forficula.study.files.search_file import read_search
 
@@ -117,6 +118,8 @@ def quantity_of(design: Design, name: str) -> OutcomeQuantity:
         if known[name].source in ("hinges", "fold", "slow"):
             with error_prefix(f"{name}: "):
                 refuse_path_dependence(structure_of(design), "quantities of statics")
+                if known[name].source == "fold":
+                    refuse_fold_on_table(structure_of(design))
         return known[name]
     if "." in name:
         key_unit = key_quantity(name, type(design))

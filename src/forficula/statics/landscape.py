@@ -18,7 +18,7 @@ from forficula.design import Design
 from forficula.errors import InputError
 from forficula.quantities import Unit, show_value
 from forficula.results import Result, pandas_module
-from forficula.serial import Joules, Written
+from forficula.serial import Joules, Newtons, Written
 from forficula.statics.friction import FrictionBand
 from forficula.statics.net.driven.net_course import Course
 from forficula.statics.net.net import Net, NetShape
@@ -52,6 +52,8 @@ class Rest:
         within: whether it is within the bounds of the state.
         same_as: name of the first earlier state that rests at the same angles; empty if there is none.
         shape: of a net; None for a tree, whose angles define its shape.
+        contacts: force between each part of a tree and a table, N, by the names of both; None without a table, and for
+            a net.
     """
 
     name: str
@@ -62,6 +64,7 @@ class Rest:
     within: Annotated[bool, Written.NEVER]
     same_as: Annotated[str, Written.OR_NULL] = ""
     shape: Annotated[NetShape | None, Written.NEVER] = None
+    contacts: Annotated[Mapping[str, Newtons] | None, Written.IF_KNOWN] = None
 
     def __repr__(self) -> str:
         """Name and energy."""
@@ -154,7 +157,7 @@ class EnergyLandscape(Result):
         courses: effects of slowly growing drives: of the protocol's transitions, and for nets of all other drives.
         remarks: sentences on missing results and on limits of the others.
         hinges: every hinge that one tendon lies across, by tendon, with the hinge's spring.
-        fold_path: the structure along its fold; None if rigid panels have no single folding path.
+        fold_path: the structure along its fold; None if rigid panels have no single folding path, and on a table.
         levels: energies with none to all of the independent hinges folded, J, (folding hinge + 1,), of ideal hinges if
             there are any; None if the energies of single hinges do not add up.
         partial_folds: resting shapes after release with some hinges folded.
@@ -332,16 +335,17 @@ def fold_path_of(landscape: EnergyLandscape) -> FoldPath:
     """Return the path of a structure along its fold.
 
     Raises:
-        InputError: the structure has no single folding path.
+        InputError: the structure has no single folding path, or lies on a table.
     """
     rigid_fold(landscape.structure)
-    assert landscape.fold_path is not None
+    if landscape.fold_path is None:
+        raise InputError(f"{landscape.design.name}: the energy along its rigid fold is not computed on a table")
     return landscape.fold_path
 
 
 def _fold_barrier(landscape: EnergyLandscape, *, back: bool) -> float | None:
     fold = landscape.structure.rigid_fold
-    if fold is None:
+    if fold is None or landscape.fold_path is None:
         return None
     ends = (fold.end, fold.start) if back else (fold.start, fold.end)
     names = {state.name for state in landscape.states}

@@ -323,7 +323,7 @@ def _net_state(structure: Structure, net: Net, state: NetState) -> dict[str, Any
             for withstood in state.withstands
         ],
         "panels_pass_through": state.passing,
-        **({} if structure.contact is None else {"contacts": WithUnit(state.contacts, "N")}),
+        **({"contacts": WithUnit(state.contacts, "N")} if structure.has_contacts else {}),
         "found": state.hits,
         "positions": _points(structure, net, state.rest.shape),
     }
@@ -374,7 +374,7 @@ def _course(structure: Structure, net: Net, course: Course) -> dict[str, Any]:
             {"kind": snap.kind, "drive": WithUnit(size * snap.factor, shown), "released": WithUnit(snap.released, "J")}
             for snap in course.slow.snaps
         ],
-        **({} if structure.contact is None else {"touches": touches}),
+        **({"touches": touches} if structure.has_contacts else {}),
         "equilibria": None if course.through is None else path(course.through.points),
         "rests_at": WithUnit(course.rest.energy, "J"),
     }

@@ -26,16 +26,15 @@ def _wear(structure: Structure) -> str:
 
 
 def refuse_path_dependence(structure: Structure, results: str) -> None:
-    """Refuse a structure whose rest states depend on what happened before, or whose bodies turn on a table.
+    """Refuse a structure whose rest states depend on what happened before.
 
     Args:
         structure: the structure.
         results: results of statics that such a structure lacks, such as "energy landscape".
 
     Raises:
-        InputError: the rest states depend on what happened before, or bodies turn on a table.
+        InputError: the rest states depend on what happened before.
     """
-    refuse_table(structure, results)
     if reason := path_dependence(structure):
         follows = "wear" if reason == _wear(structure) else "permanent folds"
         raise InputError(
@@ -61,20 +60,3 @@ def refuse_rest_angles(structure: Structure) -> None:
     """
     if reason := rest_angle_of_nonlinear(structure):
         raise InputError(f"{structure.name}: has no static results, because {reason}; a run follows both")
-
-
-def refuse_table(structure: Structure, results: str) -> None:
-    """Refuse bodies that turn on a table, which statics ignores; it includes the table under facets that bend.
-
-    Args:
-        structure: the structure.
-        results: results of statics that such a structure lacks, such as "energy landscape".
-
-    Raises:
-        InputError: the structure has a table, and bodies that turn.
-    """
-    if structure.table is not None and (structure.bars or structure.plates):
-        raise InputError(
-            f"{structure.name}: has no {results}, because statics ignores the table under bodies that turn; a run"
-            ' includes it, and table = "none" leaves it out'
-        )

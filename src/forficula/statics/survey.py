@@ -20,9 +20,9 @@ from forficula.statics.net.net_of import is_net
 from forficula.statics.path_dependence import (
     path_dependence,
     refuse_path_dependence,
-    refuse_table,
     rest_angle_of_nonlinear,
 )
+from forficula.statics.planes import table_friction_remarks
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
 from forficula.statics.tree.ensemble import ensemble
 from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
@@ -110,14 +110,21 @@ def quasi_static_path(
     if not 0 < error <= 1:
         raise InputError(f"error: need a number above 0 and up to 1, got {error}")
     structure = design if isinstance(design, Structure) else structure_of(as_design(design))
-    refuse_table(structure, "quasi-static path")
     drive, made = _driven_transition(structure, transition)
     _check_rest_angles(structure, drive, "quasi-static path")
     if is_net(structure):
         path = net_path(structure, drive, made, error=error, near=near, follow=follow)
     else:
         path = tree_path(structure, drive, made, error=error, near=near, follow=follow)
-    return replace(path, remarks=(*path.remarks, *_relaxed_remarks(structure), *_contact_remarks(structure)))
+    return replace(
+        path,
+        remarks=(
+            *path.remarks,
+            *_relaxed_remarks(structure),
+            *_contact_remarks(structure),
+            *table_friction_remarks(structure),
+        ),
+    )
 
 
 def _relaxed_remarks(structure: Structure) -> tuple[str, ...]:
@@ -187,8 +194,8 @@ def _why_not_quasi_static(structure: Structure, names: Collection[str]) -> str:
         return "statics ignores contact of its bars and panels"
     if structure.contact is not None and structure.contact.friction:
         return "statics ignores the friction of contact (contact.friction)"
-    if structure.table is not None:
-        return "stages on a table are simulated only"
+    if structure.table is not None and structure.table.friction:
+        return "statics ignores friction on the table (table.friction)"
     if any(hinge.friction for hinge in structure.hinges):
         return "hinges have dry friction, with which they rest anywhere in a range"
     if is_net(structure):

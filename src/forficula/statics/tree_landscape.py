@@ -14,7 +14,7 @@ from forficula.arrays import Array
 from forficula.design import Design
 from forficula.statics.friction import friction_bands, friction_remarks
 from forficula.statics.landscape import EnergyLandscape, LeastTorque, Pass, Rest, stable_rests
-from forficula.statics.tree.ensemble import Ensemble, ensemble
+from forficula.statics.tree.ensemble import Ensemble, ensemble, slight_energy
 from forficula.statics.tree.equilibrium import Equilibria
 from forficula.statics.tree.fold_path import FoldPath, fold_path, fold_states
 from forficula.statics.tree.hinge_landscape import CrossedHinge, crossed_hinges
@@ -25,7 +25,8 @@ from forficula.statics.tree.partial_folds import (
     single_hinge_barriers,
     soft_stiffness,
 )
-from forficula.statics.tree.potential import hinge_angles, potential, slight_energy, stored_energy
+from forficula.statics.tree.planes import table_forces
+from forficula.statics.tree.potential import hinge_angles, potential, stored_energy
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
     at_goal,
@@ -48,6 +49,7 @@ from forficula.statics.tree_remarks import (
     slow_remarks,
     stage_remarks,
     start_remarks,
+    table_remarks,
     tendon_remarks,
     withstood_remark,
 )
@@ -65,7 +67,9 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     """Compute the landscape of bodies on joints; see `forficula.statics.survey.energy_landscape`."""
     structures = ensemble([structure])
     hinges = crossed_hinges(structure, points)
-    path = None if structure.rigid_fold is None else fold_path(structures, points)
+    # shapes of the rigid fold and of partial folds may be below a table
+    above = structure.table is None
+    path = None if structure.rigid_fold is None or not above else fold_path(structures, points)
     start = start_state(structures)
     rests, courses, slow_paths, torque_remarks = _protocol(structures, start, hinges)
     stable = stable_rests(rests)
@@ -84,6 +88,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             *shared_remarks(structure),
             *friction_remarks(structure, bands),
             *ignored_contact_remarks(structure),
+            *table_remarks(structure),
             *(() if path is None else path.remarks),
             *start_remarks(structure, start.position[0]),
             *torque_remarks,
@@ -93,9 +98,9 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
         ),
         hinges=hinges,
         fold_path=path,
-        levels=fold_levels(structure),
-        partial_folds=partial_folds(structures, start.position),
-        hinge_barriers=single_hinge_barriers(structures, start.position),
+        levels=fold_levels(structure) if above else None,
+        partial_folds=partial_folds(structures, start.position) if above else (),
+        hinge_barriers=single_hinge_barriers(structures, start.position) if above else np.zeros(0),
         friction_bands=bands,
         tips=None if path is None else tip_stiffness(structures, start.position),
     )
@@ -292,6 +297,9 @@ def _rest(structures: Ensemble, name: str, equilibria: Equilibria, earlier: Sequ
         stable=bool(equilibria.rests[0] and equilibria.stiffness[0] > -soft_stiffness(structures)),
         within=within,
         same_as=next((rest.name for rest in earlier if np.all(np.abs(rest.angles - angles) <= _SAME)), ""),
+        contacts=None
+        if structures.structure.table is None
+        else table_forces(structures.planes, equilibria.position[:1])[0],
     )
 
 

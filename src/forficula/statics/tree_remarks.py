@@ -12,6 +12,7 @@ from forficula.design import TORQUE, Design, stage_drives
 from forficula.names import listed
 from forficula.quantities import Unit, show_quantity, show_value
 from forficula.statics.landscape import Rest
+from forficula.statics.planes import table_friction_remarks
 from forficula.statics.tree.ensemble import Ensemble
 from forficula.statics.tree.hinge_landscape import CrossedHinge
 from forficula.statics.tree.inertial_help import InertialHelp
@@ -53,6 +54,18 @@ def ignored_contact_remarks(structure: Structure) -> tuple[str, ...]:
     return (
         f"statics ignores contact of the bars and panels of this {whole}: they pass through each other; only runs"
         " include their contact",
+    )
+
+
+def table_remarks(structure: Structure) -> tuple[str, ...]:
+    """Return remarks on the landscape of bodies on joints on a table; none without a table."""
+    if structure.table is None:
+        return ()
+    left_out = "" if structure.rigid_fold is None else "energies along the rigid fold, "
+    return (
+        f"{left_out}partial folds and barriers of single hinges are not computed on a table, because their shapes may"
+        ' be below it; table = "none" computes them',
+        *table_friction_remarks(structure),
     )
 
 

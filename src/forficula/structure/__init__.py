@@ -1,5 +1,5 @@
 from forficula.design.named_protocol import Drive, RestState, Transition, Wording
-from forficula.structure.appearance import Appearance
+from forficula.structure.appearance import Appearance, BodyGroup
 from forficula.structure.build import drive_keys, static_keys, structure_of, with_protocol
 from forficula.structure.fans.crossing import bar_crossing, tendon_crossing
 from forficula.structure.goals import (
@@ -30,7 +30,6 @@ from forficula.structure.parts import (
     GROUND,
     Bar,
     Body,
-    BodyGroup,
     Closure,
     Coupling,
     Crossing,
@@ -50,8 +49,8 @@ from forficula.structure.sheets.flaps import built_creases, crease_flaps, crease
 from forficula.structure.slow_stage import GrowingLoad, RestPath, RestShape, RestSolver
 from forficula.structure.structure import Structure
 from forficula.structure.structure_warnings import structure_warnings
-from forficula.structure.surroundings import Contact, Medium, Stops, Table
-from forficula.structure.table import TouchingPoint, touching_points
+from forficula.structure.surroundings import Contact, Hold, Medium, Stops, Table
+from forficula.structure.table import TouchingPoint, refuse_below_table, touching_points
 from forficula.structure.tree import (
     ancestry,
     built_frames,
@@ -81,6 +80,7 @@ __all__ = [
     "Facet",
     "GrowingLoad",
     "Hinge",
+    "Hold",
     "LengthLimit",
     "Measure",
     "Mechanism",
@@ -147,6 +147,7 @@ __all__ = [
     "outer_ends",
     "point_distances",
     "read_angles",
+    "refuse_below_table",
     "springs_name",
     "state_of",
     "static_keys",

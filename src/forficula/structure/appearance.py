@@ -8,6 +8,19 @@ from dataclasses import dataclass, field
 from forficula.pattern import CreasePattern
 
 
+@dataclass(frozen=True, kw_only=True)
+class BodyGroup:
+    """A named group of bodies, which drawings show in one colour.
+
+    Attributes:
+        name: name of the group, in legends.
+        bodies: numbers of the bodies.
+    """
+
+    name: str
+    bodies: tuple[int, ...]
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Appearance:
     """Words, sizes and pattern of a structure, for drawings and sentences.

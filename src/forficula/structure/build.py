@@ -70,4 +70,5 @@ def drive_keys(design: Design) -> tuple[str, ...]:
 def static_keys(design: Design) -> tuple[str, ...]:
     """Return the keys, or beginnings of keys, on which the rest states of a design depend, apart from its tendons."""
     # without gravity, the rest states do not depend on masses
-    return (*design.rest_keys, *design.weight_sections) if design.protocol.gravity else design.rest_keys
+    weighing = design.weight_sections if design.protocol.gravity else ()
+    return (*design.rest_keys, *weighing, "table")

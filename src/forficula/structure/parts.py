@@ -44,6 +44,11 @@ class Body:
     turns: bool = False
     mass: float = 0.0
 
+    @property
+    def label(self) -> str:
+        """Return the role and the number of the body, such as "facet 3"."""
+        return f"{self.role} {self.name.removeprefix(self.role)}"
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Point:
@@ -385,16 +390,3 @@ class Mechanism:
     tendons: tuple[int, ...] = ()
     membranes: tuple[int, ...] = ()
     couplings: tuple[int, ...] = ()
-
-
-@dataclass(frozen=True, kw_only=True)
-class BodyGroup:
-    """A named group of bodies, which drawings show in one colour.
-
-    Attributes:
-        name: name of the group, in legends.
-        bodies: numbers of the bodies.
-    """
-
-    name: str
-    bodies: tuple[int, ...]

@@ -9,13 +9,12 @@ from dataclasses import dataclass, field
 
 from forficula.design import Imperfection
 from forficula.design.named_protocol import Drive, RestState, Transition
-from forficula.structure.appearance import Appearance
+from forficula.structure.appearance import Appearance, BodyGroup
 from forficula.structure.membranes import Membrane
 from forficula.structure.motors_and_measures import Measure, Motor, RigidFold, StageGoal
 from forficula.structure.parts import (
     Bar,
     Body,
-    BodyGroup,
     Closure,
     Coupling,
     Facet,
@@ -28,7 +27,7 @@ from forficula.structure.parts import (
     Spring,
     Tendon,
 )
-from forficula.structure.surroundings import Contact, Medium, Stops, Table
+from forficula.structure.surroundings import Contact, Hold, Medium, Stops, Table
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -47,6 +46,7 @@ class Structure:
             creases.
         couplings: couplings between joints.
         closures: creases that close loops of bodies.
+        holds: supports of points of plates.
         springs: elastic bars.
         tendons: pull-only springs.
         limits: unstressed length limits.
@@ -86,6 +86,7 @@ class Structure:
     hinges: tuple[Hinge, ...]
     couplings: tuple[Coupling, ...] = ()
     closures: tuple[Closure, ...] = ()
+    holds: tuple[Hold, ...] = ()
     springs: tuple[Spring, ...] = ()
     tendons: tuple[Tendon, ...] = ()
     limits: tuple[LengthLimit, ...] = ()

@@ -1,4 +1,4 @@
-"""Surroundings of a structure and of its parts: stops, contact, a table, and air or water."""
+"""Surroundings of a structure and of its parts: stops, contact, a table, supports of points, and air or water."""
 
 from __future__ import annotations
 
@@ -56,6 +56,21 @@ class Table:
     height: float
     friction: float = 0.0
     stops: Stops
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hold:
+    """A support that keeps a point of a plate at its position as built along one axis of the ground.
+
+    Attributes:
+        name: name of the support.
+        point: number of the point.
+        axis: of the ground, 0 to 2.
+    """
+
+    name: str
+    point: int
+    axis: int
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -10,9 +10,15 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.design import Design
+from forficula.design.section import LENGTH
+from forficula.errors import InputError
+from forficula.quantities import show_quantity
 from forficula.structure.parts import GROUND
 from forficula.structure.structure import Structure
 from forficula.structure.surroundings import Stops, Table
+
+# overlap at the start that counts as rounding, as a share of the structure's size
+_ROUNDING = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -54,6 +60,27 @@ def touching_points(structure: Structure) -> tuple[TouchingPoint, ...]:
             largest[key] = max(radius, largest.get(key, 0.0))
     return tuple(
         TouchingPoint(body=body, place=np.array(place), radius=radius) for (body, place), radius in largest.items()
+    )
+
+
+def refuse_below_table(structure: Structure, lowest: float, unit: float = 1.0) -> None:
+    """Refuse a structure that starts below its table.
+
+    Args:
+        structure: with a table, in any unit of length.
+        lowest: height of the lowest sphere at the start, in this unit.
+        unit: of length, m.
+
+    Raises:
+        InputError: a part is below the table; the message gives the largest height.
+    """
+    assert structure.table is not None
+    if lowest >= structure.table.height - _ROUNDING * structure.span:
+        return
+    most, chosen = (show_quantity(unit * height, LENGTH, 6) for height in (lowest, structure.table.height))
+    raise InputError(
+        f"{structure.name}: table.height: the structure starts below the table: need <= {most}, the height of its"
+        f" lowest part, got {chosen}"
     )
 
 

@@ -98,14 +98,26 @@ class SheetDesign(Design):
     @property
     def turning_facets(self) -> dict[int, int]:
         """Edges about which facets of a rigid sheet turn on the ground, by the numbers of the facets."""
-        on_edges = (edge_of(self.sheet, support.of) for support in self.support if support.kind == "edge")
+        on_edges = (edge_of(self.sheet, support.of) for support in self._rooted if support.kind == "edge")
         return {facet: edge for edge, facet in on_edges}
+
+    @property
+    def _rooted(self) -> tuple[Support, ...]:
+        """Supports of a rigid sheet on which bodies begin: whole facets and edges; of hinged facets, only the first."""
+        whole = [support for support in self.support if support.kind != "vertex" and support.whole]
+        return tuple(whole if self.opens else whole[:1])
+
+    @property
+    def point_supports(self) -> tuple[tuple[int, Support], ...]:
+        """Supports of a rigid sheet that hold single points of plates, each after its number."""
+        rooted = [id(support) for support in self._rooted]
+        return tuple((number, support) for number, support in enumerate(self.support) if id(support) not in rooted)
 
     @property
     def held_facets(self) -> tuple[int, ...]:
         """Numbers of the facets that are clamped or turn about an edge, of a sheet of rigid facets."""
         if self.support or self.opens:
-            clamped = [facet_of(self.sheet, support.of) for support in self.support if support.kind == "facet"]
+            clamped = [facet_of(self.sheet, support.of) for support in self._rooted if support.kind == "facet"]
             return (*clamped, *self.turning_facets)
         closes = any(link.closes for link in facet_tree(self.sheet))
         return (central_facet(self.sheet) if closes else 0,)

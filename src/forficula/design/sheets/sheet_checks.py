@@ -173,20 +173,25 @@ def _check_edges(sheet: CreasePattern) -> None:
 
 
 def _check_supports(design: SheetDesign, sheet: CreasePattern) -> None:
-    """Refuse supports that are not on the sheet, and more than one support of hinged rigid facets."""
+    """Refuse supports that are not on the sheet, and starts away from supported points of rigid facets."""
     rigid = design.facet.kind == "rigid"
-    if rigid and len(design.support) > 1 and not design.opens:
-        raise InputError(f"support: need at most 1 entry for hinged rigid facets, got {len(design.support)}")
     for number, support in enumerate(design.support):
         key = f"support.{number}.of"
         if support.kind == "edge":
             _keyed(key, edge_of, sheet, support.of)
-        elif rigid or support.kind == "facet":
+        elif support.kind == "facet":
             _keyed(key, facet_of, sheet, support.of)
+            if rigid and not support.whole:
+                raise InputError(f"support.{number}.axes: is for edges and vertices; a rigid facet is held as a whole")
         else:
             _keyed(key, vertex_of, sheet, support.of)
-        if rigid and support.axes is not None:
-            raise InputError(f"support.{number}.axes: is for facets that bend; a rigid one is held as a whole")
+    if design.opens and design.point_supports:
+        raise InputError(
+            f"support.{design.point_supports[0][0]}.of: need a facet or an edge held along all axes where creases open"
+            f" (crease.extension), got {as_written(design.point_supports[0][1].of)}"
+        )
+    if rigid and design.point_supports and (design.crease.start or any(group.start for group in design.crease.group)):
+        raise InputError("crease.start: need 0 deg for rigid facets that several supports, or vertices, hold")
     if not rigid and len(_held_whole(design, sheet)) == len(sheet.vertices_coords):
         raise InputError(
             f"support: need a vertex that can move, got all {len(sheet.vertices_coords)} held; leave out an entry, or"

@@ -88,19 +88,24 @@ class Support(Section):
     of: Annotated[
         str,
         Field(
-            description="part of the sheet that is held: a facet, clamped; an edge, about which the sheet turns; or,"
-            " if facets bend, a vertex",
-            examples=["facet 0", "edge 3"],
+            description="part of the sheet that is held: a facet, clamped; an edge, about which the sheet turns; or a"
+            " vertex",
+            examples=["facet 0", "edge 3", "vertex 4"],
         ),
     ]
     axes: Annotated[
         str | None,
         Field(
             pattern="^[xyz]{1,3}$",
-            description="axes along which a vertex, or an edge of facets that bend, is held; xyz if not given",
+            description="axes along which a vertex or an edge is held; xyz if not given",
             examples=["xz"],
         ),
     ] = None
+
+    @property
+    def whole(self) -> bool:
+        """Return whether the part is held along all axes."""
+        return set(self.axes or "xyz") == set("xyz")
 
     @property
     def kind(self) -> str:

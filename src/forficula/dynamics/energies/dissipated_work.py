@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import mujoco
 import numpy as np
 
 from forficula.arrays import Array
@@ -11,6 +12,26 @@ from forficula.dynamics.energies.stop_forces import friction_torques, stop_force
 from forficula.dynamics.engine.contact import has_engine_contact
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.stepping.steps import StepContacts, Steps
+
+
+def travel_of(model: Model, steps: Steps, timestep: Array) -> Array:
+    """Return how far each degree of freedom moves in each step, (row, step, dof), in the models' units.
+
+    In steps of Runge and Kutta it is the change of a joint's position. The position of a body that turns freely is no
+    coordinate of its velocity; its travel is the mean velocity times the timestep, as in all other steps.
+
+    Args:
+        model: of one of the structures, which have one topology.
+        steps: of the structures.
+        timestep: (row,).
+    """
+    velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
+    travel = (velocity[:, :-1] + velocity[:, 1:]) / 2 * timestep[:, None, None]
+    if model.explicit:
+        joints = np.array(model.engine.jnt_type) != mujoco.mjtJoint.mjJNT_FREE
+        moved = np.diff(np.concatenate([steps.position_before[:, None], steps.position], axis=1), axis=1)
+        travel[:, :, model.engine.jnt_dofadr[joints]] = moved[:, :, model.engine.jnt_qposadr[joints]]
+    return np.asarray(travel)
 
 
 def add_implicit_losses(

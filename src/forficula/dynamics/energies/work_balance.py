@@ -20,6 +20,7 @@ from forficula.dynamics.energies.dissipated_work import (
     add_yielding,
     divide_friction,
     explicit_works,
+    travel_of,
 )
 from forficula.dynamics.energies.energy import energy_of
 from forficula.dynamics.energies.tendon_losses import TendonLosses
@@ -64,6 +65,7 @@ class WorkBalance:
         )
         self._forces = np.full((len(models), len(self._motors)), np.nan)
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
+        self._gap_lengths = models[0].gap_lengths
         # positions of the stops of joints
         self._stops = [np.array(ends) for ends in zip(*(joint_ranges(model) for model in models), strict=True)]
         # in which of the last steps a hinge met or left its stop
@@ -102,12 +104,9 @@ class WorkBalance:
             `motor_power_name` and `motor_setting_name`; forces of motors that displace points, N, have the names of
             `motor_force_name`.
         """
-        velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
         models = [self._models[row] for row in rows.tolist()]
         with np.errstate(over="ignore", invalid="ignore"):  # diverging structures, whose later steps do not count
-            travel = (velocity[:, :-1] + velocity[:, 1:]) / 2 * self._timestep[rows, None, None]
-            if self._explicit:
-                travel = np.diff(np.concatenate([steps.position_before[:, None], steps.position], axis=1), axis=1)
+            travel = travel_of(models[0], steps, self._timestep[rows])
             before_step = np.concatenate([self._set[rows, None], torques[:, :-1]], axis=1)
             work, of_creases = self._driven(rows, steps, travel, torques, before_step)
             if "qfrc_applied" in steps.derived:
@@ -358,7 +357,8 @@ class WorkBalance:
         """Return the widest gap of a closure up to the state before each step, m, (row, step)."""
         unit = np.array([self._models[row].units.length for row in rows.tolist()])
         assert steps.late is not None
-        ends = [fields["ten_length"][:, :, self._gaps].max(axis=2) for fields in (steps.derived, steps.late)]
+        lengths = [fields["ten_length"][:, :, self._gaps] for fields in (steps.derived, steps.late)]
+        ends = [np.abs(length - self._gap_lengths).max(axis=2) for length in lengths]
         gaps = unit[:, None] * np.concatenate([ends[0][:, :1], ends[1]], axis=1)
         widest = np.maximum.accumulate(np.maximum(gaps, self._widest[rows, None]), axis=1)
         self._widest[rows] = widest[np.arange(len(rows)), taken]

@@ -1,11 +1,11 @@
-"""Creases that close loops in the engine: copies of bodies welded to their originals, and the gaps of these welds."""
+"""Constraints in the engine: copies of bodies welded to their originals, points that supports hold, and their gaps."""
 
 from __future__ import annotations
 
 import mujoco
 import numpy as np
 
-from forficula.structure import Closure, Structure
+from forficula.structure import Closure, Structure, built_points
 
 # the engine's hardest; measured on swinging sheets of 8 x 8 and 16 x 16 facets: 0.999 misses ten times the energy
 _IMPEDANCE = (0.9999, 0.9999, 1e-3, 0.5, 2.0)
@@ -15,8 +15,11 @@ _TIME_CONSTANT = 1.0
 # share of the structure's size; the gaps of a swinging sheet of 8 x 8 facets stay below 1e-4 of it at a quarter of the
 # longest stable timestep
 LARGEST_GAP = 1e-3
+# Length of a rod that holds a point along an axis, as a share of the structure's size [chosen]: the point leaves its
+# plane by 5e-7 of the size where it moves by the size, and rounding of the length is 1e-10 of the size.
+_ROD = 1e6
 # why a run with larger gaps is unreliable; pages fill in the same field
-APART_TEXT = "creases that close loops come apart by {share} of its size: a shorter timestep closes them"
+APART_TEXT = "loops or supported points come apart by {share} of its size: a shorter timestep closes them"
 
 
 def add_closures(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> None:
@@ -47,6 +50,53 @@ def add_closures(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> 
             gap = spec.add_tendon(name=gap_name(closure, end))
             for point in pair:
                 gap.wrap_site(structure.points[point].name)
+
+
+def add_holds(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> None:
+    """Hold points of bodies along axes by long rigid rods from the ground, in the model's units.
+
+    A point that moves by s normal to a rod of length R moves by s^2 / (2 R) along it.
+    """
+    places = built_points(structure)
+    for hold in structure.holds:
+        axis = np.eye(3)[hold.axis]
+        spec.worldbody.add_site(name=f"{hold.name}_anchor", pos=places[hold.point] - rod_length(structure) * axis)
+        rod = spec.add_tendon(name=hold.name)
+        rod.wrap_site(f"{hold.name}_anchor")
+        rod.wrap_site(structure.points[hold.point].name)
+        spec.add_equality(
+            name=hold.name,
+            type=mujoco.mjtEq.mjEQ_TENDON,
+            objtype=mujoco.mjtObj.mjOBJ_TENDON,
+            name1=hold.name,
+            solref=_direct_reference(_TIME_CONSTANT * timestep),
+            solimp=_IMPEDANCE,
+        )
+
+
+def weigh_holds(engine: mujoco.MjModel, structure: Structure) -> None:
+    """Give the constraints of rods the compliance that the engine gives to welds of their bodies.
+
+    The engine's own is that of the motion along a rod in the built shape. It is 0 for a rod that no motion lengthens
+    there, such as one of two rods with the same effect, and both then lock the structure.
+    """
+    for hold in structure.holds:
+        body = structure.bodies[structure.points[hold.point].body].name
+        weight = engine.body_invweight0[engine.body(body).id, 0]
+        rod = engine.tendon(hold.name).id
+        engine.tendon_invweight0[rod] = max(engine.tendon_invweight0[rod], weight)
+
+
+def rod_length(structure: Structure) -> float:
+    """Return the length of the rods that hold points along axes."""
+    return _ROD * structure.span
+
+
+def gaps_of(structure: Structure) -> tuple[list[str], list[float]]:
+    """Return the engine's names of the tendons that measure gaps of closures and of supports, and their lengths."""
+    closing = [gap_name(closure, end) for closure in structure.closures for end in range(len(closure.points))]
+    held = [hold.name for hold in structure.holds]
+    return [*closing, *held], [0.0] * len(closing) + [rod_length(structure)] * len(held)
 
 
 def _direct_reference(time_constant: float) -> list[float]:

@@ -20,7 +20,7 @@ from forficula.dynamics.energies.creases import (
     is_followed_joint,
 )
 from forficula.dynamics.engine.bodies import add_bodies, add_hardening
-from forficula.dynamics.engine.closures import add_closures, gap_name
+from forficula.dynamics.engine.closures import add_closures, add_holds, gaps_of, weigh_holds
 from forficula.dynamics.engine.contact import add_panels, add_stop_sensors, check_apart, has_engine_contact
 from forficula.dynamics.engine.contact_geometry import check_start
 from forficula.dynamics.engine.couplings import add_couplings
@@ -79,7 +79,8 @@ class Model:
         springs: index of each spring among the engine's tendons, (spring,).
         tendons: index of each tendon, (tendon,).
         distances: index of the tendon that measures each distance, (distance,).
-        gaps: index of the tendons that measure the gaps of closures, (gap,).
+        gaps: index of the tendons that measure the gaps of closures and of supports of points, (gap,).
+        gap_lengths: lengths of these tendons without a gap, in the unit of length, (gap,).
         branches: index into activations of the forces of the tendons' Maxwell branches, (tendon, branch); -1 for absent
             branches.
         hinge_creep: index into plastic states of the rest angle of each joint that yields, (hinge,); -1 for others.
@@ -116,6 +117,7 @@ class Model:
     tendons: Indices
     distances: Indices
     gaps: Indices
+    gap_lengths: Array
     branches: Indices
     hinge_creep: Indices
     creep: Indices
@@ -221,12 +223,13 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     spec.add_text(name="viewers", data=_viewers(in_units))
     engine = _compiled(spec, design.name)
     clear_rows(engine)
+    weigh_holds(engine, in_units)
     folds, drag = folds_of(engine, in_units), drag_of(engine, in_units)
     check_above_table(engine, in_units, folds, units.length)
     tendons = part_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
     plastic = engine.tendon_plasticadr[tendons]
     (holds, servo_jacobian), (brakes, brake_jacobian) = servos_of(engine, in_units), brakes_of(engine, in_units)
-    gaps = [gap_name(closure, end) for closure in in_units.closures for end in range(len(closure.points))]
+    gaps, gap_lengths = gaps_of(in_units)
     return Model(
         design=design,
         structure=structure,
@@ -249,6 +252,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
             engine, mujoco.mjtObj.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]
         ),
         gaps=part_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, gaps),
+        gap_lengths=np.array(gap_lengths),
         branches=_branches([len(tendon.law.branches) for tendon in in_units.tendons]),
         hinge_creep=hinge_creep(engine, in_units),
         # upper end of the dead band, the second of both numbers of a tendon
@@ -301,6 +305,7 @@ def _spec_of(structure: Structure, timestep: float, mesh: MembraneMesh, distance
     add_creases(spec, structure)
     add_couplings(spec, structure, timestep)
     add_closures(spec, structure, timestep)
+    add_holds(spec, structure, timestep)
     add_hardening(spec, structure)
     for spring in structure.springs:
         add_spring(spec, spring, structure)
@@ -329,13 +334,14 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     option.timestep = timestep
     option.gravity = structure.gravity * np.array(structure.down)
     # where loops are closed, Euler loses 5 to 9 % of the energy in a second of swinging: measured
-    option.integrator = mujoco.mjtIntegrator.mjINT_RK4 if structure.closures else mujoco.mjtIntegrator.mjINT_EULER
+    constrained = bool(structure.closures or structure.holds)
+    option.integrator = mujoco.mjtIntegrator.mjINT_RK4 if constrained else mujoco.mjtIntegrator.mjINT_EULER
     # with the default, 1e-8, the solver's result would depend on the model's units
     option.tolerance = 1e-12
     # The sparse Cholesky factorisation of 4.0.0 is wrong where bars touch, and not faster for fewer than fifteen veins.
     # It is used for sliding nodes, which have no constraints and are many, and for closed loops: with 16 x 16 plates it
     # is 4 times as fast, and its accelerations equal the dense ones.
-    sparse = bool(structure.closures) or any(body.slides for body in structure.bodies)
+    sparse = constrained or any(body.slides for body in structure.bodies)
     sparse = sparse and not structure.limits and not has_engine_contact(structure)
     option.jacobian = mujoco.mjtJacobian.mjJAC_SPARSE if sparse else mujoco.mjtJacobian.mjJAC_DENSE
     option.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY

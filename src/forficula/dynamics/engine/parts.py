@@ -23,6 +23,7 @@ def engine_sites(structure: Structure) -> list[int]:
     pairs += [measure.points for measure in structure.measures if measure.points is not None]
     pairs += [pair for closure in structure.closures for pair in closure.points]
     ends = {number for pair in pairs for number in pair}
+    ends |= {hold.point for hold in structure.holds}
     if has_turning_bodies(structure):
         ends |= {number for motor in structure.motors for number in motor.points}
     return [number for number, point in enumerate(structure.points) if point.place.any() or number in ends]

@@ -5,19 +5,15 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from forficula.design.section import LENGTH
 from forficula.dynamics.stepping.folds import Folds, start_of
 from forficula.errors import InputError
-from forficula.quantities import show_quantity
-from forficula.structure import Structure, touching_points
+from forficula.structure import Structure, refuse_below_table, touching_points
 
 # bit by which MuJoCo selects pairs of the table and a sphere; other contacts have lower bits
 _TABLE = 8
 _NAME = "table"
 # radius of a sphere of a part without a thickness, as a share of the structure's size: the engine needs some
 _POINT = 1e-6
-# overlap at the start that counts as rounding, as a share of the structure's size
-_ROUNDING = 1e-6
 # length over which a contact hardens, as a share of the structure's size; the other numbers are MuJoCo's defaults
 _SOFT = 1e-5
 
@@ -26,15 +22,15 @@ def add_table(spec: mujoco.MjSpec, structure: Structure) -> None:
     """Add the table of a structure in a model's units, and the spheres that touch it, after all bodies.
 
     Raises:
-        InputError: plates form closed loops, in which steps of Runge and Kutta do not resolve contacts.
+        InputError: plates form closed loops or are held at points: steps of Runge and Kutta do not resolve contacts.
     """
     table = structure.table
     if table is None:
         return
-    if structure.closures:
+    if structure.closures or structure.holds:
         raise InputError(
-            f'{structure.name}: table: need a sheet without closed loops of rigid facets, or facet.kind = "bars", whose'
-            " facets bend"
+            f"{structure.name}: table: need a sheet without closed loops and supported points of rigid facets,"
+            ' or facet.kind = "bars", whose facets bend'
         )
     up = -np.array(structure.down)
     plane = spec.worldbody.add_geom(name=_NAME, type=mujoco.mjtGeom.mjGEOM_PLANE, size=[structure.span] * 3)
@@ -74,10 +70,4 @@ def check_above_table(engine: mujoco.MjModel, structure: Structure, folds: Folds
     mujoco.mj_kinematics(engine, data)
     spheres = engine.geom_contype == _TABLE
     heights = data.geom_xpos[spheres] @ -np.array(structure.down) - engine.geom_size[spheres, 0]
-    lowest = float(heights.min(initial=np.inf))
-    if lowest < structure.table.height - _ROUNDING * structure.span:
-        most, chosen = (show_quantity(unit * height, LENGTH, 6) for height in (lowest, structure.table.height))
-        raise InputError(
-            f"{structure.name}: table.height: the structure starts below the table: need <= {most}, the height of its"
-            f" lowest part, got {chosen}"
-        )
+    refuse_below_table(structure, float(heights.min(initial=np.inf)), unit)

@@ -121,7 +121,10 @@ def _why_not(model: Model) -> str:
     if (model.hinge_creep >= 0).any():
         return "joints that yield were not compared with MuJoCo Warp"
     if model.explicit:
-        return "closed loops of bodies take steps of Runge and Kutta, at whose ends a device does not keep the forces"
+        return (
+            "closed loops and supported points take steps of Runge and Kutta, at whose ends a device does not keep the"
+            " forces"
+        )
     if any(stage.quasi_static for stage in model.design.protocol.stages):
         return "quasi-static stages are computed by statics on the processor"
     return ""

@@ -90,7 +90,7 @@ def landscape_kinds(landscape: EnergyLandscape) -> tuple[str, ...]:
     """Return the figures of a landscape, by the stems of their files.
 
     Figures without contents are left out: no tendon across a single hinge, no folding hinge. If there is more than one
-    way to fold, the equilibria replace the path; for points that slide, the stable states do.
+    way to fold, or on a table, the equilibria replace the path; for points that slide, the stable states do.
     """
     structure = landscape.structure
     if landscape.net is not None:
@@ -99,8 +99,9 @@ def landscape_kinds(landscape: EnergyLandscape) -> tuple[str, ...]:
         return (*states, *["barriers"] * barriers, *["courses"] * bool(landscape.courses))
     tendon = ("tendon",) if landscape.hinges else ()
     # a single hinge has no intermediate levels, and a figure of its own
-    levels = ("levels",) if len(folding_hinges(structure)) > bool(tendon) else ()
-    return (*tendon, "rests" if structure.rigid_fold is None else "wing", *levels)
+    several = len(folding_hinges(structure)) > bool(tendon)
+    levels = ("levels",) if several and landscape.partial_folds else ()
+    return (*tendon, "rests" if landscape.fold_path is None else "wing", *levels)
 
 
 def _read(folder: Path) -> dict[str, Drawing]:

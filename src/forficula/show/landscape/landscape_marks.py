@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import textwrap
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape, Rest
 from forficula.statics.landscape import AT_START, LeastTorque
 from forficula.statics.net.driven.net_course import Course
-from forficula.statics.net.net_state import NetState, Withstood
+from forficula.statics.net.net_state import Withstood
 from forficula.structure import (
     Measure,
     Structure,
@@ -191,12 +192,12 @@ def withstood_text(withstood: Withstood) -> str:
     ]
 
 
-def touching_text(state: NetState) -> str:
+def touching_text(contacts: Mapping[str, float]) -> str:
     """Return the parts that touch in a state, with the largest force of a pair, as text."""
-    if not state.contacts:
+    if not contacts:
         return "none"
-    name, force = max(state.contacts.items(), key=lambda entry: entry[1])
-    pairs = name if len(state.contacts) == 1 else f"{len(state.contacts)} pairs, most {name}"
+    name, force = max(contacts.items(), key=lambda entry: entry[1])
+    pairs = name if len(contacts) == 1 else f"{len(contacts)} pairs, most {name}"
     return f"{pairs}: {shown_value(force, 'N', 3)}"
 
 

@@ -128,6 +128,7 @@ def _states(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[
             "kind": "not stable" if not rest.stable else f"as {rest.same_as}" if rest.same_as else "rests",
             "at": ", ".join(f"{title_of(item)} {show_angles(item, rest.angles)}" for item in measures),
             "energy": show_value(rest.energy, "J"),
+            **({} if rest.contacts is None else {"touching": touching_text(rest.contacts)}),
         }
 
 
@@ -149,7 +150,7 @@ def _net_row(structure: Structure, state: NetState) -> Row:
             titles[name]: reading_words(structure, name, readings.tolist())
             for name, readings in list(state.readings.items())[:_MEASURES]
         },
-        **({} if structure.contact is None else {"touching": touching_text(state)}),
+        **({"touching": touching_text(state.contacts)} if structure.has_contacts else {}),
     }
 
 

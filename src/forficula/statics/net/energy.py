@@ -154,12 +154,12 @@ def _expanded(
         stored -= float(np.sum(layout.weight * shape.positions))
         forces -= layout.weight
     blocks = layout.gather @ np.concatenate([piece[2] for piece in pieces], axis=1).T
-    if net.table is not None:
-        up, table = -np.array(net.down), net.table
-        sunk = np.maximum(table.least - shape.positions @ up, 0.0)
-        stored += table.stiffness / 2 * float(np.sum(sunk**2))
-        forces -= table.stiffness * sunk[:, None] * up
-        blocks[layout.diagonal[sunk > 0]] += table.stiffness * np.outer(up, up).ravel()
+    if net.planes is not None:
+        planes, depths = net.planes.planes, net.planes.depths(shape.positions)
+        stored += planes.stiffness / 2 * float(np.sum(depths**2))
+        forces -= net.planes.weights.T @ (planes.stiffness * depths[:, None] * planes.normals)
+        squares = np.einsum("pi,pj->pij", planes.normals, planes.normals).reshape(-1, 9)
+        blocks += layout.on_planes @ (planes.stiffness * planes.active(depths)[:, None] * squares)
     energy = stored
     if load is not None:
         forces -= factor * load.forces

@@ -35,7 +35,7 @@ class Layout:
         free_rows: rows of these entries, (entry,).
         free_starts: index at which each column of the free part begins, (coordinate + 1,).
         weight: forces of gravity, N, (node, 3).
-        diagonal: index of the block of each node with itself, (node,).
+        on_planes: weights with which stiffnesses of springs of planes add up to blocks, (block, plane).
     """
 
     sides: csr_array | Array
@@ -48,7 +48,7 @@ class Layout:
     free_rows: Indices
     free_starts: Indices
     weight: Array
-    diagonal: Indices
+    on_planes: csr_array
 
     @cached_property
     def on_nodes(self) -> csr_array | Array:
@@ -121,8 +121,26 @@ def layout_of(net: Net) -> Layout:
         free_rows=part.indices,
         free_starts=part.indptr,
         weight=weight,
-        diagonal=np.flatnonzero(columns == np.repeat(np.arange(len(net.nodes)), np.diff(rows))),
+        on_planes=_plane_weights(net, columns, rows),
     )
+
+
+def _plane_weights(net: Net, columns: Indices, rows: Indices) -> csr_array:
+    """Return `Layout.on_planes`; the nodes of a plate, which weigh its points, have a block for each pair."""
+    count = len(net.nodes)
+    if net.planes is None:
+        return csr_array((len(columns), 0))
+    blocks = np.repeat(np.arange(count), np.diff(rows)) * count + columns
+    plane, at, weights = list[Indices](), list[Indices](), list[Array]()
+    matrix = net.planes.weights
+    for number in range(matrix.shape[0]):
+        entries = slice(*matrix.indptr[number : number + 2])
+        nodes, shares = matrix.indices[entries].astype(np.int64), matrix.data[entries]
+        at.append(np.searchsorted(blocks, (nodes[:, None] * count + nodes).ravel()))
+        weights.append(np.outer(shares, shares).ravel())
+        plane.append(np.full(len(weights[-1]), number))
+    entry = np.concatenate(weights), (np.concatenate(at), np.concatenate(plane))
+    return csr_array(entry, shape=(len(columns), matrix.shape[0]))
 
 
 def _sides(net: Net) -> csr_array:

@@ -15,6 +15,7 @@ from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.crease_turn import CreaseTurn
 from forficula.material.law.tendon_law import ElasticLaw
 from forficula.statics.net.contact.net_contact import NetContact, Pressing
+from forficula.statics.planes import Planes
 
 Flags = NDArray[np.bool_]
 
@@ -84,17 +85,20 @@ class Triangles:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class NetTable:
-    """A table under a net: a stiff spring pushes each node back that sinks into it.
+class NetPlanes:
+    """Planes of a net: its table, and supports of points of plates.
 
     Attributes:
-        least: height of each node above the origin at which it touches the table, m, (node,); -inf for one that never
-            does.
-        stiffness: of the spring of a node, N/m.
+        planes: with their points.
+        weights: of the nodes at these points, (plane, node).
     """
 
-    least: Array
-    stiffness: float
+    planes: Planes
+    weights: csr_array
+
+    def depths(self, positions: Array) -> Array:
+        """Return `Planes.depths`, m, (plane,), for positions of the nodes, m, (node, 3)."""
+        return self.planes.depths(self.weights @ positions)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -112,7 +116,7 @@ class Net:
         membranes: None for none.
         gravity: acceleration along `down`, m/s^2.
         down: unit vector along gravity.
-        table: normal to gravity; None without a table.
+        planes: above or on which points stay; None for none.
         contact: of its triangles; None if they pass through each other.
 
     Raises:
@@ -129,7 +133,7 @@ class Net:
     membranes: Triangles | None = None
     gravity: float = 0.0
     down: tuple[float, float, float] = (0.0, 0.0, -1.0)
-    table: NetTable | None = None
+    planes: NetPlanes | None = None
     contact: NetContact | None = None
 
     def __post_init__(self) -> None:

@@ -24,6 +24,7 @@ from forficula.statics.net.net_state import NetState, mobility, net_state, round
 from forficula.statics.net.panel_crossing import panels_cross
 from forficula.statics.net.saddle import Saddle, find_saddle
 from forficula.statics.net.stable_states import StableStates, by_energy, find_stable_states, same_shape
+from forficula.statics.planes import table_friction_remarks
 from forficula.structure import Structure, drive_of, first_state, goal_of, state_of
 
 Progress = Callable[[str], None]
@@ -86,7 +87,7 @@ def _lower_remarks(structure: Structure, first: NetRest, states: Sequence[NetSta
     if structure.contact is None or not structure.plates or not states:
         return ()
     lowest = min(states, key=lambda state: state.energy)
-    if first.energy <= (1 + _SAME) * lowest.energy:
+    if first.energy - lowest.energy <= _SAME * abs(lowest.energy):
         return ()
     return (
         f"released as built, the {structure.appearance.whole} comes to a state of {show_value(first.energy, 'J')} here,"
@@ -306,9 +307,6 @@ def _unconnected_states(count: int, passes: Sequence[Pass]) -> list[int]:
     return np.flatnonzero(part != part[0]).tolist()
 
 
-_TABLE_REMARKS = ("the landscape ignores friction on the table, which holds the sheet in further shapes",)
-
-
 def _remarks(
     structure: Structure,
     search: StableStates,
@@ -320,7 +318,7 @@ def _remarks(
     whole, count = structure.appearance.whole, len(search.states)
     remarks = [
         *friction_remarks(structure),
-        *_TABLE_REMARKS[: structure.table is not None and structure.table.friction > 0],
+        *table_friction_remarks(structure),
         f"the search for stable states of the {whole} started from the states of the protocol and from {search.tries}"
         f" random pushes (seed {search.seed}): there may be more than the {count} found",
     ]

@@ -18,9 +18,10 @@ from forficula.material.law.tendon_law import stacked_laws
 from forficula.statics.net.contact.contact_of import with_contact
 from forficula.statics.net.energy import remembered, shape_at
 from forficula.statics.net.load import Load, no_load, point_forces
-from forficula.statics.net.net import Net, NetCreases, NetShape, NetTable, Springs, Tendons, Triangles
+from forficula.statics.net.net import Net, NetCreases, NetPlanes, NetShape, Springs, Tendons, Triangles
 from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, stiffness_of
 from forficula.statics.path_dependence import refuse_rest_angles
+from forficula.statics.planes import planes_of
 from forficula.structure import (
     GROUND,
     Structure,
@@ -28,13 +29,10 @@ from forficula.structure import (
     crease_flaps,
     crease_law,
     facet_triangles,
-    touching_points,
 )
 from forficula.structure.sheets.facets import BEND
 
 Flags = NDArray[np.bool_]
-# depth to which a net sinks into a table under its weight, as a share of its size
-_SUNK = 1e-6
 
 
 def is_net(structure: Structure) -> bool:
@@ -85,22 +83,39 @@ def net_of(structure: Structure) -> Net:
         membranes=_membranes(structure),
         gravity=structure.gravity,
         down=structure.down,
-        table=_table(structure),
+        planes=_planes(structure, laid.nodes),
     )
     return with_contact(structure, net)
 
 
-def _table(structure: Structure) -> NetTable | None:
-    """Return the table under sliding points, whose springs yield by a millionth of the structure under its weight."""
-    if structure.table is None or structure.plates:
+def _planes(structure: Structure, nodes: Array) -> NetPlanes | None:
+    """Return the planes of a net with its nodes as built, m, (node, 3); None without any.
+
+    Raises:
+        InputError: a part is below the table as built.
+    """
+    planes = planes_of(structure)
+    if planes is None:
         return None
-    node = {point.body: number for number, point in enumerate(structure.points)}
-    least = np.full(len(structure.points), -np.inf)
-    for point in touching_points(structure):
-        least[node[point.body]] = structure.table.height + point.radius
-    weight = abs(structure.gravity) * sum(body.mass for body in structure.bodies)
-    stiffest = max((spring.stiffness for spring in structure.springs), default=0.0)
-    return NetTable(least=least, stiffness=max(weight / (_SUNK * structure.span), stiffest))
+    if structure.plates:
+        plates = plate_nodes(structure)
+        points = zip(planes.bodies, planes.places, strict=True)
+        rows = [place_weights(structure, plates, body, place) for body, place in points]
+    else:
+        node = {point.body: number for number, point in enumerate(structure.points)}
+        rows = [{node[body]: 1.0} for body in planes.bodies]
+    weights = _weights(rows, len(nodes))
+    planes.refuse_start(structure, weights @ nodes)
+    return NetPlanes(planes=planes, weights=weights)
+
+
+def _weights(rows: list[dict[int, float]], count: int) -> csr_array:
+    """Return the weights of nodes at points, by the number of the node, as a matrix, (point, node)."""
+    entries = [
+        (row, column, weight) for row, weights in enumerate(rows) for column, weight in weights.items() if weight
+    ]
+    at_row, at_column, weights = zip(*entries, strict=True)
+    return csr_array((weights, (at_row, at_column)), shape=(len(rows), count))
 
 
 def point_positions(net: Net, shape: NetShape) -> Array:
@@ -250,17 +265,13 @@ def _plates(structure: Structure) -> _Frame:
     for body, first in enumerate(plates.first):
         free[first : first + 4] |= plates.free[body]
     stiff = stiffness_of(structure, plates.size)
-    entries = [
-        (row, column, weight) for row, weights in enumerate(rows) for column, weight in weights.items() if weight
-    ]
-    at_row, at_column, weights = zip(*entries, strict=True)
     mass = np.zeros((len(nodes), len(nodes)))
     mass[: len(plates.nodes), : len(plates.nodes)] = plates.mass
     return _Frame(
         nodes=nodes,
         free=free,
         masses=csr_array(mass),
-        points=csr_array((weights, (at_row, at_column)), shape=(len(rows), len(nodes))),
+        points=_weights(rows, len(nodes)),
         creases=np.array(creases, dtype=np.int64).reshape(-1, 6),
         pairs=[*bars, *pins],
         stiff=([stiff] * (len(bars) + len(pins)), [*rest, *[0.0] * len(pins)]),

@@ -158,6 +158,7 @@ def has_bound(structure: Structure, torques: Array) -> bool:
         or structure.medium is not None
         or structure.has_contacts
         or structure.closures
+        or structure.holds
         or any(
             hinge.flaps is not None
             or hinge.remembers

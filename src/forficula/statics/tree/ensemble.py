@@ -1,4 +1,9 @@
-"""Structures with joints in a tree, side by side, as the static solver uses them."""
+"""Structures of bodies on joints in a tree, laid out side by side for the static solver.
+
+Coordinates are the angles of the structure's joints, in its order, each in its own sense. Creases between flaps follow
+the joints in the structure. Their angles depend on those of the joints, see
+`forficula.statics.tree.potential.hinge_angles`.
+"""
 
 from __future__ import annotations
 
@@ -18,12 +23,16 @@ from forficula.statics.tree.flaps import Flaps, flaps_of
 from forficula.statics.tree.forces import PointForces, point_forces_of
 from forficula.statics.tree.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.tree.hinge_memory import HingeMemory, hinge_memory_of
-from forficula.statics.tree.lines import Lines, lines_of
+from forficula.statics.tree.lines import Lines, largest_pull, lines_of
+from forficula.statics.tree.planes import TreePlanes, tree_planes
 from forficula.statics.tree.pose import Span, span, tree_of
 from forficula.statics.tree.sheet import Sheet, sheet_of
 from forficula.statics.tree.springs import Springs, pins_of, springs_of
 from forficula.statics.tree.weight import Weight, weight_of
 from forficula.structure import Motor, Structure, joint_count, static_keys, structure_of
+
+# torque that counts as zero, as a share of the largest torque of the stiffest part, also where springs couple joints
+_QUIET, _QUIET_COUPLED = 1e-6, 1e-9
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,6 +47,7 @@ class Ensemble:
         flaps: creases between flaps; None if there are none.
         pins: of closures; None if there are none.
         weight: of the bodies; None without gravity.
+        planes: of a table and of supports of points; None if there are none.
         forces: of motors at points; None if there are none.
         twists: elastic couplings between joints; None if there are none.
         ties: groups of joints that rigid couplings tie together; None if there are none.
@@ -66,6 +76,7 @@ class Ensemble:
     flaps: Flaps | None
     pins: Springs | None
     weight: Weight | None
+    planes: TreePlanes | None
     forces: PointForces | None
     twists: Twists | None
     ties: Ties | None
@@ -92,8 +103,9 @@ class Ensemble:
 
     @property
     def coupled(self) -> bool:
-        """Return whether springs between points, creases between flaps or closures couple the joints."""
-        return any(part is not None for part in (self.springs, self.flaps, self.pins))
+        """Return whether springs between points, creases between flaps, closures or supports couple the joints."""
+        supported = self.planes is not None and bool(self.planes.planes.fixed.any())
+        return supported or any(part is not None for part in (self.springs, self.flaps, self.pins))
 
     def only(self, cases: Indices) -> Ensemble:
         """Select cases by index; repeats are allowed."""
@@ -175,6 +187,7 @@ def ensemble(structures: Sequence[Structure], *, timed: bool = False) -> Ensembl
         flaps=flaps,
         pins=pins_of(first, tree, _stiffest(first)),
         weight=weight_of(first, tree),
+        planes=tree_planes(first, tree),
         forces=point_forces_of(first, tree),
         twists=twists_of(first),
         ties=ties_of(first),
@@ -254,9 +267,48 @@ def _rows(tendons: TendonHinge, cases: Indices) -> TendonHinge:
     return TendonHinge(law=ElasticLaw(**law), **numbers)
 
 
+def torque_scale(structures: Ensemble) -> float:
+    """Return the order of magnitude of the torques of tendons, membranes, joints, creases, or weight, N m.
+
+    Springs between points count only without these parts, because those of creases that open are much stiffer.
+    """
+    tendons = structures.tendons
+    quarter = -np.pi / 2 - np.asarray(tendons.offset_angle)
+    scales = [float(np.abs(tendons.moment(quarter)).max(initial=0.0)), sheet_torque(structures.structure)]
+    if structures.lines is not None:
+        scales.append(largest_pull(structures.lines, structures.structure))
+    scales.append(float(structures.stiffness.max(initial=0.0)))
+    if structures.weight is not None:
+        scales.append(float(structures.weight.forces.sum()) * structures.structure.span)
+    if structures.flaps is not None:
+        scales.append(float(np.max(structures.flaps.law.stiffness)))
+    if structures.springs is not None and not any(scales):
+        return float(structures.springs.stiffness.max()) * structures.structure.span**2
+    return max(scales)
+
+
+def quiet_torque(structures: Ensemble) -> float:
+    """Return the torque that counts as zero in the search for an equilibrium, N m.
+
+    Where springs couple joints, parts of different mechanisms may be softer by orders of magnitude than the stiffest.
+    """
+    return (_QUIET_COUPLED if structures.coupled else _QUIET) * torque_scale(structures)
+
+
+def slight_energy(structures: Ensemble) -> float:
+    """Return the energy that counts as rounding, J: of the stiffest part under the torque that counts as zero."""
+    return _QUIET**2 * torque_scale(structures)
+
+
 def sheet_torque(structure: Structure) -> float:
     """Return the largest torque of a membrane's margin at a strain of 1, N m; 0 without a membrane."""
     return max(
         (membrane.law.youngs_modulus * membrane.law.thickness * membrane.margin**2 for membrane in structure.membranes),
         default=0.0,
     )
+
+
+def start_angles(structures: Ensemble) -> Array:
+    """Return the angles at which the protocol starts the hinges, rad, (case, hinge)."""
+    joints = structures.structure.hinges[: structures.size]
+    return np.tile([joint.start for joint in joints], (structures.cases, 1))

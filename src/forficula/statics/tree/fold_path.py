@@ -131,6 +131,19 @@ def rigid_fold(structure: Structure) -> RigidFold:
     return structure.rigid_fold
 
 
+def refuse_fold_on_table(structure: Structure) -> None:
+    """Refuse the energy along the rigid fold of a structure on a table.
+
+    Raises:
+        InputError: the structure has a table.
+    """
+    if structure.table is not None:
+        raise InputError(
+            f"{structure.name}: has no energy along its rigid fold, because the fold may lead below the table;"
+            ' table = "none" leaves the table out'
+        )
+
+
 def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
     """Compute a structure along its fold.
 
@@ -139,9 +152,10 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
         points: number of places along the fold.
 
     Raises:
-        InputError: the structure has no single folding path.
+        InputError: the structure has no single folding path, or lies on a table.
     """
     fold = rigid_fold(structures.structure)
+    refuse_fold_on_table(structures.structure)
     ratio, turns, folds = fold.ratio, span(fold.turns), span(fold.folds)
     pleat = np.unique(np.concatenate([np.linspace(fold.first or 0.0, fold.last, points), [0.0]]))
     half_sine = np.sin(pleat / 2)

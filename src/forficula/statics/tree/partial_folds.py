@@ -13,10 +13,10 @@ import numpy as np
 from forficula.arrays import Array, Flags
 from forficula.quantities import Unit
 from forficula.serial import Joules, Key
-from forficula.statics.tree.ensemble import Ensemble, sheet_torque
+from forficula.statics.tree.ensemble import Ensemble, sheet_torque, slight_energy
 from forficula.statics.tree.hinge import folding_sense, ideal_hinges, tendon_hinge, tendon_hinges
 from forficula.statics.tree.lines import largest_pull
-from forficula.statics.tree.potential import potential, rest, slight_energy
+from forficula.statics.tree.potential import potential, rest
 from forficula.statics.tree.sheet import sheet_energy
 from forficula.structure import Structure, hinges_between
 
@@ -246,7 +246,7 @@ def _independent(structure: Structure, folding: Sequence[int]) -> list[tuple[flo
     energies = dict.fromkeys(folding, (0.0, 0.0))
     if not structure.tendons or any(structure.hinges[hinge].stiffness for hinge in folding):
         return None
-    if structure.springs or structure.closures or any(hinge.flaps for hinge in structure.hinges):
+    if structure.springs or structure.closures or structure.holds or any(hinge.flaps for hinge in structure.hinges):
         return None
     for tendon in structure.tendons:
         if tendon.crossing is None or tendon.crossing.hinge not in energies:

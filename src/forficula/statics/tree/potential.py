@@ -1,8 +1,4 @@
-"""Potential of a tree structure: all stored energies minus the work of acting torques and forces.
-
-Coordinates are the angles of the structure's joints, in its order, each in its own sense. Creases between flaps follow
-the joints in the structure. Their angles depend on those of the joints, see `hinge_angles`.
-"""
+"""Potential of a tree structure: all stored energies minus the work of acting torques and forces."""
 
 from __future__ import annotations
 
@@ -16,12 +12,13 @@ from numpy.typing import ArrayLike
 from forficula.arrays import Array, Flags
 from forficula.statics.tree.couplings import twist_energy
 from forficula.statics.tree.elements import Expansion
-from forficula.statics.tree.ensemble import Ensemble, sheet_torque
+from forficula.statics.tree.ensemble import Ensemble, quiet_torque
 from forficula.statics.tree.equilibrium import Cases, Enough, Equilibria, Follow, descend
 from forficula.statics.tree.flaps import crease_angles, crease_energy, folded_energy
 from forficula.statics.tree.forces import force_energy
 from forficula.statics.tree.hinge_memory import HingeMemory
-from forficula.statics.tree.lines import largest_pull, line_energy
+from forficula.statics.tree.lines import line_energy
+from forficula.statics.tree.planes import plane_energy
 from forficula.statics.tree.pose import (
     Pose,
     pose,
@@ -33,8 +30,6 @@ from forficula.structure import springs_name
 
 # Steps in which a structure is followed: shorter ones end in the same equilibria.
 _LONGEST_STEP = 0.1  # rad
-# torque that counts as zero, as a share of the largest torque of the stiffest part, also where springs couple joints
-_QUIET, _QUIET_COUPLED = 1e-6, 1e-9
 
 
 def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> Expansion:
@@ -152,6 +147,8 @@ def _optional_parts(structures: Ensemble, angles: Array, torques: Array, at: Pos
         parts.append(twist_energy(structures.twists, angles))
     if structures.forces is not None and torques.any():
         parts.append(force_energy(structures.forces, angles, torques))
+    if structures.planes is not None:
+        parts.append(plane_energy(structures.planes, angles, at))
     return parts if structures.weight is None else [*parts, weight_energy(structures.weight, angles)]
 
 
@@ -173,6 +170,9 @@ def rest(
     Joints that rigid couplings tie together share one coordinate; if their start angles contradict each other, the mean
     is used. The returned gradient is by every hinge, as if the hinges were not tied.
 
+    On a table or on supports of points, structures first move with springs that are a thousand times as soft, because
+    the length of a step down the slope along the table is limited by its stiffness, and then with the stiff ones.
+
     Args:
         structures: side by side.
         start: angles, rad, (case, hinge).
@@ -192,7 +192,28 @@ def rest(
     lower, upper = np.maximum(structures.lower, start - within), np.minimum(structures.upper, start + within)
     fixed = list(fixed)
     lower[:, fixed] = upper[:, fixed] = start[:, fixed]
-    lower, upper = np.where(held, start, lower), np.where(held, start, upper)
+    bounds = np.where(held, start, lower), np.where(held, start, upper)
+    steps: Any = {"longest_step": longest_step or _LONGEST_STEP, "force": quiet_torque(structures)}
+    steps |= {"follow": follow, "enough": enough}
+    if structures.planes is not None:
+        softened = replace(structures, planes=structures.planes.softened)
+        start = _descended(softened, start, torques, bounds, pull, **steps).position
+    return _descended(structures, start, torques, bounds, pull, **steps)
+
+
+def _descended(
+    structures: Ensemble,
+    start: Array,
+    torques: Array,
+    bounds: tuple[Array, Array],
+    pull: Callable[[Array], Expansion] | None,
+    *,
+    longest_step: float,
+    force: float,
+    follow: Follow | None,
+    enough: Enough | None,
+) -> Equilibria:
+    """Follow the potential downhill to rest within bounds of the angles, both rad, (case, hinge); see `rest`."""
     some, ties = structures, structures.ties
 
     def energy(angles: Array, cases: Cases) -> Expansion:
@@ -206,9 +227,8 @@ def rest(
         (value, slope, curvature), (more, steeper, stiffer) = expansion, pull(angles)
         return value + more, slope + steeper, curvature + stiffer
 
-    steps: Any = {"longest_step": longest_step or _LONGEST_STEP, "force": _quiet(structures)}
     if ties is None:
-        return descend(energy, start, lower, upper, follow=follow, enough=enough, **steps)
+        return descend(energy, start, *bounds, longest_step=longest_step, force=force, follow=follow, enough=enough)
     spread = ties.spread
 
     def tied_energy(coordinates: Array, cases: Cases) -> Expansion:
@@ -224,10 +244,17 @@ def rest(
         return enough(ties.angles(coordinates), cases)
 
     ended = None if enough is None else tied_enough
-    bounds = ties.bounds(lower, upper)
-    result = descend(tied_energy, ties.start(start), *bounds, follow=follow_tied, enough=ended, **steps)
+    result = descend(
+        tied_energy,
+        ties.start(start),
+        *ties.bounds(*bounds),
+        longest_step=longest_step,
+        force=force,
+        follow=follow_tied,
+        enough=ended,
+    )
     position = ties.angles(result.position)
-    return replace(result, position=position, slope=energy(position, np.arange(count))[1])
+    return replace(result, position=position, slope=energy(position, np.arange(len(start)))[1])
 
 
 def hinge_angles(structures: Ensemble, angles: Array) -> Array:
@@ -246,42 +273,3 @@ def largest_gap(structures: Ensemble, angles: Array) -> float:
     """Return the largest gap of closures in any case, m; 0 without closures."""
     tree = structures.sheet.laid.tree
     return float(closure_gap(structures.structure, tree, angles).max(initial=0.0))
-
-
-def torque_scale(structures: Ensemble) -> float:
-    """Return the order of magnitude of the torques of tendons, membranes, joints, creases, or weight, N m.
-
-    Springs between points count only without these parts, because those of creases that open are much stiffer.
-    """
-    tendons = structures.tendons
-    quarter = -np.pi / 2 - np.asarray(tendons.offset_angle)
-    scales = [float(np.abs(tendons.moment(quarter)).max(initial=0.0)), sheet_torque(structures.structure)]
-    if structures.lines is not None:
-        scales.append(largest_pull(structures.lines, structures.structure))
-    scales.append(float(structures.stiffness.max(initial=0.0)))
-    if structures.weight is not None:
-        scales.append(float(structures.weight.forces.sum()) * structures.structure.span)
-    if structures.flaps is not None:
-        scales.append(float(np.max(structures.flaps.law.stiffness)))
-    if structures.springs is not None and not any(scales):
-        return float(structures.springs.stiffness.max()) * structures.structure.span**2
-    return max(scales)
-
-
-def _quiet(structures: Ensemble) -> float:
-    """Return the torque that counts as zero in the search for an equilibrium, N m.
-
-    Where springs couple joints, parts of different mechanisms may be softer by orders of magnitude than the stiffest.
-    """
-    return (_QUIET_COUPLED if structures.coupled else _QUIET) * torque_scale(structures)
-
-
-def slight_energy(structures: Ensemble) -> float:
-    """Return the energy that counts as rounding, J: of the stiffest part under the torque that counts as zero."""
-    return _QUIET**2 * torque_scale(structures)
-
-
-def start_angles(structures: Ensemble) -> Array:
-    """Return the angles at which the protocol starts the hinges, rad, (case, hinge)."""
-    joints = structures.structure.hinges[: structures.size]
-    return np.tile([joint.start for joint in joints], (structures.cases, 1))

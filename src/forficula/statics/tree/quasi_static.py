@@ -10,11 +10,11 @@ from numpy.typing import ArrayLike
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.errors import InputError
-from forficula.statics.tree.ensemble import Ensemble
+from forficula.statics.tree.ensemble import Ensemble, start_angles
 from forficula.statics.tree.equilibrium import Equilibria
 from forficula.statics.tree.hinge_landscape import CrossedHinge
 from forficula.statics.tree.pose import carried_points, places_of, pose
-from forficula.statics.tree.potential import hinge_angles, rest, start_angles
+from forficula.statics.tree.potential import hinge_angles, rest
 from forficula.structure import (
     Drive,
     StageGoal,
@@ -88,7 +88,8 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
     which it turns them. First the other hinges come to rest with these held, then all hinges are free.
 
     If springs between points, creases between flaps or closures couple the joints, not all of them can be at their
-    stops. A force at points does not determine which stops hinges reach. In both cases the structure is released from
+    stops. A table may keep hinges from their stops, and a force at points does not determine which stops they reach. In
+    these cases the structure is released from
     where its full drive leads it from its first state.
 
     Raises:
@@ -125,7 +126,7 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
 
 def is_led(structures: Ensemble, drive: Drive) -> bool:
     """Return whether a structure rests where a drive leads it, and not at the stops to which the drive turns hinges."""
-    return structures.coupled or "force" in drive_kinds(structures.structure, drive)
+    return structures.coupled or structures.planes is not None or "force" in drive_kinds(structures.structure, drive)
 
 
 def state_after(structures: Ensemble, transition: Transition, torque: Array, position: Array) -> Equilibria:
@@ -135,8 +136,9 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
     when released, are released from the stops instead, see `state_beyond`. With a slack tendon, hinges can rest
     anywhere in a range, and the next torque can lead along another path from either end of the range.
 
-    If springs between points, creases between flaps or closures couple the joints, if hinges have a memory, or if the
-    drive is a force, structures are always released from where the drive brought them.
+    If springs between points, creases between flaps or closures couple the joints, if hinges have a memory, if a table
+    is under the structure, or if the drive is a force, structures are always released from where the drive brought
+    them.
 
     Args:
         structures: side by side.

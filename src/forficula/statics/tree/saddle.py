@@ -10,10 +10,10 @@ import numpy as np
 
 from forficula.arrays import Array, Flags
 from forficula.statics.tree.elements import Expansion
-from forficula.statics.tree.ensemble import Ensemble
+from forficula.statics.tree.ensemble import Ensemble, slight_energy, torque_scale
 from forficula.statics.tree.equilibrium import Cases
 from forficula.statics.tree.partial_folds import soft_stiffness
-from forficula.statics.tree.potential import potential, rest, slight_energy, torque_scale
+from forficula.statics.tree.potential import potential, rest
 
 _STATION = 0.05  # largest change of a joint's angle between two prescribed positions, rad
 _JUMP = 0.2  # larger changes of a joint's angle between two positions are jumps, rad

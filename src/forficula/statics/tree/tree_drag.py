@@ -21,9 +21,10 @@ from forficula.statics.drag import (
 )
 from forficula.statics.quasi_static_path import QuasiStaticPoint
 from forficula.statics.tree.elements import Expansion, LinePiece, elements, stretched
-from forficula.statics.tree.ensemble import Ensemble, ensemble
+from forficula.statics.tree.ensemble import Ensemble, ensemble, start_angles, torque_scale
+from forficula.statics.tree.planes import table_forces
 from forficula.statics.tree.pose import carried_points, moves_of, places_of, pose
-from forficula.statics.tree.potential import potential, rest, start_angles, torque_scale
+from forficula.statics.tree.potential import potential, rest
 from forficula.statics.tree.tree_path import place_carriers, tree_points
 from forficula.structure import GROUND, Drive, Structure
 
@@ -175,4 +176,5 @@ def _pulled(pulled: _PulledTree, near: QuasiStaticPoint, target: Array) -> Dragg
     if not reached:
         held = held._replace(force=least_force(held.force, _compliance(pulled, held.shape[None], torques)))
     point = _point(pulled.structures, pulled.drive, near.strength, held.shape, resting=False)
+    point = replace(point, contacts=table_forces(pulled.structures.planes, held.shape[None])[0])
     return dragged_shape(structure, point, target, held, reached=reached)

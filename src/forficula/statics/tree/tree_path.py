@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from forficula.kept_frames import kept_frames
 from forficula.statics.growing_path import (
     GrowingPath,
     NumberedEvent,
+    contact_events,
     interval_errors,
     last_event,
     lengths_along,
@@ -19,11 +21,12 @@ from forficula.statics.growing_path import (
     path_of,
 )
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint, rest_changes
-from forficula.statics.tree.ensemble import Ensemble, ensemble
+from forficula.statics.tree.ensemble import Ensemble, ensemble, start_angles
 from forficula.statics.tree.hinge_landscape import crossed_hinges
 from forficula.statics.tree.hinge_memory import HingeMemory
+from forficula.statics.tree.planes import table_forces
 from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
-from forficula.statics.tree.potential import hinge_angles, potential, rest, start_angles, stored_energy
+from forficula.statics.tree.potential import hinge_angles, potential, rest, stored_energy
 from forficula.statics.tree.quasi_static import (
     SlowTransition,
     TorquePath,
@@ -197,11 +200,15 @@ def _along(structures: Ensemble, path: TorquePath) -> Array | None:
 
 
 def _refined(driven: _DrivenTree, path: TorquePath, bound: float) -> TorquePath:
-    """Add a step in the middle of every interval between equilibria whose error exceeds a bound, m."""
+    """Add a step in the middle of every interval whose error exceeds a bound, m, or in which parts touch or part.
+
+    Snaps have no such intervals.
+    """
     structures = driven.structures
     for _ in range(_SWEEPS):
         errors = interval_errors(place_positions(structures.structure, path.position))
-        rows = np.flatnonzero((errors > bound) & ~_snapping(path) & (np.diff(path.torque) > 0))
+        coarse = (errors > bound) | _touch_changes(driven, path)
+        rows = np.flatnonzero(coarse & ~_snapping(path) & (np.diff(path.torque) > 0))
         if not len(rows):
             break
         torque = (path.torque[rows] + path.torque[rows + 1]) / 2
@@ -225,6 +232,12 @@ def _refined(driven: _DrivenTree, path: TorquePath, bound: float) -> TorquePath:
     return path
 
 
+def _touch_changes(driven: _DrivenTree, path: TorquePath) -> Flags:
+    """Return in which intervals between steps of a path a body begins or ceases to touch the table, (interval,)."""
+    touching = [set(forces) for forces in table_forces(driven.structures.planes, path.position)]
+    return np.array([before != after for before, after in pairwise(touching)], dtype=np.bool_)
+
+
 def _points(
     driven: _DrivenTree, path: TorquePath, bound: float
 ) -> tuple[list[QuasiStaticPoint], list[NumberedEvent], float]:
@@ -242,7 +255,9 @@ def _points(
     positions = place_positions(driven.structures.structure, path.position)
     # steps that move nothing keep their order
     time = lengths_along(positions) + _STILL * span * np.arange(len(positions))
-    ends = sorted({0, len(resting) - 1, *(end for snap in path.snaps for end in snap)})
+    changed = np.flatnonzero(_touch_changes(driven, path) & ~_snapping(path)).tolist()
+    touched = {row for change in changed for row in (change, change + 1)}
+    ends = sorted({0, len(resting) - 1, *touched, *(end for snap in path.snaps for end in snap)})
     kept = kept_frames(time, positions, time[ends], most=_MOST_POINTS, tolerance=bound)
     numbers = {row: number for number, row in enumerate(kept.tolist())}
     memory = _along(driven.structures, path)
@@ -254,7 +269,7 @@ def _points(
         resting[kept],
         None if memory is None else driven.structures.beginning(memory[:, kept], path.position[kept]).memory,
     )
-    events = list[NumberedEvent]()
+    events = contact_events(points)
     for first, last in path.snaps:
         torque = float(path.torque[last])
         start = [first, first]
@@ -293,6 +308,7 @@ def tree_points(
     """
     further = strength[:, None] * rest_changes(structures.structure, drive)
     energy = stored_energy(structures.repeated(len(strength)), angles, further, memory)
+    contacts = table_forces(structures.planes, angles)
     positions, every = place_positions(structures.structure, angles), hinge_angles(structures, angles)
     return [
         QuasiStaticPoint(
@@ -303,6 +319,7 @@ def tree_points(
             coordinates=angles[number],
             energy={part: float(values[number]) for part, values in energy.items()},
             memory=None if memory is None else memory.values[:, number],
+            contacts=contacts[number] if resting[number] else {},
         )
         for number in range(len(strength))
     ]

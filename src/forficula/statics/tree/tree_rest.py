@@ -11,9 +11,9 @@ import scipy
 from forficula.arrays import Array, Flags
 from forficula.statics.rest_path import CreaseLosses, Creep, crease_losses, rest_path
 from forficula.statics.tree.elements import Expansion
-from forficula.statics.tree.ensemble import Ensemble, ensemble
+from forficula.statics.tree.ensemble import Ensemble, ensemble, torque_scale
 from forficula.statics.tree.pose import pose, tree_of
-from forficula.statics.tree.potential import hinge_angles, potential, rest, torque_scale
+from forficula.statics.tree.potential import hinge_angles, potential, rest
 from forficula.statics.tree.tree_path import place_positions
 from forficula.structure import (
     GrowingLoad,

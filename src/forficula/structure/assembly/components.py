@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from forficula.errors import InputError
 from forficula.structure.assembly.joined_part import JoinedPart
 from forficula.structure.membranes import Membrane, Surface
 from forficula.structure.parts import Bar, Closure, Coupling, Facet, LengthLimit, Plate, PointMass, Spring, Tendon
@@ -21,7 +22,16 @@ def with_components(structure: Structure, masses: Sequence[PointMass], parts: Se
         structure: bodies, points and hinges of the assembly.
         masses: point masses on the bodies of hinges between parts.
         parts: the parts of the assembly.
+
+    Raises:
+        InputError: supports hold points of plates.
     """
+    held = next((part for part in parts if part.structure.holds), None)
+    if held is not None:
+        raise InputError(
+            f"part.{held.name}.support: need one facet or edge in a part of rigid facets, held along all axes, got"
+            " vertices or several supports"
+        )
     return replace(
         structure,
         bars=tuple(_bar(part, bar) for part in parts for bar in part.structure.bars),

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from forficula.structure.appearance import BodyGroup
 from forficula.structure.assembly.joined_part import JoinedPart
 from forficula.structure.mechanisms import ELEMENT_KINDS, mechanisms_of, storing_elements
-from forficula.structure.parts import GROUND, BodyGroup, Mechanism
+from forficula.structure.parts import GROUND, Mechanism
 from forficula.structure.structure import Structure
 
 

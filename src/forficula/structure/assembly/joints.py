@@ -75,7 +75,7 @@ def with_joints(structure: Structure, design: AssemblyDesign) -> Structure:
             )
     made = replace(structure, points=tuple(points), couplings=tuple(couplings), springs=tuple(springs))
     first = len(structure.tendons)
-    if any(body.slides for body in made.bodies) or made.closures:
+    if any(body.slides for body in made.bodies) or made.closures or made.holds:
         return replace(made, tendons=tuple(tendons))
     crossed = [replace(tendon, crossing=tendon_crossing(made, tendon.points)) for tendon in tendons[first:]]
     return replace(made, tendons=(*tendons[:first], *crossed))

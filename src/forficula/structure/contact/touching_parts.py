@@ -140,7 +140,7 @@ def _plates(structure: Structure, contact: Contact) -> Iterable[_Part]:
         places = np.array([structure.points[point].place for point in corners])
         cut = ears(places, range(len(corners)))
         yield _Part(
-            name=f"{body.role} {body.name.removeprefix(body.role)}",
+            name=body.label,
             half=_half(plate, contact),
             triangles=[tuple(corners[place] for place in triangle) for triangle in cut],
             sides=_around(corners),

@@ -12,9 +12,9 @@ from forficula.design import SheetDesign
 from forficula.design.sheets.crease_values import creases_by_edge
 from forficula.design.sheets.sheet_creases import crease_sense
 from forficula.design.sheets.sheet_drives import places_of
-from forficula.design.sheets.sheet_places import SheetPlace, place_on
+from forficula.design.sheets.sheet_places import SheetPlace, edge_of, facet_of, place_on, vertex_of
 from forficula.design.sheets.thick_panels import thick_panels
-from forficula.pattern import CreasePattern, FacetLink, facet_tree, triangulated
+from forficula.pattern import CreasePattern, FacetLink, central_facet, facet_tree, triangulated
 from forficula.pattern.crease_pattern import is_unfolded
 from forficula.pattern.fold_angles import built_fold_angles
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
@@ -36,7 +36,7 @@ from forficula.structure.sheets.facet_plates import (
 from forficula.structure.sheets.sheet_hinge import sheet_hinge
 from forficula.structure.sheets.sheet_measures import sheet_measures
 from forficula.structure.structure import Structure
-from forficula.structure.surroundings import Panel, Stops
+from forficula.structure.surroundings import Hold, Panel, Stops
 
 # weights of the three springs along a crease: the gap varies linearly, so Simpson's rule is exact for its square
 _WEIGHTS = (1 / 6, 4 / 6, 1 / 6)
@@ -54,7 +54,8 @@ def plate_structure(design: SheetDesign) -> Structure:
     """
     design, pattern = design.settled(), design.sheet
     opening, held = opening_creases(design), design.held_facets
-    links = facet_tree(pattern, held, opening)
+    # plates that only points hold begin at a free plate
+    links = facet_tree(pattern, held if held or opening else (central_facet(pattern),), opening)
     number = {link.facet: body for body, link in enumerate(links) if not link.closes}
     built = _built(pattern)
     thick = thick_panels(design)
@@ -81,6 +82,7 @@ def plate_structure(design: SheetDesign) -> Structure:
         for place, text in enumerate(places_of(drive)):
             add(force_point_name(drive.name, place), "pushed", place_on(pattern, text))
     closures = _closures(pattern, thick, links, number, origins, points)
+    holds = _holds(design, pattern, points)
     structure = Structure(
         name=design.name,
         stops=Stops(time_constant=design.stops.time_constant, damping_ratio=design.stops.damping_ratio),
@@ -89,6 +91,7 @@ def plate_structure(design: SheetDesign) -> Structure:
         plates=plates,
         hinges=hinges,
         closures=closures,
+        holds=holds,
         springs=springs,
         tendons=tuple(tendons),
         measures=measures,
@@ -99,7 +102,7 @@ def plate_structure(design: SheetDesign) -> Structure:
         down=design.protocol.down,
         appearance=Appearance(pattern=pattern),
     )
-    if not structure.closures and not opening:
+    if not structure.closures and not structure.holds and not opening:
         # a crossing needs a hinge that moves independently, which there is not in a loop
         tendons = [replace(tendon, crossing=tendon_crossing(structure, tendon.points)) for tendon in tendons]
     structure = replace(structure, tendons=tuple(tendons), mass=largest_mass(design, structure))
@@ -163,6 +166,32 @@ def _bodies(
             )
         )
     return tuple(bodies)
+
+
+def _holds(design: SheetDesign, pattern: CreasePattern, points: Sequence[Point]) -> tuple[Hold, ...]:
+    """Return the supports of points: corners of facets, ends of edges and vertices, along their axes.
+
+    A vertex at which hinged facets meet is a corner of the first of them.
+    """
+    named = {point.name: number for number, point in enumerate(points)}
+    holds = []
+    for number, support in design.point_supports:
+        if support.kind == "facet":
+            facet = facet_of(pattern, support.of)
+            corners = [(facet, vertex) for vertex in pattern.faces_vertices[facet]]
+        elif support.kind == "edge":
+            edge, facet = edge_of(pattern, support.of)
+            corners = [(facet, vertex) for vertex in pattern.edges_vertices[edge].tolist()]
+        else:
+            vertex, chosen = vertex_of(pattern, support.of)
+            around = [facet for facet, corners in enumerate(pattern.faces_vertices) if vertex in corners]
+            corners = [(around[0] if chosen is None else chosen, vertex)]
+        holds += [
+            Hold(name=f"support{number}_{name}_{axis}", point=named[name], axis="xyz".index(axis))
+            for name in (corner_name(facet, vertex) for facet, vertex in corners)
+            for axis in sorted(set(support.axes or "xyz"))
+        ]
+    return tuple(holds)
 
 
 def _closures(

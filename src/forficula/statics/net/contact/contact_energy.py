@@ -133,16 +133,24 @@ def with_contact_forces(net: Net, shape: NetShape, parts: Factorisation) -> tupl
 
 
 def contact_forces(net: Net, shape: NetShape) -> dict[str, float]:
-    """Return the sum of the forces between each pair of parts that touch at equilibrium, N, by the names of both."""
-    contact, pressing = net.contact, shape.pressing
+    """Return the sum of the forces between each pair of parts that touch at equilibrium, N, by the names of both.
+
+    A table counts as a part.
+    """
+    contact, pressing, result = net.contact, shape.pressing, dict[str, float]()
+    if net.planes is not None:
+        result = net.planes.planes.table_forces(net.planes.depths(shape.positions))
     if contact is None or pressing is None or not len(pressing.forces):
-        return {}
-    pairs, result = pressing.pairs, dict[tuple[int, int], float]()
+        return result
+    pairs, by_parts = pressing.pairs, dict[tuple[int, int], float]()
     forces = _shares(pairs, (contact.points @ shape.positions)[pairs.nodes])[0] * pressing.forces
     for parts, force in zip(contact.parts_of(pairs), forces.tolist(), strict=True):
-        result[parts] = result.get(parts, 0.0) + force
+        by_parts[parts] = by_parts.get(parts, 0.0) + force
     names = contact.parts.names
-    return {f"{names[one]} and {names[other]}": force for (one, other), force in sorted(result.items()) if force > 0}
+    touching = {
+        f"{names[one]} and {names[other]}": force for (one, other), force in sorted(by_parts.items()) if force > 0
+    }
+    return touching | result
 
 
 def passes_through(net: Net, before: Array, after: Array) -> bool:
