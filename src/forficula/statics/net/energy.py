@@ -38,7 +38,7 @@ class Expansion:
         free: Hessian by the free coordinates, N/m.
         turning: gradient of the angles by the sides of their creases, 1/m, (3, side, crease).
         layout: of the net.
-        pressed: Hessian of the contact by all coordinates, N/m; None without contact.
+        pressed: Hessian of the contact by all coordinates, N/m; None if nothing touches.
     """
 
     shape: NetShape
@@ -154,8 +154,9 @@ def _expanded(
     if net.contact is not None:
         terms = contact_terms(net.contact, shape.positions, shape.pressing)
         energy, forces, pressed = energy + terms.energy, forces + terms.slope, terms.curvature
-        further = pressed[layout.free][:, layout.free]
-        free = free + (further.toarray() if isinstance(free, np.ndarray) else csc_array(further))
+        if pressed is not None:
+            further = pressed[layout.free][:, layout.free]
+            free = free + (further.toarray() if isinstance(free, np.ndarray) else csc_array(further))
     return Expansion(
         shape=shape,
         stored=stored,

@@ -35,12 +35,12 @@ class ContactTerms(NamedTuple):
     Attributes:
         energy: of the augmented Lagrangian, J; 0 at a converged equilibrium.
         slope: forces by the positions of nodes, N, (node, 3).
-        curvature: Hessian by all coordinates, N/m.
+        curvature: Hessian by all coordinates, N/m; None if nothing touches.
     """
 
     energy: float
     slope: Array
-    curvature: csc_array
+    curvature: csc_array | None
 
 
 def contact_terms(contact: NetContact, positions: Array, pressing: Pressing | None) -> ContactTerms:
@@ -58,7 +58,7 @@ def contact_terms(contact: NetContact, positions: Array, pressing: Pressing | No
     pairs, nearest, force, known = _forces(contact, places, pressing)
     rows = (force > 0) | (known > 0)
     if not rows.any():
-        return ContactTerms(0.0, np.zeros_like(positions), csc_array((positions.size, positions.size)))
+        return ContactTerms(0.0, np.zeros_like(positions), None)
     stiffness, force, known, pairs = contact.stiffness, np.maximum(force[rows], 0.0), known[rows], pairs.some(rows)
     at, nearest = places[pairs.nodes], _some(nearest, rows)
     share, changes = _shares(pairs, at)
