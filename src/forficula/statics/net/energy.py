@@ -49,7 +49,7 @@ class Expansion:
     free: Matrix
     turning: Array
     layout: Layout
-    pressed: csc_array | None = None
+    pressed: Matrix | None = None
 
     @cached_property
     def curvature(self) -> bsr_array:
@@ -152,11 +152,11 @@ def _expanded(
         energy = stored - factor * _work(net, shape, load)
     free, pressed = layout.free_part(blocks), None
     if net.contact is not None:
-        terms = contact_terms(net.contact, shape.positions, shape.pressing)
+        terms = contact_terms(net.contact, shape.positions, shape.pressing, dense=isinstance(free, np.ndarray))
         energy, forces, pressed = energy + terms.energy, forces + terms.slope, terms.curvature
         if pressed is not None:
             further = pressed[layout.free][:, layout.free]
-            free = free + (further.toarray() if isinstance(free, np.ndarray) else csc_array(further))
+            free = free + (further if isinstance(further, np.ndarray) else csc_array(further))
     return Expansion(
         shape=shape,
         stored=stored,

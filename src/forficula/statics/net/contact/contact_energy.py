@@ -12,7 +12,7 @@ from scipy.sparse import coo_array, csc_array, csr_array
 from forficula.arrays import Array, Flags
 from forficula.statics.net.contact.closest import Closest, distance_hessians, gradients
 from forficula.statics.net.contact.net_contact import NetContact, Pressing
-from forficula.statics.net.factor import Factorisation
+from forficula.statics.net.factor import Factorisation, Matrix
 from forficula.structure.contact.distances import squared_sines
 from forficula.structure.contact.pairs import Pairs
 
@@ -40,10 +40,12 @@ class ContactTerms(NamedTuple):
 
     energy: float
     slope: Array
-    curvature: csc_array | None
+    curvature: Matrix | None
 
 
-def contact_terms(contact: NetContact, positions: Array, pressing: Pressing | None) -> ContactTerms:
+def contact_terms(
+    contact: NetContact, positions: Array, pressing: Pressing | None, *, dense: bool = False
+) -> ContactTerms:
     """Compute the augmented Lagrangian of the constraints distance >= thickness.
 
     For a pair with the distance d, the multiplier f and the stiffness k, the term is (max(0, f + k (t - d))^2 - f^2) /
@@ -53,6 +55,7 @@ def contact_terms(contact: NetContact, positions: Array, pressing: Pressing | No
         contact: of the net.
         positions: of the nodes, m, (node, 3).
         pressing: multipliers; None for 0.
+        dense: whether the Hessian is dense, which is faster for few nodes.
     """
     places = contact.points @ positions
     pairs, nearest, force, known = _forces(contact, places, pressing)
@@ -73,12 +76,18 @@ def contact_terms(contact: NetContact, positions: Array, pressing: Pressing | No
     numbers = (3 * pairs.nodes[:, :, None] + np.arange(3)).reshape(-1, 12)
     forces = np.zeros(size)
     np.add.at(forces, numbers, by_place)
+    by_node = np.asarray(contact.points.T @ forces.reshape(-1, 3))
+    if dense:
+        curvature = np.zeros((size, size))
+        np.add.at(curvature, (numbers[:, :, None], numbers[:, None]), hessians)
+        spread = contact.dense_spread
+        return ContactTerms(energy=float(share @ value), slope=by_node, curvature=spread.T @ curvature @ spread)
     rows_of, columns_of = (np.broadcast_to(part, hessians.shape) for part in (numbers[:, :, None], numbers[:, None]))
-    curvature = coo_array((hessians.ravel(), (rows_of.ravel(), columns_of.ravel())), shape=(size, size))
+    sparse = coo_array((hessians.ravel(), (rows_of.ravel(), columns_of.ravel())), shape=(size, size))
     return ContactTerms(
         energy=float(share @ value),
-        slope=np.asarray(contact.points.T @ forces.reshape(-1, 3)),
-        curvature=csc_array(contact.spread.T @ curvature.tocsr() @ contact.spread),
+        slope=by_node,
+        curvature=csc_array(contact.spread.T @ sparse.tocsr() @ contact.spread),
     )
 
 

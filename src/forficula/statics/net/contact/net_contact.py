@@ -67,6 +67,11 @@ class NetContact:
         """Return the derivatives of the coordinates of the corners by those of the nodes."""
         return csr_array(kron(self.points, eye_array(3)))
 
+    @cached_property
+    def dense_spread(self) -> Array:
+        """Return the same derivatives as a dense matrix."""
+        return self.spread.toarray()
+
     def near(self, places: Array, pressing: Pressing | None = None) -> tuple[Pairs, Array]:
         """Return pairs of elements that may touch, and their forces at the last equilibrium, N, (pair,).
 
