@@ -11,6 +11,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
+from forficula.statics.net.contact.contact_energy import passes_through
 from forficula.statics.net.energy import Expansion, expand, expand_at, kept_folds, load_slope, moved_shape
 from forficula.statics.net.factor import Factorisation, factored, softest
 from forficula.statics.net.load import Load, check_load
@@ -113,6 +114,7 @@ def load_path(
     rising: bool = True,
     direction: Array | None = None,
     watch: Callable[[PathPoint], None] = lambda _: None,
+    overlaps: bool = False,
 ) -> LoadPath:
     """Follow equilibria by modified generalised displacement control.
 
@@ -137,13 +139,15 @@ def load_path(
         direction: in which the path leaves its start, (node, 3). The mode of a bifurcation, or its opposite, leads
             onto the other path. None for the direction given by the load.
         watch: called with every point before the first event.
+        overlaps: whether contact is a stiff spring along the path: its multipliers remain those of the start, and parts
+            that touch overlap slightly. Without this, a net with contact is refused.
 
     Raises:
         InputError: the load does not fit, is zero or would move the net as a rigid body; there is no equilibrium near
             the start; or the net has contact.
     """
     check_load(net, load)
-    if net.contact is not None:
+    if net.contact is not None and not overlaps:
         raise InputError("net.contact: need None for a path through unstable equilibria, got a net with contact")
     if not any(np.any(part) for part in (load.forces, load.torques, load.displacements)):
         raise InputError("load: need one that acts, got none")
@@ -266,6 +270,8 @@ def _increment(net: Net, load: Load, current: _PathPoint, length: float) -> _Pat
     if corrected is None:
         return None
     following, factor, corrections = corrected
+    if passes_through(net, current.point.shape.positions, following.shape.positions):
+        return None
     return _station(net, load, following, factor, current.direction, True, corrections)
 
 

@@ -11,7 +11,6 @@ from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 
 from forficula.design import Design
 from forficula.errors import InputError
-from forficula.quantities import show_value
 from forficula.statics.friction import friction_remarks
 from forficula.statics.landscape import EnergyLandscape, NetSurvey, Pass, Rest
 from forficula.statics.net.contact.contact_of import contact_remarks
@@ -55,10 +54,8 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
     progress("stable states")
     search = find_stable_states(net, [rest.shape for _, rest, _ in rests], tries=_TRIES)
     states = _states(structure, net, search, rests, progress)
-    passes: tuple[Pass, ...] = ()
-    if net.contact is None:
-        progress("saddles between states")
-        search, states, passes = _joined(structure, net, search, states)
+    progress("saddles between states")
+    search, states, passes = _joined(structure, net, search, states)
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -71,27 +68,8 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
             *refused,
             *_remarks(structure, search, states, passes, courses),
             *contact_remarks(structure),
-            *_lower_remarks(structure, first, states),
         ),
         net=NetSurvey(net=net, built=mobility(structure, net, built), search=search),
-    )
-
-
-def _lower_remarks(structure: Structure, first: NetRest, states: Sequence[NetState]) -> tuple[str, ...]:
-    """Return a remark if rigid plates that touch do not come to their state of lowest energy after the release.
-
-    Every corner of a plate has the same damper, but a run has dampers in its hinges. Both motions may end in different
-    states, and with them the states that the protocol names.
-    """
-    if structure.contact is None or not structure.plates or not states:
-        return ()
-    lowest = min(states, key=lambda state: state.energy)
-    if first.energy <= (1 + _SAME) * lowest.energy:
-        return ()
-    return (
-        f"released as built, the {structure.appearance.whole} comes to a state of {show_value(first.energy, 'J')} here,"
-        f" although {lowest.name} has only {show_value(lowest.energy, 'J')}; a run may come to another state, and then"
-        " the names of states and the effects of drives are not those of the run",
     )
 
 
@@ -339,7 +317,7 @@ def _remarks(
         remarks.append(f"{search.failed} of the tries ended in no stable state")
     if not count:
         remarks.append("a part can move without any force: a crease has no spring, or a support is missing")
-    unconnected = _unconnected_states(len(states), passes) if structure.contact is None else []
+    unconnected = _unconnected_states(len(states), passes)
     remarks += [
         f'no saddles were found that connect "{states[number].name}" to the first state' for number in unconnected
     ]

@@ -84,7 +84,16 @@ def find_saddle(
         if number > 1:
             towards = replace(towards, torques=towards.torques * random.uniform(0.0, 2.0, len(towards.torques)))
             towards = replace(towards, forces=towards.forces * random.uniform(0.0, 2.0, towards.forces.shape))
-        path = load_path(net, start.shape, towards, step=step, increments=increments, target=0.0, locate_events=False)
+        path = load_path(
+            net,
+            start.shape,
+            towards,
+            step=step,
+            increments=increments,
+            target=0.0,
+            locate_events=False,
+            overlaps=True,
+        )
         if path.ended != "target":
             continue
         result = _saddle_at(net, path, known)

@@ -154,6 +154,14 @@ def contact_forces(net: Net, shape: NetShape) -> dict[str, float]:
     return {f"{names[one]} and {names[other]}": force for (one, other), force in sorted(result.items()) if force > 0}
 
 
+def touches(net: Net, positions: Array) -> bool:
+    """Return whether parts are closer than their thickness at positions of the nodes, m, (node, 3)."""
+    if net.contact is None:
+        return False
+    pairs, nearest, _, _ = _forces(net.contact, net.contact.points @ positions, None)
+    return bool(np.any(nearest.distance < pairs.thickness))
+
+
 def passes_through(net: Net, before: Array, after: Array) -> bool:
     """Return whether parts pass through each other between two positions of the nodes, m, (node, 3) each."""
     if net.contact is None:

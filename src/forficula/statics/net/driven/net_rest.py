@@ -17,7 +17,7 @@ from forficula.statics.net.load import Load
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import motor_load, net_of, own_angles, own_sets, point_positions, valley_angles
-from forficula.statics.net.plate_nodes import plate_nodes
+from forficula.statics.net.plate_nodes import plate_nodes, posed_nodes
 from forficula.statics.rest_path import rest_path
 from forficula.structure import (
     GROUND,
@@ -75,12 +75,7 @@ class _LoadedNet:
         """Return the state of a shape."""
         positions = start.points
         if self._structure.plates:
-            positions = self._net.nodes.copy()
-            origins, frames = self._built
-            for body, first in enumerate(self._first):
-                turn = start.frames[body] @ frames[body].T
-                arms = self._net.nodes[first : first + 4] - origins[body]
-                positions[first : first + 4] = start.origins[body] + arms @ turn.T
+            positions = posed_nodes(self._structure, self._net.nodes, self._first, start.origins, start.frames)
         sets = None if start.sets is None else valley_angles(self._structure, start.sets)
         return shape_at(self._net, positions, valley_angles(self._structure, start.angles), sets)
 
