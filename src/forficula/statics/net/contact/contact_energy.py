@@ -124,21 +124,71 @@ def with_contact_forces(net: Net, shape: NetShape, parts: Factorisation) -> tupl
         pressed = force > 0
         return replace(shape, pressing=Pressing(pairs=pairs.some(pressed), forces=force[pressed])), True
     active = force > 0
-    numbers = (3 * pairs.nodes[:, :, None] + np.arange(3)).reshape(-1, 12)
-    rows = np.repeat(np.arange(len(numbers)), 12)
-    by_place = csr_array((slopes.ravel(), (rows, numbers.ravel())), shape=(len(numbers), places.size))
-    by_free = (by_place @ contact.spread)[:, np.flatnonzero(net.free.ravel())].toarray()[active]
+    by_free = _by_free(net, contact, pairs, nearest)[active]
     yields = by_free @ parts.solve(np.ascontiguousarray(by_free.T))
     overlap = pairs.thickness[active] - nearest.distance[active]
     force = force.copy()
     # away from a minimum, the distances do not determine the forces
     if active.any() and error <= _NEAR and parts.index == 0:
-        root = np.linalg.cholesky(
-            (yields + yields.T) / 2 + _INDEPENDENT * yields.diagonal().max() * np.eye(len(yields))
-        )
-        force[active] = nnls(root.T, root.T @ known[active] + np.linalg.solve(root, overlap))[0]
+        force[active] = _pushing(yields, known[active], overlap)
     pressed = force > 0
     return replace(shape, pressing=Pressing(pairs=pairs.some(pressed), forces=force[pressed])), False
+
+
+def constrained_step(net: Net, shape: NetShape, parts: Factorisation, step: Array) -> tuple[Array, NetShape]:
+    """Return the step of Newton's method on equilibrium and distances of pairs that press, and the shape with its forces.
+
+    Unlike the multipliers of `with_contact_forces`, these converge near any equilibrium, stable or not.
+
+    Args:
+        net: need not have contact.
+        shape: near an equilibrium.
+        parts: of the Hessian by the free coordinates.
+        step: to the equilibrium for the multipliers of the shape, by the free coordinates, m, (coordinate,).
+    """
+    contact = net.contact
+    if contact is None:
+        return step, shape
+    places = contact.points @ shape.positions
+    pairs, nearest, force, known = _forces(contact, places, shape.pressing)
+    share = _shares(pairs, places[pairs.nodes])[0]
+    used = (share > 0) & (force > 0)
+    if not used.any():
+        return step, replace(shape, pressing=None)
+    pairs, nearest, share = pairs.some(used), _some(nearest, used), share[used]
+    by_free = _by_free(net, contact, pairs, nearest)
+    spread = parts.solve(np.ascontiguousarray(by_free.T)) * share
+    overlap = pairs.thickness - nearest.distance - by_free @ step
+    try:
+        forces = _pushing(by_free @ spread, known[used], overlap)
+    except np.linalg.LinAlgError:  # the force of a pair and its distance fall together
+        return step, shape
+    pressing = Pressing(pairs=pairs, forces=forces)
+    return step + spread @ (forces - known[used]), replace(shape, pressing=pressing)
+
+
+def _pushing(yields: Array, known: Array, overlap: Array) -> Array:
+    """Return the forces >= 0 of pairs without overlaps, N, from those that have overlaps, m.
+
+    Args:
+        yields: of the distances to the forces, m/N, (pair, pair).
+        known: forces with these overlaps, N, (pair,).
+        overlap: m, (pair,).
+
+    Raises:
+        numpy.linalg.LinAlgError: the yields are not positive definite.
+    """
+    root = np.linalg.cholesky((yields + yields.T) / 2 + _INDEPENDENT * yields.diagonal().max() * np.eye(len(yields)))
+    return np.asarray(nnls(root.T, root.T @ known + np.linalg.solve(root, overlap))[0])
+
+
+def _by_free(net: Net, contact: NetContact, pairs: Pairs, nearest: Closest) -> Array:
+    """Return the derivatives of the distances of pairs by the free coordinates, (pair, coordinate)."""
+    numbers = (3 * pairs.nodes[:, :, None] + np.arange(3)).reshape(-1, 12)
+    rows = np.repeat(np.arange(len(numbers)), 12)
+    entries = gradients(nearest).ravel()
+    by_place = csr_array((entries, (rows, numbers.ravel())), shape=(len(numbers), 3 * contact.points.shape[0]))
+    return (by_place @ contact.spread)[:, np.flatnonzero(net.free.ravel())].toarray()
 
 
 def contact_forces(net: Net, shape: NetShape) -> dict[str, float]:
