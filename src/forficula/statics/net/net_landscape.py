@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 from scipy.sparse import coo_array
@@ -55,7 +56,7 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
     search = find_stable_states(net, [rest.shape for _, rest, _ in rests], tries=_TRIES)
     states = _states(structure, net, search, rests, progress)
     progress("saddles between states")
-    search, states, passes = _joined(structure, net, search, states)
+    search, states, passes = _joined(structure, net, search, states, _protocol_pairs(net, states, rests))
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -186,10 +187,32 @@ def _name(net: Net, state: NetRest, rests: Sequence[tuple[str, NetRest, bool]]) 
     return ""
 
 
+def _protocol_pairs(
+    net: Net, states: Sequence[NetState], rests: Sequence[tuple[str, NetRest, bool]]
+) -> list[tuple[int, int]]:
+    """Return the pairs of states that a protocol reaches one after another with contact, by number.
+
+    Plates on joints in a tree are a net only with contact. Without it, passes join these pairs.
+    """
+    if net.contact is None:
+        return []
+    numbers = [_state_number(net, states, rest) for _, rest, _ in rests]
+    pairs = [
+        (min(one, other), max(one, other))
+        for one, other in pairwise(numbers)
+        if one is not None and other is not None and one != other
+    ]
+    return list(dict.fromkeys(pairs))
+
+
 def _joined(
-    structure: Structure, net: Net, search: StableStates, listed: Sequence[NetState]
+    structure: Structure,
+    net: Net,
+    search: StableStates,
+    listed: Sequence[NetState],
+    further: Sequence[tuple[int, int]] = (),
 ) -> tuple[StableStates, list[NetState], tuple[Pass, ...]]:
-    """Find saddles between neighbouring states: pairs that form the minimum spanning tree of all states.
+    """Find saddles between neighbouring states: pairs that form the minimum spanning tree, and further ones.
 
     A saddle that joins two other states than the requested ones is kept for those. A state beyond a saddle that the
     search has missed, such as the mirror image of a listed one, is listed as well, and its neighbours are tried.
@@ -199,7 +222,7 @@ def _joined(
     """
     states, passes, tried = list(listed), dict[tuple[int, int], Pass](), set[tuple[int, int]]()
     saddles = list[Saddle]()
-    while pairs := _neighbours(states, passes.keys(), tried):
+    while pairs := list(dict.fromkeys([*_neighbours(states, passes.keys(), tried), *(set(further) - tried)])):
         count = len(states)
         for start, end in pairs:
             tried.add((start, end))
