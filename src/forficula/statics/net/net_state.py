@@ -231,7 +231,7 @@ def _loss_under(net: Net, rest: NetRest, load: Load) -> Collapse | None:
 
 
 def _is_beyond_stops(net: Net, shape: NetShape) -> bool:
-    """Return whether a load turns creases so far beyond their stops, which are stiff springs, that these are crushed."""
+    """Return whether a load turns creases far beyond their stops, which are stiff springs."""
     law = net.creases.law
     return bool(np.any((shape.angles < law.lower - _CRUSHED) | (shape.angles > law.upper + _CRUSHED)))
 

@@ -136,7 +136,7 @@ def with_contact_forces(net: Net, shape: NetShape, parts: Factorisation) -> tupl
 
 
 def constrained_step(net: Net, shape: NetShape, parts: Factorisation, step: Array) -> tuple[Array, NetShape]:
-    """Return the step of Newton's method on equilibrium and distances of pairs that press, and the shape with its forces.
+    """Return the step of Newton's method on equilibrium and distances of pressing pairs, and the shape with its forces.
 
     Unlike the multipliers of `with_contact_forces`, these converge near any equilibrium, stable or not.
 
