@@ -188,7 +188,7 @@ def _by_free(net: Net, contact: NetContact, pairs: Pairs, nearest: Closest) -> A
     rows = np.repeat(np.arange(len(numbers)), 12)
     entries = gradients(nearest).ravel()
     by_place = csr_array((entries, (rows, numbers.ravel())), shape=(len(numbers), 3 * contact.points.shape[0]))
-    return (by_place @ contact.spread)[:, np.flatnonzero(net.free.ravel())].toarray()
+    return np.asarray((by_place @ contact.spread)[:, np.flatnonzero(net.free.ravel())].toarray())
 
 
 def contact_forces(net: Net, shape: NetShape) -> dict[str, float]:

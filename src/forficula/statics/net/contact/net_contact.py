@@ -70,7 +70,7 @@ class NetContact:
     @cached_property
     def dense_spread(self) -> Array:
         """Return the same derivatives as a dense matrix."""
-        return self.spread.toarray()
+        return np.asarray(self.spread.toarray())
 
     def near(self, places: Array, pressing: Pressing | None = None) -> tuple[Pairs, Array]:
         """Return pairs of elements that may touch, and their forces at the last equilibrium, N, (pair,).
