@@ -58,7 +58,11 @@ def contact_terms(
         dense: whether the Hessian is dense, which is faster for few nodes.
     """
     places = contact.points @ positions
-    pairs, nearest, force, known = _forces(contact, places, pressing)
+    pairs, known = contact.near(places, pressing)
+    if not len(known):
+        return ContactTerms(0.0, np.zeros_like(positions), None)
+    nearest = contact.closest(places[pairs.nodes], pairs.of_triangles)
+    force = known + contact.stiffness * (pairs.thickness - nearest.distance)
     rows = (force > 0) | (known > 0)
     if not rows.any():
         return ContactTerms(0.0, np.zeros_like(positions), None)

@@ -92,7 +92,7 @@ class NetContact:
         return pairs, np.where(same, pressing.forces[order][places_of], 0.0)
 
     def _pairs(self, places: Array, reach: float) -> Pairs:
-        """Return pairs whose surfaces may be closer than a distance, and further ones.
+        """Return pairs whose surfaces may be closer than a distance.
 
         Pairs within a larger distance are kept until a corner has moved by half the difference (Verlet 1967, Phys. Rev.
         159, 98).
@@ -102,7 +102,9 @@ class NetContact:
         if last.pairs is None or reach + 2 * moved > last.reach:
             last.reach = reach + _MARGIN * self.size
             last.places, last.pairs = places.copy(), near_pairs(self.parts, places, last.reach)
-        return last.pairs
+        at, first = places[last.pairs.nodes], last.pairs.of_triangles
+        apart = np.concatenate([_gaps(at[:first], 1), _gaps(at[first:], 2)])
+        return last.pairs.some(apart <= reach + last.pairs.thickness)
 
     @cached_property
     def _last(self) -> _NearPairs:
@@ -211,6 +213,13 @@ def _together(one: Pairs, other: Pairs) -> Pairs:
         thickness=np.concatenate([one.thickness, other.thickness])[order],
         parts=np.concatenate([one.parts, other.parts])[order],
     )
+
+
+def _gaps(at: Array, corners: int) -> Array:
+    """Return the largest gap along an axis between the first corners of pairs and the others, m, (pair,)."""
+    one, other = at[:, :corners], at[:, corners:]
+    gap = np.maximum(one.min(axis=1) - other.max(axis=1), other.min(axis=1) - one.max(axis=1))
+    return np.asarray(gap.max(axis=1, initial=-np.inf))
 
 
 def _volumes(places: Array) -> Array:
