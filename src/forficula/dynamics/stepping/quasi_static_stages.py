@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import mujoco
 import numpy as np
 
 from forficula.arrays import Array
@@ -16,9 +17,11 @@ from forficula.dynamics.energies.energy import state_series
 from forficula.dynamics.energies.work_balance import WorkBalance
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.recorder import Recorder
+from forficula.dynamics.stepping.folds import joint_address, slide_name
 from forficula.dynamics.stepping.stages import StageTracker
+from forficula.dynamics.stepping.start_states import start_position
 from forficula.dynamics.stepping.stepper import Stepper
-from forficula.dynamics.stepping.steps import EngineState
+from forficula.dynamics.stepping.steps import MEMORY, EngineState
 from forficula.errors import InputError
 from forficula.structure import GrowingLoad, RestPath, RestShape, RestSolver, goal_of
 
@@ -54,7 +57,7 @@ class QuasiStaticStages:
         model, stage = self._models[row], int(tracker.stage[row])
         assert self._solver is not None
         reached, unit = stepper.state(row), _setting_units(model)
-        shape = stepper.shape(row)
+        shape = _shape(model, reached)
         number, begun = self._begun.get(row, (-1, shape.points))
         self._begun[row] = stage, begun if number == stage else shape.points
         before, after, share = tracker.growing_load(row)
@@ -72,12 +75,12 @@ class QuasiStaticStages:
             tracker.rest_again(row)
             return
         steps, rows = _numbers(path, tracker.longest_stage(row))
-        states = [_placed(stepper, row, path.shapes[place]) for place in rows.values()]
+        states = [_placed(model, stepper, row, path.shapes[place]) for place in rows.values()]
         settings = np.array([load.settings(path.share[place]) for place in rows.values()])
-        jump = _energy(model, _placed(stepper, row, path.shapes[0]), settings[0] / unit)
+        jump = _energy(model, _placed(model, stepper, row, path.shapes[0]), settings[0] / unit)
         jump -= _energy(model, reached, settings[0] / unit)
         jump -= float(path.work[0].sum()) - path.lost - sum(float(lost[0]) for lost in path.creases.values())
-        final = _placed(stepper, row, path.shapes[-1])
+        final = _placed(model, stepper, row, path.shapes[-1])
         first = int(tracker.steps[row])
         recorder.add_at_rest(
             first + np.array(list(rows)),
@@ -99,9 +102,56 @@ class QuasiStaticStages:
             tracker.end_at_rest(row, last, steps, final.position, at_goal=path.ended == "goal")
 
 
-def _placed(stepper: Stepper, row: int, shape: RestShape) -> EngineState:
+def _placed(model: Model, stepper: Stepper, row: int, shape: RestShape) -> EngineState:
     """Put a structure at rest into a shape; return its state."""
-    return stepper.place(row, stepper.position_of(row, shape), shape.memory)
+    return stepper.place(row, _position(model, shape), shape.memory)
+
+
+def _position(model: Model, shape: RestShape) -> Array:
+    """Return the positions of a structure's joints and of bodies that slide or turn freely, (position,)."""
+    position, engine, joints = start_position(model), model.engine, model.folds.joints >= 0
+    position[model.folds.joints[joints]] = (model.folds.senses * shape.angles)[joints]
+    for number, body in enumerate(model.in_units.bodies):
+        origin = shape.origins[number] / model.units.length
+        if body.turns:
+            first = joint_address(engine, body.name)
+            position[first : first + 3] = origin
+            mujoco.mju_mat2Quat(position[first + 3 : first + 7], shape.frames[number].ravel())
+            continue
+        for axis in body.slides:
+            # bodies that only slide are on the ground
+            position[joint_address(engine, slide_name(body.name, axis))] = origin[axis] - body.position[axis]
+    return position
+
+
+def _shape(model: Model, state: EngineState) -> RestShape:
+    """Return the shape of a structure in a state, SI."""
+    series = state_series(model, state.angle[None], _rows(state))
+    bodies = [model.engine.body(body.name).id for body in model.in_units.bodies]
+    return RestShape(
+        angles=state.angle,
+        points=series["point_position"][0],
+        origins=model.units.length * state.derived["xpos"][bodies],
+        frames=state.derived["xmat"][bodies].reshape(-1, 3, 3),
+        memory=_hinge_memory(model, state.derived[MEMORY], series.get("hinge_set")),
+    )
+
+
+def _hinge_memory(model: Model, memory: Array, sets: Array | None) -> Array | None:
+    """Return the memory of all hinges of a structure, SI, (slot, hinge); None if no hinge remembers anything.
+
+    Args:
+        model: of the structure.
+        memory: of followed hinges, in the model's units, (slot, hinge).
+        sets: permanent folds of all hinges, rad, (state, hinge); None if no hinge folds permanently.
+    """
+    if sets is None and len(memory) == 1:
+        return None
+    result = np.zeros((len(memory), len(model.structure.hinges)))
+    result[:, model.followed_hinges] = memory
+    result[2:] *= model.units.energy
+    result[0] = 0.0 if sets is None else sets[0]
+    return result
 
 
 def _setting_units(model: Model) -> Array:

@@ -17,7 +17,6 @@ from mujoco.batch import Batch
 from forficula.arrays import Array, Indices
 from forficula.cores import usable_cores
 from forficula.dynamics.energies.crease_moments import Past
-from forficula.dynamics.energies.energy import state_series
 from forficula.dynamics.engine.contact import has_engine_contact
 from forficula.dynamics.engine.contact_forces import ContactForces
 from forficula.dynamics.engine.crease_rows import without_jump
@@ -26,11 +25,9 @@ from forficula.dynamics.engine.followed_creases import FollowedCreases, followed
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.warnings import quiet
 from forficula.dynamics.stepping.contact_steps import contact_steps
-from forficula.dynamics.stepping.folds import joint_address, slide_name
 from forficula.dynamics.stepping.rollout import Rollout, block_memory, branch_slices
-from forficula.dynamics.stepping.start_states import start_crease_memory, start_creases, start_position, start_states
+from forficula.dynamics.stepping.start_states import start_crease_memory, start_creases, start_states
 from forficula.dynamics.stepping.steps import MEMORY, MOVING, STATE, EngineState, StepContacts, Steps
-from forficula.structure import RestShape
 from forficula.structure.contact.touching_parts import has_touching_facets
 
 if TYPE_CHECKING:
@@ -214,52 +211,6 @@ class Stepper:
         angle = self._structures[row].folds.angles(data.qpos)
         angle[followed] = without_jump(angle[followed], self._angles[row])
         return EngineState(position=data.qpos.copy(), velocity=data.qvel.copy(), angle=angle, derived=derived)
-
-    def position_of(self, row: int, shape: RestShape) -> Array:
-        """Return the positions of a structure's joints and of bodies that slide or turn freely, (position,)."""
-        model = self._structures[row]
-        position, engine, joints = start_position(model), model.engine, model.folds.joints >= 0
-        position[model.folds.joints[joints]] = (model.folds.senses * shape.angles)[joints]
-        for number, body in enumerate(model.in_units.bodies):
-            origin = shape.origins[number] / model.units.length
-            if body.turns:
-                first = joint_address(engine, body.name)
-                position[first : first + 3] = origin
-                mujoco.mju_mat2Quat(position[first + 3 : first + 7], shape.frames[number].ravel())
-                continue
-            for axis in body.slides:
-                # bodies that only slide are on the ground
-                position[joint_address(engine, slide_name(body.name, axis))] = origin[axis] - body.position[axis]
-        return position
-
-    def shape(self, row: int) -> RestShape:
-        """Return the shape of a structure, SI."""
-        model, state = self._structures[row], self.state(row)
-        series = state_series(model, state.angle[None], {name: values[None] for name, values in state.derived.items()})
-        bodies = [model.engine.body(body.name).id for body in model.in_units.bodies]
-        return RestShape(
-            angles=state.angle,
-            points=series["point_position"][0],
-            origins=model.units.length * state.derived["xpos"][bodies],
-            frames=state.derived["xmat"][bodies].reshape(-1, 3, 3),
-            memory=self._hinge_memory(row, series.get("hinge_set")),
-        )
-
-    def _hinge_memory(self, row: int, sets: Array | None) -> Array | None:
-        """Return the memory of all hinges of a structure, SI, (slot, hinge); None if no hinge remembers anything.
-
-        Args:
-            row: number of the structure.
-            sets: permanent folds of all hinges, rad, (state, hinge); None if no hinge folds permanently.
-        """
-        model, past = self._structures[row], self._past[:, row]
-        if sets is None and len(past) == 1:
-            return None
-        memory = np.zeros((len(past), len(model.structure.hinges)))
-        memory[:, model.followed_hinges] = past
-        memory[2:] *= model.units.energy
-        memory[0] = 0.0 if sets is None else sets[0]
-        return memory
 
     def place(self, row: int, position: Array, memory: Array | None = None) -> EngineState:
         """Put a structure at rest into a position, (position,), with a memory of its hinges; return its state.
