@@ -303,8 +303,8 @@ OF_TENDON = (
         (f"{STAGE}holt = 1", "protocol.stages.0.holt: unknown key, got 1; did you mean protocol.stages.0.hold?"),
         (
             '[crease]\nfriction = "1 N m/m"',
-            'crease: unknown key, got {friction = "1 N m/m"}; designs of kind earwig-fan do not have it, those of kind'
-            " miura-ori, waterbomb, yoshimura, kresling, pleats, vertex and fold-file do",
+            'crease: unknown key, got {friction = "1 N m/m"}; designs of kind earwig-fan have no such key, only those'
+            " of kind miura-ori, waterbomb, yoshimura, kresling, pleats, vertex and fold-file",
         ),
         ("xyz = 1", f"xyz: unknown key, got 1; allowed here: {SECTIONS}"),
         ("[xyz]\nstiffness = 1", f"xyz: unknown key, got {{stiffness = 1}}; allowed here: {SECTIONS}"),

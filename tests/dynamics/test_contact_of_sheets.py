@@ -98,7 +98,7 @@ def test_forces_of_contact_have_no_resultant_and_no_moment():
     held, _, _ = contact.forces(np.array([0]), shifted[None], still)
     _, moved, _ = geometry.nodes(shifted)
     scale = np.abs(held).max()
-    assert contact.grips[0].energy > 0
+    assert contact.friction_springs[0].energy > 0
     np.testing.assert_allclose(held[0][slides].sum(axis=0), 0, atol=1e-9 * scale)
     np.testing.assert_allclose(np.cross(moved, held[0][slides]).sum(axis=0), 0, atol=1e-9 * scale * np.ptp(moved))
     # forces of dampers along sliding velocities act at both nearest points, a thickness apart
@@ -237,7 +237,7 @@ def test_the_derived_time_constant_is_in_the_files_of_a_run_and_in_the_terminal(
     assert line in (tmp_path / "design.toml").read_text("utf-8").splitlines()
     text = contact_text(derived)
     assert text.startswith(
-        "Derived: contact.time_constant = 46 µs, with a timestep of 5.556 µs. In this run parts that"
+        "The run derived contact.time_constant = 46 µs and a timestep of 5.556 µs. With these values,"
     )
     assert text.endswith("and in earlier runs by 100 % with 0.4 ms.")
 

@@ -386,6 +386,12 @@ def test_a_strip_of_rigid_facets_on_supports_sags_until_its_crease_carries_it(su
     holds("gap of the supports", record.series["closure_gap"].max() / SIDE, below=1e-6, by="rigid supports")
 
 
+def test_hinges_that_supports_tie_together_have_no_bands_of_friction():
+    values = {"facet.kind": "rigid", "crease.back_limit": "170 deg", "crease.stiffness": "0.2 N m/rad/m"}
+    landscape = ff.landscape(sheet(values | {"crease.friction": "0.02 N m/m"}, ON_TWO_EDGES), points=11)
+    assert landscape.friction_bands == ()
+
+
 def test_a_loop_of_rigid_facets_on_vertices_rests_in_statics_as_in_a_run(agree, holds):
     pattern = """kind = "miura-ori"
 columns = 2

@@ -105,10 +105,15 @@ def contact_text(record: Record) -> str:
         return ""
     *earlier, this = record.contact_runs
     now, step = show_value(this.time_constant, "s"), show_value(this.timestep, "s")
-    text = f"Derived: contact.time_constant = {now}, with a timestep of {step}"
     if this.overlap is None:
-        return f"{text}: the first value that a run tries. The overlaps of these parts are not known."
-    text += f". In this run parts that touch overlap by {100 * this.overlap:.3g} % of their thickness"
+        return (
+            f"contact.time_constant is {now}, the first value that a run tries, with a timestep of {step}. The engine"
+            " does not report how far these parts overlap."
+        )
+    text = (
+        f"The run derived contact.time_constant = {now} and a timestep of {step}. With these values, parts that touch"
+        f" overlap by {100 * this.overlap:.3g} % of their thickness"
+    )
     shares = [f"{100 * (run.overlap or 0.0):.3g} % with {show_value(run.time_constant, 's')}" for run in earlier]
     return f"{text}, and in earlier runs by {' and '.join(shares)}." if shares else f"{text}."
 

@@ -12,7 +12,7 @@ from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.rotation import motion_from
 from forficula.pattern.thick.convex import solid_of
 from forficula.pattern.thick.thick_motion import panel_overlaps
-from forficula.structure import Plate, Structure, built_points, facet_triangles
+from forficula.structure import Structure, built_points, facet_triangles
 
 _ROWS = 400  # number of evenly spaced rows of a record that are examined
 _TOGETHER = 16  # rows whose bounding boxes are compared at once
@@ -111,7 +111,7 @@ def _overlapping_solids(structure: Structure, places: Array) -> list[tuple[str, 
     motions = [motion_from(built[list(plate.points)], places[:, list(plate.points)]) for plate in plates]
     turns, shifts = (np.stack(parts, axis=1) for parts in zip(*motions, strict=True))
     panels = [[solid_of(built[list(solid)]) for solid in plate.solids] for plate in plates]
-    names = [_plate_name(structure, plate) for plate in plates]
+    names = [structure.bodies[plate.body].label for plate in plates]
     deep = (_DEEP if structure.contact is None else _DEEP_IN_CONTACT) * max(plate.thickness for plate in plates)
     result = [
         (names[one], names[other], int(np.argmax(depths > deep)))
@@ -119,10 +119,6 @@ def _overlapping_solids(structure: Structure, places: Array) -> list[tuple[str, 
         if depths.max() > deep
     ]
     return sorted(result, key=lambda entry: entry[2])
-
-
-def _plate_name(structure: Structure, plate: Plate) -> str:
-    return structure.bodies[plate.body].label
 
 
 def _pieces(structure: Structure) -> _Pieces:
@@ -147,7 +143,7 @@ def _pieces(structure: Structure) -> _Pieces:
         half=np.array(thickness) / 2,
         owner=np.concatenate([np.arange(len(plates)), len(plates) + numbers]),
         names=(
-            *(_plate_name(structure, plate) for plate in plates),
+            *(structure.bodies[plate.body].label for plate in plates),
             *(f"facet {facet.name.removeprefix('facet')}" for facet in facets),
         ),
         joined=joined,

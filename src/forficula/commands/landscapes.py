@@ -128,7 +128,7 @@ def _survey(design: Design, *, simulation: bool) -> tuple[EnergyLandscape, Recor
     from forficula.show.progress import survey_progress, waiting
     from forficula.structure import structure_of, structure_warnings
     from forficula.study.landscape_and_run import landscape_and_run
-    from forficula.study.running.numerical_settings import is_open
+    from forficula.study.running.numerical_settings import finds_settings
 
     structure = structure_of(design)
     whole = structure.appearance.whole
@@ -142,7 +142,7 @@ def _survey(design: Design, *, simulation: bool) -> tuple[EnergyLandscape, Recor
     write_survey_estimate(structure)
     first = f"building the {whole}" if simulation else "surveying its energy"
     with survey_progress(first, "surveying") as (progress, steps):
-        estimate = RunEstimate(progress, searches=is_open(design))
+        estimate = RunEstimate(progress, searches=finds_settings(design))
         return landscape_and_run(design, simulation=simulation, progress=estimate, steps=steps)
 
 

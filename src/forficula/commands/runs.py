@@ -118,7 +118,7 @@ def _simulated(design: Design, *, confirm: bool) -> Record:
     from forficula.show import run_progress
     from forficula.show.progress import waiting
     from forficula.structure import structure_of, structure_warnings
-    from forficula.study.running.numerical_settings import is_open
+    from forficula.study.running.numerical_settings import finds_settings
     from forficula.study.running.runs import run as run_design
 
     with waiting("computing the timestep limit"):
@@ -127,7 +127,7 @@ def _simulated(design: Design, *, confirm: bool) -> Record:
     for warning in warnings:
         warn(warning)
     with run_progress(f"building the {structure.appearance.whole}") as progress:
-        estimate = RunEstimate(progress, searches=is_open(design))
+        estimate = RunEstimate(progress, searches=finds_settings(design))
         return run_design(design, estimate, confirm=confirm)
 
 

@@ -321,11 +321,11 @@ def assumptions(
     from forficula.show.folder.assumptions_folder import write_assumptions
     from forficula.show.study.assumptions_table import print_assumptions
     from forficula.study.assumptions.assumptions import run_assumptions
-    from forficula.study.running.numerical_settings import is_open
+    from forficula.study.running.numerical_settings import finds_settings
 
     note_replaced(folder, "table of assumptions")
     with run_progress("building the changed designs") as progress:
-        estimate = RunEstimate(progress, searches=is_open(chosen), several=True)
+        estimate = RunEstimate(progress, searches=finds_settings(chosen), several=True)
         result = run_assumptions(chosen, assumptions=to_change, progress=estimate)
     print_assumptions(result)
     write_assumptions(result, folder)

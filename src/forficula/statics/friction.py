@@ -42,15 +42,15 @@ def friction_bands(structures: Ensemble, states: Sequence[tuple[str, Array]]) ->
     """Compute the angles around resting states at which dry friction holds single hinges.
 
     A hinge is stuck where the moment of all elastic parts and weights is at most its friction. The band ends at the
-    nearest angle at which the moment is larger, or at a stop. Hinges that rigid couplings or closed loops tie
-    together have no band, because they cannot turn alone.
+    nearest angle at which the moment is larger, or at a stop. Hinges that rigid couplings, closed loops or supports of
+    points tie together have no band, because they cannot turn alone.
 
     Args:
         structures: a tree as the only case.
         states: names, and angles of all joints at rest, rad, (joint,).
     """
     structure = structures.structure
-    if structures.ties is not None or structures.pins is not None:
+    if structures.ties is not None or structures.pins is not None or structures.supported:
         return ()
     return tuple(
         FrictionBand(

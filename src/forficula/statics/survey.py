@@ -278,7 +278,7 @@ def slow_drives(structure: Structure) -> dict[str, SlowDrive]:
     """Compute the least slowly growing drive of every transition, by name, each from the end of the one before.
 
     Raises:
-        InputError: a crease folds permanently.
+        InputError: a crease folds permanently or wears out.
     """
     refuse_path_dependence(structure, "least slow drives")
     if is_net(structure):

@@ -68,8 +68,8 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     structures = ensemble([structure])
     hinges = crossed_hinges(structure, points)
     # shapes of the rigid fold and of partial folds may be below a table
-    above = structure.table is None
-    path = None if structure.rigid_fold is None or not above else fold_path(structures, points)
+    on_table = structure.table is not None
+    path = None if structure.rigid_fold is None or on_table else fold_path(structures, points)
     start = start_state(structures)
     rests, courses, slow_paths, torque_remarks = _protocol(structures, start, hinges)
     stable = stable_rests(rests)
@@ -98,9 +98,9 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
         ),
         hinges=hinges,
         fold_path=path,
-        levels=fold_levels(structure) if above else None,
-        partial_folds=partial_folds(structures, start.position) if above else (),
-        hinge_barriers=single_hinge_barriers(structures, start.position) if above else np.zeros(0),
+        levels=None if on_table else fold_levels(structure),
+        partial_folds=() if on_table else partial_folds(structures, start.position),
+        hinge_barriers=np.zeros(0) if on_table else single_hinge_barriers(structures, start.position),
         friction_bands=bands,
         tips=None if path is None else tip_stiffness(structures, start.position),
     )

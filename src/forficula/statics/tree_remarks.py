@@ -88,11 +88,12 @@ def shared_remarks(structure: Structure) -> tuple[str, ...]:
 
 
 def coupling_remarks(structures: Ensemble, hinges: Sequence[CrossedHinge], rests: Sequence[Rest]) -> tuple[str, ...]:
-    """Return remarks on springs between points, creases between flaps and closures."""
+    """Return remarks on springs between points, creases between flaps, closures and supports of points."""
     remarks = list[str]()
     if structures.coupled and hinges:
         remarks.append(
-            "the landscapes of single hinges leave out springs between points, creases between flaps and closures"
+            "the landscapes of single hinges leave out springs between points, creases between flaps, closures and"
+            " supports of points"
         )
     if structures.pins is not None:
         angles = np.array([rest.angles[: structures.size] for rest in rests])

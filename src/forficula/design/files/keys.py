@@ -37,7 +37,7 @@ _OF_ASSEMBLY = (
     "protocol.timestep",
     "protocol.sample_interval",
 )
-# keys of other sections that a hint for an unknown key names at most, and keys of its section that it names besides
+# largest number of keys of other sections in a hint for an unknown key, and of keys of the same section after them
 _MOST_MEANT = 4
 # words that users write by mistake, with the key that they mean
 _MEANT = {"file": "path"}
@@ -297,7 +297,7 @@ def hint(place: Sequence[str], model: type[Section] = FanDesign) -> str:
     listing = f"allowed here: {', '.join(allowed)}"
     kind = next((name for name in KINDS if KINDS[name] is model), "")
     if kind and not section and (having := [name for name in KINDS if wrong in KINDS[name].model_fields]):
-        return f"designs of kind {kind} do not have it, those of kind {listed(having)} do"
+        return f"designs of kind {kind} have no such key, only those of kind {listed(having)}"
     if near and not (section and allowed and len(elsewhere[near[0]]) > _MOST_MEANT):
         few = f" {listing}" * bool(section and 0 < len(allowed) <= _MOST_MEANT)
         return f"did you mean {' or '.join(elsewhere[near[0]])}?{few}"

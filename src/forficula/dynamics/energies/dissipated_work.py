@@ -113,7 +113,7 @@ def add_contacts(work: dict[str, Array], models: Sequence[Model], contacts: Step
     """Add the work of contacts of facets and plates, without that which friction springs store, and their energy."""
     work["contact_work"] = work.get("contact_work", 0.0) + np.sum(contacts.forces * travel, axis=2)
     if any(model.structure.contact is not None and model.structure.contact.friction for model in models):
-        energies = np.array([[grip.energy for grip in row] for row in contacts.grips])
+        energies = np.array([[springs.energy for springs in row] for row in contacts.friction_springs])
         work["friction_spring_energy"] = np.diff(energies, axis=1)
         work["contact_work"] = work["contact_work"] + work["friction_spring_energy"]
 

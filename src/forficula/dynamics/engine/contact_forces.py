@@ -53,7 +53,7 @@ class _Neighbours:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Grip:
+class FrictionSprings:
     """Friction springs of the touching pairs of one structure.
 
     Attributes:
@@ -69,7 +69,7 @@ class Grip:
 
 
 # nothing touches
-_FREE = Grip(nodes=np.zeros((0, 4), dtype=np.int64), anchors=np.zeros((0, 4)))
+_NO_SPRINGS = FrictionSprings(nodes=np.zeros((0, 4), dtype=np.int64), anchors=np.zeros((0, 4)))
 
 
 class ContactForces:
@@ -83,14 +83,14 @@ class ContactForces:
     dampers have the factor 1 / sqrt(n), so that the damping ratio stays the same.
 
     Attributes:
-        grips: friction springs of each structure at the last computed forces, `Grip`, (structure,).
+        friction_springs: `FrictionSprings` of each structure at the last computed forces, (structure,).
     """
 
     def __init__(self, models: Sequence[Model]) -> None:
         """Prepare for structures in their start states."""
         self._geometries = [geometry for model in models if (geometry := contact_geometry(model)) is not None]
         self._neighbours: dict[int, _Neighbours] = {}
-        self.grips: NDArray[np.object_] = np.full(len(models), _FREE, dtype=object)
+        self.friction_springs: NDArray[np.object_] = np.full(len(models), _NO_SPRINGS, dtype=object)
 
     def forces(self, rows: Indices, position: Array, velocity: Array) -> tuple[Array, Array, int]:
         """Compute the generalised forces on structures, and the number of steps for which they hold.
@@ -137,7 +137,7 @@ class ContactForces:
             left = near.slack - geometry.most_moved(position - near.position)
             step = _FASTER * geometry.most_moved(self._rates(row, velocity)) * geometry.timestep
             if left > step:
-                self.grips[row] = _FREE
+                self.friction_springs[row] = _NO_SPRINGS
                 return 0.0, int(min(left / step, _MANY)) if step else _MANY
         if geometry.explicit:
             position = position.copy()
@@ -156,10 +156,12 @@ class ContactForces:
         if active.any():
             near.slack = 0.0
             touching = near.pairs.some(active), nearest.some(active)
-            pushes, self.grips[row] = _pushes(geometry, *touching, places, speeds, self.grips[row])
+            pushes, self.friction_springs[row] = _pushes(
+                geometry, *touching, places, speeds, self.friction_springs[row]
+            )
             forces += geometry.loads(pose, arms, pushes)
             return deepest, 1
-        self.grips[row] = _FREE
+        self.friction_springs[row] = _NO_SPRINGS
         clear = min(gap, geometry.skin - 2 * _largest(places - near.listed_at))
         near.known_at, near.position, near.slack = places, position, clear / 2
         return deepest, max(1, int(min(near.slack / step, _MANY))) if step else _MANY
@@ -180,8 +182,8 @@ class ContactForces:
 
 
 def _pushes(
-    geometry: ContactGeometry, pairs: Pairs, nearest: Nearest, places: Array, speeds: Array, grip: Grip
-) -> tuple[Array, Grip]:
+    geometry: ContactGeometry, pairs: Pairs, nearest: Nearest, places: Array, speeds: Array, springs: FrictionSprings
+) -> tuple[Array, FrictionSprings]:
     """Compute the forces of touching pairs on all nodes, (node, 3), and their friction springs.
 
     Args:
@@ -190,7 +192,7 @@ def _pushes(
         nearest: their nearest points.
         places: positions of all nodes, (node, 3).
         speeds: velocities of all nodes, (node, 3).
-        grip: friction springs so far.
+        springs: friction springs so far.
     """
     contact, nodes = geometry.contact, pairs.nodes
     weights, normals = nearest.weights, nearest.normals
@@ -211,11 +213,11 @@ def _pushes(
     if contact.friction:
         stiffness = faded * mass / (contact.stops.time_constant * contact.stops.damping_ratio) ** 2
         sliding = moving - along[:, None] * normals
-        held, grip = _friction(pairs, nearest, places, stiffness, damper, sliding, contact.friction * total, grip)
+        held, springs = _friction(pairs, nearest, places, stiffness, damper, sliding, contact.friction * total, springs)
         shares = shares + held
     pushes = np.zeros_like(places)
     np.add.at(pushes, nodes, shares)
-    return pushes, grip
+    return pushes, springs
 
 
 def _friction(
@@ -226,8 +228,8 @@ def _friction(
     damper: Array,
     sliding: Array,
     limit: Array,
-    grip: Grip,
-) -> tuple[Array, Grip]:
+    springs: FrictionSprings,
+) -> tuple[Array, FrictionSprings]:
     """Compute the forces of friction on the nodes of touching pairs, (pair, 4, 3), and the springs afterwards.
 
     The ends of a spring are points of both shapes. Where its force exceeds the limit, these points slide towards the
@@ -241,10 +243,10 @@ def _friction(
         damper: constant of the damper of each pair, (pair,).
         sliding: velocity of the first shape along the second one, (pair, 3).
         limit: of the force of each pair, (pair,).
-        grip: friction springs so far.
+        springs: friction springs so far.
     """
     weights, normals = nearest.weights, nearest.normals
-    anchors = _anchors(grip, pairs.nodes, weights)
+    anchors = _anchors(springs, pairs.nodes, weights)
     stretch = np.einsum("pk,pkx->px", anchors, places[pairs.nodes])
     across = np.einsum("px,px->p", stretch, normals)
     stretch = stretch - across[:, None] * normals
@@ -262,18 +264,20 @@ def _friction(
     shift = (stiffness * across)[:, None] * normals
     forces = -anchors[:, :, None] * pull[:, None] - (anchors - weights)[:, :, None] * shift[:, None]
     energy = float(np.sum((kept * size) ** 2 / np.maximum(2 * stiffness, np.finfo(float).tiny)))
-    return forces - weights[:, :, None] * drag[:, None], Grip(nodes=pairs.nodes, anchors=anchors, energy=energy)
+    return forces - weights[:, :, None] * drag[:, None], FrictionSprings(
+        nodes=pairs.nodes, anchors=anchors, energy=energy
+    )
 
 
-def _anchors(grip: Grip, nodes: Indices, weights: Array) -> Array:
+def _anchors(springs: FrictionSprings, nodes: Indices, weights: Array) -> Array:
     """Return the weights of the ends of the springs of pairs, (pair, 4); those of the nearest points for new pairs."""
-    if np.array_equal(grip.nodes, nodes):
-        return grip.anchors
-    if not len(grip.nodes):
+    if np.array_equal(springs.nodes, nodes):
+        return springs.anchors
+    if not len(springs.nodes):
         return weights
-    known = {tuple(pair): place for place, pair in enumerate(grip.nodes.tolist())}
+    known = {tuple(pair): place for place, pair in enumerate(springs.nodes.tolist())}
     places = np.array([known.get(tuple(pair), -1) for pair in nodes.tolist()])
-    return np.where((places >= 0)[:, None], grip.anchors[places], weights)
+    return np.where((places >= 0)[:, None], springs.anchors[places], weights)
 
 
 def _law(mass: Array, depth: Array, thickness: Array, contact: Contact) -> tuple[Array, Array]:

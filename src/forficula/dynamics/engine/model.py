@@ -51,7 +51,7 @@ _MOST_BODIES = 2002
 _BETWEEN_CONTACTS = 100
 # [chosen] most iterations by which the engine finds forces of friction that hold touching parts without a creep; 6
 # points on a table need no more than 5
-_HOLDING = 10
+_NO_SLIP_ITERATIONS = 10
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -356,7 +356,7 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
         # friction in a pyramidal cone would depend on the direction
         option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
         # without these iterations, parts creep below the limit of friction
-        option.noslip_iterations = _HOLDING
+        option.noslip_iterations = _NO_SLIP_ITERATIONS
     return spec
 
 

@@ -27,7 +27,7 @@ def contact_steps(
 ) -> None:
     """Take a block of steps of structures whose parts may touch, step by step where they do."""
     drag, begun = state[:, rollout.applied], block.start
-    contacts.grips[:, begun] = contact.grips[rows]
+    contacts.friction_springs[:, begun] = contact.friction_springs[rows]
     while begun < block.stop:
         position, velocity = rollout.motion(state)
         forces, overlaps, count = contact.forces(rows, position, velocity)
@@ -49,7 +49,7 @@ def contact_steps(
         for field, values in late.items():
             values[:, steps] = of_late[field]
         contacts.forces[:, steps], contacts.overlaps[:, steps] = forces[:, None], overlaps[:, None]
-        contacts.grips[:, begun + 1 : begun + count + 1] = contact.grips[rows, None]
+        contacts.friction_springs[:, begun + 1 : begun + count + 1] = contact.friction_springs[rows, None]
         state[:, rollout.moving] = ended
         begun += count
     state[:, rollout.applied] = drag

@@ -181,7 +181,7 @@ class Stepper:
         """Put structures into their states after the steps that count, (row,)."""
         self._state[np.ix_(rows, self._moving)] = steps.states(np.arange(len(rows)), taken)
         if self._contact is not None and steps.contact is not None:
-            self._contact.grips[rows] = steps.contact.grips[np.arange(len(rows)), taken]
+            self._contact.friction_springs[rows] = steps.contact.friction_springs[np.arange(len(rows)), taken]
         if steps.angles is not None:
             for place, (row, step) in enumerate(zip(rows.tolist(), taken.tolist(), strict=True)):
                 block = min(step // steps.followed, steps.angles.shape[1] - 1)
@@ -195,7 +195,7 @@ class Stepper:
         self._state[row] = self._state[leader]
         self._angles[row], self._past[:, row] = self._angles[leader], self._past[:, leader]
         if self._contact is not None:
-            self._contact.grips[row] = self._contact.grips[leader]
+            self._contact.friction_springs[row] = self._contact.friction_springs[leader]
 
     def state(self, row: int) -> EngineState:
         """Return the state of a structure."""

@@ -30,12 +30,12 @@ class StepContacts(NamedTuple):
     Attributes:
         forces: generalised forces in each step, (structure, step, dof).
         overlaps: largest overlap in each step as a share of the thickness, (structure, step).
-        grips: friction springs before the first step and after each step, `Grip`, (structure, step + 1).
+        friction_springs: `FrictionSprings` before the first step and after each step, (structure, step + 1).
     """
 
     forces: Array
     overlaps: Array
-    grips: NDArray[np.object_]
+    friction_springs: NDArray[np.object_]
 
     @classmethod
     def allocated(cls, structures: int, steps: int, dof: int) -> StepContacts:
@@ -45,7 +45,7 @@ class StepContacts(NamedTuple):
 
     def some(self, rows: slice) -> StepContacts:
         """Select structures."""
-        return StepContacts(self.forces[rows], self.overlaps[rows], self.grips[rows])
+        return StepContacts(self.forces[rows], self.overlaps[rows], self.friction_springs[rows])
 
 
 @dataclass(frozen=True, kw_only=True)

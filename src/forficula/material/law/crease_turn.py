@@ -148,7 +148,7 @@ def turn_losses(law: CreaseLaw, angle: Array, turn: CreaseTurn) -> TurnLosses:
             begin = turn.memory.reshape(len(turn.memory), *new, *angle.shape)
             begin = np.broadcast_to(begin, memory.shape)
             memory[2:] = turned_memory(law, begin, part * (angle - turn.angle), part * turn.time)[2:]
-        # new creases: without wear
+        # the memory has no wear, so that the energy is that of creases that do not wear
         return stored_energy(law, at, 0.0, memory)
 
     return TurnLosses(yielded, mean * relaxing, _worn(law, angle, turn, stored, parts))

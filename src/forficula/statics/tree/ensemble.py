@@ -104,8 +104,12 @@ class Ensemble:
     @property
     def coupled(self) -> bool:
         """Return whether springs between points, creases between flaps, closures or supports couple the joints."""
-        supported = self.planes is not None and bool(self.planes.planes.fixed.any())
-        return supported or any(part is not None for part in (self.springs, self.flaps, self.pins))
+        return self.supported or any(part is not None for part in (self.springs, self.flaps, self.pins))
+
+    @property
+    def supported(self) -> bool:
+        """Return whether supports hold points of the bodies."""
+        return self.planes is not None and bool(self.planes.planes.fixed.any())
 
     def only(self, cases: Indices) -> Ensemble:
         """Select cases by index; repeats are allowed."""

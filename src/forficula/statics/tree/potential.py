@@ -19,10 +19,7 @@ from forficula.statics.tree.forces import force_energy
 from forficula.statics.tree.hinge_memory import HingeMemory
 from forficula.statics.tree.lines import line_energy
 from forficula.statics.tree.planes import plane_energy
-from forficula.statics.tree.pose import (
-    Pose,
-    pose,
-)
+from forficula.statics.tree.pose import Pose, pose
 from forficula.statics.tree.sheet import sheet_energy
 from forficula.statics.tree.springs import closure_gap, spring_energy
 from forficula.statics.tree.weight import weight_energy

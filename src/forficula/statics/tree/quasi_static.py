@@ -89,8 +89,7 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
 
     If springs between points, creases between flaps or closures couple the joints, not all of them can be at their
     stops. A table may keep hinges from their stops, and a force at points does not determine which stops they reach. In
-    these cases the structure is released from
-    where its full drive leads it from its first state.
+    these cases the structure is released from where its full drive leads it from its first state.
 
     Raises:
         InputError: neither goal nor drive determines the end of the transition, or the drive is a displacement

@@ -21,7 +21,7 @@ from forficula.results import Result
 from forficula.serial import Joules, Key, Seconds, WithUnit, Written
 from forficula.structure import Structure
 from forficula.study.assumptions.modelling_assumptions import ASSUMPTIONS, Assumption, Variant, variant_of
-from forficula.study.running.numerical_settings import is_open
+from forficula.study.running.numerical_settings import finds_settings
 from forficula.study.running.runs import run_each
 from forficula.study.running.second_runs import half_step, with_checks
 
@@ -299,7 +299,7 @@ class _Counting:
 
     def stepped(self, design: Design) -> Design:
         """Return the design with the timestep and the time constant of contact that its run uses."""
-        if not is_open(design):
+        if not finds_settings(design):
             return design
         record = self.run({"": design})[""]
         if isinstance(record, InputError):

@@ -65,8 +65,8 @@ class Attempt:
     contact_runs: tuple[ContactRun, ...] | None = None
 
 
-def is_open(design: Design) -> bool:
-    """Return whether a run has to find the timestep, or the time constant of contact, of a design."""
+def finds_settings(design: Design) -> bool:
+    """Return whether a run finds the timestep, or the time constant of contact, of a design."""
     return design.protocol.timestep == "auto" or design.with_contact_time(FIRST_TIME_CONSTANT) is not design
 
 
@@ -177,19 +177,18 @@ def _following(attempt: Attempt, outcome: Outcome, resolving: float, seconds: fl
     """
     if attempt.halvings is None or attempt.halvings >= _HALVINGS:
         return None
-    halvings = 1
+    halvings, present = 1, float(attempt.design.protocol.timestep)
     residual, limit = outcome.ending.residual, attempt.design.protocol.residual_limit
     if outcome.verdict is Verdict.UNTRUSTED and residual is not None and math.isfinite(residual):
         halvings = max(1, round(math.log2(residual / limit) / _RESIDUAL_ORDER))
-        if (present := float(attempt.design.protocol.timestep)) > resolving:
+        if present > resolving:
             halvings = min(halvings, math.ceil(math.log2(present / resolving)))
     elif len(attempt.before) >= attempt.agreeing - 1 and all(_agree(earlier, outcome) for _, earlier in attempt.before):
         return None
     total = min(attempt.halvings + halvings, _HALVINGS)
-    timestep = float(attempt.design.protocol.timestep) / 2 ** (total - attempt.halvings)
+    timestep = present / 2 ** (total - attempt.halvings)
     if timestep < (attempt.design.protocol.shortest_timestep or 0.0):
         return None
-    present = float(attempt.design.protocol.timestep)
     return replace(
         attempt,
         design=with_step(attempt.design, timestep),

@@ -31,8 +31,8 @@ from forficula.study.running.numerical_settings import (
     at_timestep,
     attempt_doubt,
     coarser_checks,
+    finds_settings,
     first_attempt,
-    is_open,
     known_runs,
     next_attempt,
     started,
@@ -70,7 +70,7 @@ def run(design: Design, progress: Progress | None = None, *, confirm: bool = Fal
     Raises:
         InputError: the design cannot be built.
     """
-    others = second_designs(design) if confirm and not is_open(design) else {}
+    others = second_designs(design) if confirm and not finds_settings(design) else {}
     runs: dict[int, Record | InputError] = {}
     for number, result in run_each([design, *others.values()], progress=progress):
         if number == 0 and isinstance(result, InputError):
@@ -90,7 +90,7 @@ def resolved(design: Design) -> Design:
     Raises:
         InputError: the design cannot be built.
     """
-    if not is_open(design):
+    if not finds_settings(design):
         return design
     ((_, record),) = run_each([design], sparse=True)
     if isinstance(record, InputError):

@@ -17,7 +17,7 @@ from forficula.design import Design
 from forficula.structure import structure_of
 from forficula.study.running.evaluate import ending_row, row_key
 from forficula.study.running.journal import Row
-from forficula.study.running.numerical_settings import is_open
+from forficula.study.running.numerical_settings import finds_settings
 from forficula.study.running.plan import StudyPlan
 from forficula.study.search import search_result
 from forficula.study.study import Study
@@ -124,7 +124,7 @@ def _results(
     """
     keys: Sequence[str | None] = ()
     # a design with a key has the timestep of the base, or a number
-    automatic = is_open(study.base) and "protocol.timestep" not in varied_keys(study)
+    automatic = finds_settings(study.base) and "protocol.timestep" not in varied_keys(study)
     for number in range(len(study.points)):
         if number % POINTS_TOGETHER == 0:
             block = range(number, min(number + POINTS_TOGETHER, len(study.points)))
@@ -139,7 +139,7 @@ def _results(
         elif study.search is not None:
             yield search_result(design, study.search, rows), False
         else:
-            yield _of_run(study, rows[row_key(design)], numbers), is_open(design)
+            yield _of_run(study, rows[row_key(design)], numbers), finds_settings(design)
 
 
 def _of_run(study: Study, row: Row, numbers: Mapping[str, tuple[str, str]]) -> dict[str, Any]:

@@ -345,7 +345,8 @@ def _loss_notes(path: QuasiStaticPath) -> list[str]:
     if not lost:
         return []
     least = _PERCENT * float(path.remaining[-1].min())
-    worn = f" At its end wear has left at least {least:.3g} % of the moment of every crease." * ("wear" in lost[-1])
+    worn = f" At its end wear has left at least {least:.3g} % of the moment of every crease."
+    worn = worn if "crease damage" in path.losses else ""
     return [f"On the path creases dissipate {' and '.join(lost)}.{worn}"]
 
 
