@@ -12,7 +12,7 @@ import numpy as np
 from forficula.arrays import Array, Flags
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
-from forficula.material.law.crease_memory import remaining_share
+from forficula.material.law.crease_memory import acting_moment, remaining_share
 from forficula.material.law.crease_turn import relaxed
 from forficula.results import pandas_module
 from forficula.statics.friction import friction_range
@@ -298,12 +298,7 @@ def spring_moments(
     """
     law = slow_law(structure)
     memory = np.zeros((law.slots, *angles.shape)) if memory is None else memory
-    shift, left = law.rest_shift(memory[0]), remaining_share(law, memory)
     creases = np.array([hinge.flaps is not None for hinge in structure.hinges], dtype=np.bool_)
-    alone = left * law.rest_moment(angles, further, shift)
-    stopped = law.moment_and_slope(angles, further, shift)[0]
-    if law.wears:
-        of_stops = np.asarray(law.stop_stiffness) * law.beyond_stops(angles)
-        stopped = of_stops + left * (stopped - of_stops)
+    alone = remaining_share(law, memory) * law.rest_moment(angles, further, law.rest_shift(memory[0]))
     # the stops of joints bound their angles and have no stiffness
-    return np.where(creases, stopped, alone)
+    return np.where(creases, acting_moment(law, angles, further, memory)[0], alone)

@@ -64,7 +64,7 @@ def table_remarks(structure: Structure) -> tuple[str, ...]:
     left_out = "" if structure.rigid_fold is None else "energies along the rigid fold, "
     return (
         f"{left_out}partial folds and barriers of single hinges are not computed on a table, because their shapes may"
-        ' be below it; table = "none" computes them',
+        ' be below the table; for a design with table = "none" they are computed',
         *table_friction_remarks(structure),
     )
 

@@ -197,8 +197,8 @@ def touching_text(contacts: Mapping[str, float]) -> str:
     if not contacts:
         return "none"
     name, force = max(contacts.items(), key=lambda entry: entry[1])
-    pairs = name if len(contacts) == 1 else f"{len(contacts)} pairs, most {name}"
-    return f"{pairs}: {shown_value(force, 'N', 3)}"
+    largest = shown_value(force, "N", 3)
+    return f"{name}: {largest}" if len(contacts) == 1 else f"{len(contacts)} pairs, up to {largest} ({name})"
 
 
 def slow_path_text(structure: Structure, course: Course) -> str:
