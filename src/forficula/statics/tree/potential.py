@@ -43,7 +43,9 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
     torques = np.asarray(torques)
     if torques.shape != (len(angles), len(structures.motors)):
         torques = np.broadcast_to(torques, (len(angles), len(structures.motors)))
-    at = pose(structures.sheet.laid.tree, angles) if structures.coupled or structures.lines is not None else None
+    posed = structures.lines, structures.planes, structures.weight
+    shares = structures.coupled or any(part is not None for part in posed)
+    at = pose(structures.sheet.laid.tree, angles) if shares else None
     energy, slope, curvature = sheet_energy(structures.sheet, angles, at)
     for part in _optional_parts(structures, angles, torques, at):
         energy, slope, curvature = energy + part[0], slope + part[1], curvature + part[2]
@@ -146,7 +148,7 @@ def _optional_parts(structures: Ensemble, angles: Array, torques: Array, at: Pos
         parts.append(force_energy(structures.forces, angles, torques))
     if structures.planes is not None:
         parts.append(plane_energy(structures.planes, angles, at))
-    return parts if structures.weight is None else [*parts, weight_energy(structures.weight, angles)]
+    return parts if structures.weight is None else [*parts, weight_energy(structures.weight, angles, at)]
 
 
 def rest(

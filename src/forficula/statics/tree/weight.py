@@ -8,7 +8,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.statics.tree.elements import Expansion
-from forficula.statics.tree.pose import Carried, Tree, carried_points, places_of, pose, pulled
+from forficula.statics.tree.pose import Carried, Pose, Tree, carried_points, places_of, pose, pulled
 from forficula.structure import Structure, mass_of
 
 
@@ -44,17 +44,18 @@ def weight_of(structure: Structure, tree: Tree) -> Weight | None:
     )
 
 
-def weight_energy(weight: Weight, angles: Array) -> Expansion:
+def weight_energy(weight: Weight, angles: Array, at: Pose | None = None) -> Expansion:
     """Compute the energy of the weight, 0 if all centres are at the height of the origin.
 
     Args:
         weight: of the bodies.
         angles: of all hinges, in their own senses, rad, (case, hinge).
+        at: pose of the tree at these angles; computed by default.
 
     Returns:
         Energy, J, (case,); gradient, N m, (case, hinge), and Hessian, N m/rad, (case, hinge, hinge), by the angles.
     """
-    at = pose(weight.tree, angles)
+    at = pose(weight.tree, angles) if at is None else at
     places = places_of(weight.centres, at)
     up = -weight.down
     forces = np.multiply.outer(up, np.broadcast_to(weight.forces, places.shape[1:]))
