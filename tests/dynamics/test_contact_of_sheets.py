@@ -256,10 +256,13 @@ def test_the_shortest_timestep_of_a_design_limits_the_time_constant():
     assert ff.measure(record).verdict == "untrusted"
 
 
-def test_a_timestep_is_shortened_only_where_parts_touch():
+def test_a_timestep_is_shortened_only_where_parts_touch(tmp_path):
     apart = ff.run(closing(time=2e-3, **{"crease.start": 0.0, "protocol.timestep": 2e-4}), confirm=False).record
     assert apart.design.protocol.timestep == 2e-4
     assert contact_text(apart) == ""
+    assert [(run.time_constant, run.overlap) for run in apart.contact_runs] == [(4e-4, 0.0)]
+    write_run_files(apart, ff.measure(apart), tmp_path)
+    assert '"0.4 ms"  # derived by the run; "auto" derives it again' in (tmp_path / "design.toml").read_text("utf-8")
     touching = ff.run(closing(**(FAST | {"contact.thickness": THICK, "protocol.timestep": 2e-4})), confirm=False).record
     assert [(run.time_constant, run.timestep) for run in touching.contact_runs] == [(4e-4, 5e-5)]
     assert ff.measure(touching).verdict == "reached"

@@ -100,8 +100,8 @@ def _deepest(record: Record) -> ContactOverlap | None:
 
 
 def contact_text(record: Record) -> str:
-    """Return how the time constant of contact was derived, in a sentence or two; empty if the design sets it."""
-    if not record.contact_runs:
+    """Return how the time constant of contact was derived; empty if the design sets it, or if no parts overlapped."""
+    if all(run.overlap == 0 for run in record.contact_runs):
         return ""
     *earlier, this = record.contact_runs
     now, step = show_value(this.time_constant, "s"), show_value(this.timestep, "s")

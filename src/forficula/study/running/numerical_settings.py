@@ -160,7 +160,7 @@ def _resolved(design: Design, longest: float) -> Design:
 def known_runs(attempt: Attempt, record: Record) -> tuple[ContactRun, ...]:
     """Return the runs by which the time constant of contact was derived, with this one; none if the design sets it."""
     contact = record.structure.contact
-    if attempt.contact_runs is None or contact is None or not _touched(record):
+    if attempt.contact_runs is None or contact is None:
         return ()
     this = ContactRun(
         time_constant=contact.stops.time_constant,
