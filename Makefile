@@ -93,10 +93,10 @@ clean:
 # uv needs 10 s, pip 50 s; pip is used if uv is missing or finds no packages
 define install_groups
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --upgrade "pip>=25.1"
 	($(BIN)/python -m pip install --quiet uv && \
 		$(BIN)/uv pip install --quiet --python $(BIN)/python --editable . $(1)) || \
-		$(BIN)/python -m pip install --quiet --editable . $(1)
+		($(BIN)/python -m pip install --quiet --upgrade "pip>=25.1" && \
+		$(BIN)/python -m pip install --quiet --editable . $(1))
 endef
 
 $(INSTALLED): pyproject.toml
