@@ -7,7 +7,7 @@ import os
 import re
 import shutil
 import time
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -24,7 +24,7 @@ from sphinx.util.typing import OptionSpec
 _LOG = logging.getLogger(__name__)
 _LANGUAGES = {"command": "bash", "python": "python"}
 # pages whose cells take longest: they begin first, so that the other pages keep all cores busy until the end
-_LONGEST = ("named-designs",)
+_LONGEST = ("named-designs", "tutorial", "how-to/build-and-measure", "how-to/export", "how-to/large-study")
 _RUNNING: list[Future[None]] = []
 _TITLE = re.compile(r"<title>(.*?)</title>", re.S)
 
@@ -38,8 +38,8 @@ def begin_cells(app: Sphinx) -> None:
     sources = {path.relative_to(app.srcdir).with_suffix("").as_posix(): path.read_text("utf-8") for path in paths}
     digest = sources_digest()
     pool = ThreadPoolExecutor(app.parallel)
-    for page in sorted(sources, key=lambda page: page not in _LONGEST):
-        _RUNNING.append(pool.submit(_run_cells, page, sources[page], digest))
+    pages = (*_LONGEST, *sorted(sources.keys() - set(_LONGEST)))
+    _RUNNING.extend(pool.submit(_run_cells, page, sources[page], digest) for page in pages)
     pool.shutdown(wait=False)
 
 
@@ -51,13 +51,12 @@ def _run_cells(page: str, source: str, digest: str) -> None:
 
 
 def wait_for_cells(*_: object) -> None:
-    """Wait until all cells have run; where one fails, the build ends."""
-    try:
-        for running in _RUNNING:
-            running.result()
-    finally:
-        for running in _RUNNING:
-            running.cancel()
+    """Wait until all cells have run, or one has failed, which ends the build."""
+    done, left = wait(_RUNNING, return_when=FIRST_EXCEPTION)
+    for running in left:
+        running.cancel()
+    for running in done:
+        running.result()
 
 
 def show_cells(app: Sphinx, page: str, source: list[str]) -> None:
