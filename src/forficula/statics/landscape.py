@@ -24,7 +24,7 @@ from forficula.statics.net.driven.net_course import Course
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_state import Mobility, NetState
 from forficula.statics.net.stable_states import StableStates
-from forficula.statics.tree.fold_path import FoldPath, StableState, rigid_fold
+from forficula.statics.tree.fold_path import FoldPath, StableState, refuse_fold_on_table, rigid_fold
 from forficula.statics.tree.hinge_landscape import CrossedHinge, HingeLandscape
 from forficula.statics.tree.inertial_help import InertialHelp
 from forficula.statics.tree.partial_folds import PartialFold
@@ -339,8 +339,8 @@ def fold_path_of(landscape: EnergyLandscape) -> FoldPath:
         InputError: the structure has no single folding path, or lies on a table.
     """
     rigid_fold(landscape.structure)
-    if landscape.fold_path is None:
-        raise InputError(f"{landscape.design.name}: the energy along its rigid fold is not computed on a table")
+    refuse_fold_on_table(landscape.structure)
+    assert landscape.fold_path is not None
     return landscape.fold_path
 
 
