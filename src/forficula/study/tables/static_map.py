@@ -48,18 +48,14 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
         search: torques to try; by default those of a study file without a table `search`.
 
     Raises:
-        InputError: an unknown key, values that are not allowed, a distribution, or a design that is no tree of joints.
+        InputError: an unknown key, values that are not allowed, a distribution, or a design that is no tree of
+            joints or that no drive takes to a state.
     """
     structure = structure_of(design)
     if is_net(structure):
         raise InputError(
             f"{design.name}: maps of slowly growing torques need bodies on joints in a tree, got points that slide,"
             " plates in loops or plates that touch; a study (forficula study) runs them over any key"
-        )
-    if not structure.transitions:
-        raise InputError(
-            f"{design.name}: maps of slowly growing torques need a stage of the protocol with a drive, a goal and a"
-            " state to which it leads, got none"
         )
     refuse_path_dependence(structure, _RESULT)
     check_keys_once(over, design)
@@ -78,6 +74,11 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
             raise InputError(f'{factor.key}: need a list or a range such as "10..60 N/cm step 10", got a distribution')
     # a factor may let creases fold permanently
     refuse_path_dependence(structure_of(point_design(design, grid_points(factors)[0])), _RESULT)
+    if not structure.transitions:
+        raise InputError(
+            f"{design.name}: maps of slowly growing torques need a stage of the protocol with a drive, a goal and a"
+            " state to which it leads, got none"
+        )
     return Study(
         name=f"{design.name}-statics",
         source="",
