@@ -234,6 +234,12 @@ def test_dry_friction_holds_a_fold_within_its_moment_over_its_stiffness(agree):
     agree("upper end of the band", bands[0].upper, rest + half, unit="rad", by="rest + M / k", abs=1e-8)
 
 
+def test_hinges_that_supports_tie_together_have_no_bands_of_friction():
+    values = {"facet.kind": "rigid", "crease.back_limit": "170 deg", "crease.stiffness": "0.2 N m/rad/m"}
+    landscape = ff.landscape(sheet(values | {"crease.friction": "0.02 N m/m"}, ON_TWO_EDGES), points=11)
+    assert landscape.friction_bands == ()
+
+
 def test_a_slow_drive_needs_the_moment_of_friction_in_addition(agree):
     path = ff.quasi_static_path(ff.load_design("binder2025-joint", {"hinge.friction": "0.5 N cm"}))
     agree("half width of the range of the drive", path.friction, 5e-3, unit="N m", by="M", rel=1e-9)
@@ -384,12 +390,6 @@ def test_a_strip_of_rigid_facets_on_supports_sags_until_its_crease_carries_it(su
     agree("fold angle in a run", angle, 2 * slope, unit="rad", by="4 k a = m g L cos a", rel=1e-6)
     holds("residual of the energy balance", energy_balance(record).residual, below=1e-6, by="the energy balance")
     holds("gap of the supports", record.series["closure_gap"].max() / SIDE, below=1e-6, by="rigid supports")
-
-
-def test_hinges_that_supports_tie_together_have_no_bands_of_friction():
-    values = {"facet.kind": "rigid", "crease.back_limit": "170 deg", "crease.stiffness": "0.2 N m/rad/m"}
-    landscape = ff.landscape(sheet(values | {"crease.friction": "0.02 N m/m"}, ON_TWO_EDGES), points=11)
-    assert landscape.friction_bands == ()
 
 
 def test_a_loop_of_rigid_facets_on_vertices_rests_in_statics_as_in_a_run(agree, holds):
