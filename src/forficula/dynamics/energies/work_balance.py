@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from forficula.arrays import Array, Indices
+from forficula.arrays import Array, Flags, Indices
 from forficula.dynamics.energies.crease_work import (
     crease_works,
     displacement_force,
@@ -68,8 +68,8 @@ class WorkBalance:
         self._gap_lengths = models[0].gap_lengths
         # positions of the stops of joints
         self._stops = [np.array(ends) for ends in zip(*(joint_ranges(model) for model in models), strict=True)]
-        # in which of the last steps a hinge met or left its stop
-        self._met = np.zeros((len(models), _JUMP), dtype=bool)
+        # in which of the last steps hinges met or left their stops, and contacts began or ended, (structure, step)
+        self._met: dict[str, Flags] = {}
         # time that each structure has waited without steps, s, if some stage waits
         self._waits = any(stage.wait for model in models for stage in model.design.protocol.stages)
         self._waited = np.zeros(len(models))
@@ -114,14 +114,18 @@ class WorkBalance:
                 work["drag_work"] = np.sum(drag * travel, axis=2)
             if self._explicit:
                 work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
+                work["hinge_damping_work"] = work["hinge_damping_work"] + of_creases
                 divide_friction(work, models, steps, self._timestep[rows])
-                outside = [motor_work_name(number) for number in range(len(self._motors))]
+                # a rest angle that moves changes only the energy of its spring
+                outside = [
+                    motor_work_name(number) for number, motor in enumerate(self._motors) if motor.kind != "rest-angle"
+                ]
                 done = sum(
                     (work[name] for name in (*outside, "drag_work", "friction_work") if name in work),
                     np.zeros(travel.shape[:2]),
                 )
                 done = done if steps.contact is None else done + np.sum(steps.contact.forces * travel, axis=2)
-                self._add_stops(work, done, rows, steps, taken)
+                self._divide_constraints(work, done, rows, steps, torques, taken)
             else:
                 add_implicit_losses(work, models, steps, travel, self._damping[rows], of_creases)
             if steps.contact is not None:
@@ -254,12 +258,12 @@ class WorkBalance:
         """Copy the sums of another structure, which has had the same motion so far."""
         for done in (
             *self._done.values(),
+            *self._met.values(),
             self._set,
             self._powers,
             self._forces,
             self._widest,
             self._deepest,
-            self._met,
             self._waited,
             self._jumped,
         ):
@@ -327,31 +331,56 @@ class WorkBalance:
         self._forces[rows, motor] = forces[np.arange(len(rows)), np.maximum(taken, 1) - 1]
         return forces
 
-    def _add_stops(self, work: dict[str, Array], driven: Array, rows: Indices, steps: Steps, taken: Indices) -> None:
-        """Divide the work of constraints into that of stops and that of closures.
+    def _divide_constraints(
+        self, work: dict[str, Array], driven: Array, rows: Indices, steps: Steps, torques: Array, taken: Indices
+    ) -> None:
+        """Divide the work of constraints into that of stops, that of the engine's contacts and that of closures.
 
-        The force of a stop jumps within the step in which a hinge meets or leaves it, so no rule for smooth forces
-        applies. In that step and a few more, the change of energy that no other work explains is the work of stops.
+        The force of a stop jumps within the step in which a hinge meets or leaves it, and that of a contact where it
+        begins or ends, so no rule for smooth forces applies. In that step and a few more, the change of energy that no
+        other work explains is the work of stops or contacts. While parts touch, the work of all constraints counts as
+        that of contacts.
         """
         low, high = (self._stops[end][rows, None] for end in (0, 1))
         position = np.concatenate([steps.position_before[:, None], steps.position], axis=1)
         at_stop = (position <= low) | (position >= high)
-        met = np.concatenate([self._met[rows], (at_stop[:, 1:] != at_stop[:, :-1]).any(axis=2)], axis=1)
-        jumps = np.lib.stride_tricks.sliding_window_view(met, _JUMP + 1, axis=1).any(axis=2)
-        self._met[rows] = [flags[end : end + _JUMP] for flags, end in zip(met, taken.tolist(), strict=True)]
-        stopped = jumps | at_stop[:, :-1].any(axis=2) | at_stop[:, 1:].any(axis=2)
-        closing = np.where(stopped, 0.0, work["stop_work"])
-        work["stop_work"] = np.where(stopped, work["stop_work"], 0.0)
-        if len(self._gaps):
-            work["closure_work"] = closing
+        stopped, jumps = self._meeting("stops", at_stop, rows, taken)
+        landed, touched = np.zeros_like(stopped), np.zeros_like(jumps)
+        if "ncon" in steps.derived:
+            assert steps.late is not None
+            numbers = np.concatenate([steps.derived["ncon"][:, :1], steps.late["ncon"]], axis=1)
+            landed, touched = self._meeting("contacts", numbers[:, :, None], rows, taken)
+        jumps = jumps | touched
         others = driven + work["hinge_damping_work"] + work["elastic_damping_work"]
         for place, row in enumerate(rows.tolist()):
-            if (creases := self._models[row].creases) is not None and (creases.joints >= 0).any():
-                others[place] += spring_works(self._models[row], steps, place)
+            if self._models[row].creases is not None:
+                others[place] += spring_works(self._models[row], steps, place, torques[place])
         for place, step in zip(*np.nonzero(jumps & (np.arange(jumps.shape[1]) < taken[:, None])), strict=True):
             ends = (steps.before[place] if step == 0 else steps.after[place, step - 1], steps.after[place, step])
             before, after = (energy_of(self._models[rows[place]], state) for state in ends)
             work["stop_work"][place, step] = after - before - others[place, step]
+        constraints = work["stop_work"]
+        work["stop_work"] = np.where(stopped & ~landed, constraints, 0.0)
+        if "ncon" in steps.derived:
+            work["contact_work"] = np.where(landed, constraints, 0.0)
+        if len(self._gaps):
+            work["closure_work"] = np.where(stopped | landed, 0.0, constraints)
+
+    def _meeting(self, kind: str, touching: Flags | Indices, rows: Indices, taken: Indices) -> tuple[Flags, Flags]:
+        """Return in which steps parts touch or have just touched, and in which their forces jump, (row, step) each.
+
+        Args:
+            kind: of touching, `"stops"` or `"contacts"`.
+            touching: whether parts touch before the first step and after each step, or the number of contacts, (row,
+                1 + step, part).
+            rows: numbers of the structures.
+            taken: number of the steps that count, (row,).
+        """
+        met = self._met.setdefault(kind, np.zeros((len(self._models), _JUMP), dtype=np.bool_))
+        changes = np.concatenate([met[rows], (touching[:, 1:] != touching[:, :-1]).any(axis=2)], axis=1)
+        jumps = np.lib.stride_tricks.sliding_window_view(changes, _JUMP + 1, axis=1).any(axis=2)
+        met[rows] = [flags[end : end + _JUMP] for flags, end in zip(changes, taken.tolist(), strict=True)]
+        return np.asarray(jumps | touching[:, :-1].any(axis=2) | touching[:, 1:].any(axis=2)), jumps
 
     def _widened(self, rows: Indices, steps: Steps, taken: Indices) -> Array:
         """Return the widest gap of a closure up to the state before each step, m, (row, step)."""
