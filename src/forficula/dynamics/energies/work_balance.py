@@ -6,15 +6,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from forficula.arrays import Array, Flags, Indices
+from forficula.arrays import Array, Indices
 from forficula.dynamics.energies.crease_work import (
     crease_works,
     displacement_force,
     engine_work,
     motor_travel,
-    spring_works,
 )
 from forficula.dynamics.energies.dissipated_work import (
+    ConstraintWork,
     add_contacts,
     add_implicit_losses,
     add_yielding,
@@ -22,15 +22,11 @@ from forficula.dynamics.energies.dissipated_work import (
     explicit_works,
     travel_of,
 )
-from forficula.dynamics.energies.energy import energy_of
 from forficula.dynamics.energies.tendon_losses import TendonLosses
-from forficula.dynamics.engine.model import Model, joint_ranges
+from forficula.dynamics.engine.model import Model
 from forficula.dynamics.stepping.steps import EngineState, Steps
 from forficula.structure import RestPath
 from forficula.structure.contact.touching_parts import has_touching_facets
-
-# steps during which a stop's force still changes fast: four of its time constants
-_JUMP = 8
 
 
 class WorkBalance:
@@ -66,10 +62,7 @@ class WorkBalance:
         self._forces = np.full((len(models), len(self._motors)), np.nan)
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
         self._gap_lengths = models[0].gap_lengths
-        # positions of the stops of joints
-        self._stops = [np.array(ends) for ends in zip(*(joint_ranges(model) for model in models), strict=True)]
-        # in which of the last steps hinges met or left their stops, and contacts began or ended, (structure, step)
-        self._met: dict[str, Flags] = {}
+        self._constraints = ConstraintWork(models)
         # time that each structure has waited without steps, s, if some stage waits
         self._waits = any(stage.wait for model in models for stage in model.design.protocol.stages)
         self._waited = np.zeros(len(models))
@@ -125,7 +118,7 @@ class WorkBalance:
                     np.zeros(travel.shape[:2]),
                 )
                 done = done if steps.contact is None else done + np.sum(steps.contact.forces * travel, axis=2)
-                self._divide_constraints(work, done, rows, steps, torques, taken)
+                self._constraints.divide(work, done, rows, steps, torques, taken)
             else:
                 add_implicit_losses(work, models, steps, travel, self._damping[rows], of_creases)
             if steps.contact is not None:
@@ -258,7 +251,7 @@ class WorkBalance:
         """Copy the sums of another structure, which has had the same motion so far."""
         for done in (
             *self._done.values(),
-            *self._met.values(),
+            *self._constraints.met.values(),
             self._set,
             self._powers,
             self._forces,
@@ -330,57 +323,6 @@ class WorkBalance:
                 forces[place] = unit.energy / unit.length * displacement_force(self._models[row], motor, steps, place)
         self._forces[rows, motor] = forces[np.arange(len(rows)), np.maximum(taken, 1) - 1]
         return forces
-
-    def _divide_constraints(
-        self, work: dict[str, Array], driven: Array, rows: Indices, steps: Steps, torques: Array, taken: Indices
-    ) -> None:
-        """Divide the work of constraints into that of stops, that of the engine's contacts and that of closures.
-
-        The force of a stop jumps within the step in which a hinge meets or leaves it, and that of a contact where it
-        begins or ends, so no rule for smooth forces applies. In that step and a few more, the change of energy that no
-        other work explains is the work of stops or contacts. While parts touch, the work of all constraints counts as
-        that of contacts.
-        """
-        low, high = (self._stops[end][rows, None] for end in (0, 1))
-        position = np.concatenate([steps.position_before[:, None], steps.position], axis=1)
-        at_stop = (position <= low) | (position >= high)
-        stopped, jumps = self._meeting("stops", at_stop, rows, taken)
-        landed, touched = np.zeros_like(stopped), np.zeros_like(jumps)
-        if "ncon" in steps.derived:
-            assert steps.late is not None
-            numbers = np.concatenate([steps.derived["ncon"][:, :1], steps.late["ncon"]], axis=1)
-            landed, touched = self._meeting("contacts", numbers[:, :, None], rows, taken)
-        jumps = jumps | touched
-        others = driven + work["hinge_damping_work"] + work["elastic_damping_work"]
-        for place, row in enumerate(rows.tolist()):
-            if self._models[row].creases is not None:
-                others[place] += spring_works(self._models[row], steps, place, torques[place])
-        for place, step in zip(*np.nonzero(jumps & (np.arange(jumps.shape[1]) < taken[:, None])), strict=True):
-            ends = (steps.before[place] if step == 0 else steps.after[place, step - 1], steps.after[place, step])
-            before, after = (energy_of(self._models[rows[place]], state) for state in ends)
-            work["stop_work"][place, step] = after - before - others[place, step]
-        constraints = work["stop_work"]
-        work["stop_work"] = np.where(stopped & ~landed, constraints, 0.0)
-        if "ncon" in steps.derived:
-            work["contact_work"] = np.where(landed, constraints, 0.0)
-        if len(self._gaps):
-            work["closure_work"] = np.where(stopped | landed, 0.0, constraints)
-
-    def _meeting(self, kind: str, touching: Flags | Indices, rows: Indices, taken: Indices) -> tuple[Flags, Flags]:
-        """Return in which steps parts touch or have just touched, and in which their forces jump, (row, step) each.
-
-        Args:
-            kind: of touching, `"stops"` or `"contacts"`.
-            touching: whether parts touch before the first step and after each step, or the number of contacts, (row,
-                1 + step, part).
-            rows: numbers of the structures.
-            taken: number of the steps that count, (row,).
-        """
-        met = self._met.setdefault(kind, np.zeros((len(self._models), _JUMP), dtype=np.bool_))
-        changes = np.concatenate([met[rows], (touching[:, 1:] != touching[:, :-1]).any(axis=2)], axis=1)
-        jumps = np.lib.stride_tricks.sliding_window_view(changes, _JUMP + 1, axis=1).any(axis=2)
-        met[rows] = [flags[end : end + _JUMP] for flags, end in zip(changes, taken.tolist(), strict=True)]
-        return np.asarray(jumps | touching[:, :-1].any(axis=2) | touching[:, 1:].any(axis=2)), jumps
 
     def _widened(self, rows: Indices, steps: Steps, taken: Indices) -> Array:
         """Return the widest gap of a closure up to the state before each step, m, (row, step)."""

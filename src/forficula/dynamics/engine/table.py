@@ -6,7 +6,6 @@ import mujoco
 import numpy as np
 
 from forficula.dynamics.stepping.folds import Folds, start_of
-from forficula.errors import InputError
 from forficula.structure import Structure, refuse_below_table, touching_points
 
 # bit by which MuJoCo selects pairs of the table and a sphere; other contacts have lower bits

@@ -10,7 +10,18 @@ import numpy as np
 from forficula.errors import InputError
 from forficula.structure.assembly.joined_part import JoinedPart
 from forficula.structure.membranes import Membrane, Surface
-from forficula.structure.parts import GROUND, Bar, Closure, Coupling, Facet, LengthLimit, Plate, PointMass, Spring, Tendon
+from forficula.structure.parts import (
+    GROUND,
+    Bar,
+    Closure,
+    Coupling,
+    Facet,
+    LengthLimit,
+    Plate,
+    PointMass,
+    Spring,
+    Tendon,
+)
 from forficula.structure.structure import Structure
 from forficula.structure.surroundings import Hold, Medium
 
