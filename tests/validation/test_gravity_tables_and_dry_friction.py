@@ -387,6 +387,21 @@ def test_a_strip_of_rigid_facets_on_supports_sags_until_its_crease_carries_it(su
     holds("gap of the supports", record.series["closure_gap"].max() / SIDE, below=1e-6, by="rigid supports")
 
 
+def test_a_torque_on_a_strip_on_vertices_does_the_work_that_crease_and_weight_store(agree, holds):
+    """The bodies of this strip begin at a free plate, whose coordinates come before those of the crease."""
+    torque, stiffness = 5e-3, 0.2
+    values = {
+        **{"facet.kind": "rigid", "crease.back_limit": "170 deg", "protocol.stages.free.time_limit": "0.3 s"},
+        **{"crease.stiffness": f"{stiffness} N m/rad/m", "crease.damping": "2e-3 N m s/rad/m"},
+        **{"protocol.stages.free.drive": "fold"},
+    }
+    drive = f'[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "{torque} N m"\nrise = "0 s"\n'
+    record = simulated(values, ON_FOUR_VERTICES + drive)
+    balance, angle = energy_balance(record), record.series["hinge_angle"][-1, 0]
+    agree("work of the torque", balance.work, torque * abs(angle), unit="J", by="torque times angle", rel=1e-3)
+    holds("residual of the energy balance", balance.residual, below=1e-4, by="the energy balance")
+
+
 def test_opening_creases_on_vertices_sag_as_hinges_and_their_damping_counts(agree, holds):
     stiffness = 0.2  # N m/rad/m
     values = {

@@ -312,7 +312,8 @@ class WorkBalance:
                 ]
             )
         hinges = list(self._motors[number].hinges)
-        return np.asarray(np.sum(self._senses[rows][:, None, hinges] * travel[:, :, hinges], axis=2))
+        turned = travel[:, :, self._models[0].folds.speeds[hinges]]
+        return np.asarray(np.sum(self._senses[rows][:, None, hinges] * turned, axis=2))
 
     def _motor_force(self, rows: Indices, motor: int, steps: Steps, taken: Indices) -> Array:
         """Return the force of a motor on the points that it displaces, N, (row, step); nan if it displaces none."""
