@@ -443,6 +443,9 @@ def test_a_strip_on_vertices_sags_until_its_crease_lies_on_a_table(friction, agr
     record = simulated(values, ON_FOUR_VERTICES)
     angle, fold = record.series["hinge_angle"][-1, -1], 2 * math.asin((height - THICK / 2) / SIDE)
     agree("fold angle at rest", angle, fold, unit="rad", by="2 asin((h - t / 2) / L)", abs=1e-5)
+    touched = ff.landscape(sheet(values, ON_FOUR_VERTICES), points=11).states[0].contacts
+    carried = 4 * 0.02 * (fold / 2) / math.cos(fold / 2)
+    agree("force of the table", sum(touched.values()), PANEL * G - carried, unit="N", by="virtual work", rel=1e-4)
     balance = energy_balance(record)
     stored = 0.02 * SIDE * fold**2 / 2
     lost = PANEL * G * (height - THICK / 2) - stored
