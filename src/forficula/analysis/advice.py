@@ -33,7 +33,7 @@ from forficula.structure import (
 # [chosen] a residual above this many times the allowed one does not predict a sufficient timestep
 _FAR_OFF = 20
 AUTO = 'protocol.timestep = "auto" chooses one'
-_FLAT = "closed loops that start flat lose energy, so a sheet that is built with a fold of 1 deg needs no shorter one"
+_FLAT = "closed loops that start flat lose this energy, and a sheet with a fold of 1 deg as built loses little of it"
 # power of the residual to which the timestep of closed loops that start flat is proportional
 _FLAT_ORDER = 1.5
 SHORTER_STEP = f"Take a shorter timestep: {AUTO}."
