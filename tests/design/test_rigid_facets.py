@@ -99,9 +99,6 @@ def test_only_one_of_connected_facets_is_a_base_where_creases_open():
     opening = f'{two}\n[[crease.group]]\nof = "crease 1"\n{OPENS}'
     refused("support: facet 1 is connected to another facet that is held", pleats(3, "VM"), more=opening)
     assert structure_of(plates(pleats(3, "VM"), crease=OPENS, more=two)).bodies[2].turns
-    vertex = '[[support]]\nof = "facet 0"\n[[support]]\nof = "vertex 7"'
-    message = "support.1.of: need a facet or an edge held along all axes where creases open"
-    refused(message, pleats(3, "VM"), crease=OPENS, more=vertex)
 
 
 def test_further_supports_of_hinged_facets_hold_points():
@@ -109,7 +106,7 @@ def test_further_supports_of_hinged_facets_hold_points():
         '[[support]]\nof = "facet 0"\n[[support]]\nof = "edge 3"\naxes = "yz"\n[[support]]\nof = "vertex 7"\naxes = "z"'
     )
     structure = structure_of(plates(pleats(3, "VM"), more=more))
-    assert [hold.axis for hold in structure.holds] == [1, 2, 1, 2, 2]
+    assert [hold.axis.tolist().index(1) for hold in structure.holds] == [1, 2, 1, 2, 2]
     assert not structure.bodies[0].turns
     assert structure_of(plates(pleats(3, "VM"), more=more[more.index("\n[[") :])).bodies[0].turns
 

@@ -7,13 +7,14 @@ import pytest
 import forficula as ff
 from forficula.design import load_design
 from forficula.design.files.design_file import design_from_text, with_values
-from forficula.dynamics import compile_model, why_not_portable
+from forficula.dynamics import compile_model
 from forficula.dynamics.gpu.device import check_device
 from forficula.errors import InputError
 from forficula.show.structure.surroundings import surroundings_text
 from forficula.statics.tree.ensemble import ensemble, ensemble_of
 from forficula.statics.tree.fold_path import fold_path
-from forficula.structure import structure_of, touching_points
+from forficula.structure import held_corners, structure_of, touching_points
+from forficula.structure.tree import built_points
 
 SHEET = """
 name = "two panels"
@@ -143,18 +144,6 @@ def test_a_quasi_static_stage_on_a_table_with_friction_is_refused():
         ff.run(load_design("binder2025-on-table", values))
 
 
-def test_a_closed_loop_of_rigid_facets_has_no_table():
-    pattern = (
-        'kind = "miura-ori"\ncolumns = 2\nrows = 2\nlong_side = "5 cm"\nshort_side = "5 cm"\nacute_angle = "60 deg"'
-    )
-    text = SHEET.format(kind="rigid", more='[table]\nheight = "-1 m"')
-    begin, end = text.index('kind = "pleats"'), text.index("[facet]")
-    with pytest.raises(
-        InputError, match=r"table: need a sheet without closed loops and supported points of rigid facets"
-    ):
-        compile_model(design_from_text(text[:begin] + pattern + "\n" + text[end:]))
-
-
 def test_a_rigid_sheet_turns_about_an_edge_on_the_ground():
     structure = structure_of(sheet('[[support]]\nof = "edge 1"', "rigid"))
     assert [hinge.role for hinge in structure.hinges] == ["support", "crease"]
@@ -163,19 +152,66 @@ def test_a_rigid_sheet_turns_about_an_edge_on_the_ground():
 
 def test_supported_points_of_rigid_facets_are_refused_where_they_are_not_simulated():
     more = '[[support]]\nof = "edge 1"\n[[support]]\nof = "vertex 2"\naxes = "z"\n'
-    with pytest.raises(InputError, match=r"need a sheet without closed loops and supported points of rigid facets"):
-        compile_model(sheet(more + '[table]\nheight = "-1 cm"', "rigid"))
     design = sheet(more, "rigid")
-    assert why_not_portable(compile_model(design)).startswith("supports hold points of its plates")
     with pytest.raises(InputError, match="closed loops and supported points take steps of Runge and Kutta"):
         check_device(compile_model(with_values(design, {"protocol.device": "warp-cpu"})))
 
 
-def test_a_part_of_an_assembly_is_not_held_at_points(tmp_path):
+_PART = """
+name = "whole"
+source = "a test"
+[part.strip]
+based_on = "strip.toml"
+"""
+_STAND = """
+[[joint]]
+name = "stand"
+kind = "rigid"
+part = "strip"
+points = ["facet0_vertex0"]
+position = ["1 cm", "2 cm", "3 cm"]
+up = [1, 0, 0]
+[protocol]
+gravity = "9.81 m/s^2"
+gravity_direction = "-x"
+"""
+_CREASE = """
+[crease]
+stiffness = "0.2 N m/rad/m"
+back_limit = "170 deg"
+"""
+_VERTICES = (("0", "xyz"), ("3", "xz"), ("2", "yz"), ("5", "z"))
+_SUPPORTS = "".join(f'[[support]]\nof = "vertex {vertex}"\naxes = "{axes}"\n' for vertex, axes in _VERTICES)
+
+
+@pytest.mark.parametrize("more", ["", 'extension = "1e6 N/m^2"\n'], ids=["hinged", "opening"])
+def test_supports_of_vertices_turn_with_a_part_of_an_assembly(more, tmp_path):
+    """Gravity turns with the part, too, so the crease rests at the same angle."""
+    alone = SHEET.format(kind="rigid", more=f"{_CREASE}{more}{_SUPPORTS}")
+    (tmp_path / "strip.toml").write_text(alone)
+    (tmp_path / "whole.toml").write_text(f"{_PART}{_STAND}{alone[alone.index('[[protocol') :]}")
+    design = load_design(str(tmp_path / "whole.toml"))
+    np.testing.assert_allclose(structure_of(design).holds[0].axis, (0, 0, -1), atol=1e-15)
+    rests = [ff.landscape(case, points=11).rests[0] for case in (design, with_values(design_from_text(alone), WEIGHT))]
+    assert rests[0].angles[0] > 0.05
+    np.testing.assert_allclose(rests[0].angles, rests[1].angles, atol=1e-7)
+
+
+def test_supports_of_vertices_hold_to_the_ground_only(tmp_path):
     file = tmp_path / "design.toml"
-    file.write_text('based_on = "two-clasps"\nname = "held"\n[[part.inner.support]]\nof = "vertex 0"')
-    with pytest.raises(InputError, match=r"part\.inner\.support: need one facet or edge in a part of rigid facets"):
+    file.write_text('based_on = "two-clasps"\nname = "held"\n[[part.outer.support]]\nof = "vertex 0"')
+    with pytest.raises(InputError, match=r"part\.outer\.support: need one facet or edge that is held along all axes"):
         structure_of(load_design(str(file)))
+
+
+def test_supported_points_of_rigid_facets_are_drawn():
+    more = '[[support]]\nof = "edge 1"\n[[support]]\nof = "vertex 2"\naxes = "z"\n'
+    structure = structure_of(sheet(more, "rigid"))
+    held = built_points(structure)[list(held_corners(structure))]
+    ends = sheet(more, "rigid").sheet
+    expected = {*ends.edges_vertices[1].tolist(), 2}
+    np.testing.assert_allclose(sorted(map(tuple, held)), sorted(map(tuple, ends.vertices_coords[sorted(expected)])))
+    assert not held_corners(structure_of(sheet('[[support]]\nof = "edge 1"', "rigid")))
 
 
 def test_facets_that_bend_are_held_along_an_edge():

@@ -7,6 +7,7 @@ import pytest
 import scipy.optimize
 
 import forficula as ff
+from forficula.analysis.advice import run_advice
 from forficula.design.files.design_file import design_from_text, with_values
 from forficula.dynamics import energy_balance
 from forficula.statics.tree.ensemble import ensemble_of
@@ -392,25 +393,134 @@ def test_a_strip_of_rigid_facets_on_supports_sags_until_its_crease_carries_it(su
     holds("gap of the supports", record.series["closure_gap"].max() / SIDE, below=1e-6, by="rigid supports")
 
 
-def test_a_loop_of_rigid_facets_on_vertices_rests_in_statics_as_in_a_run(agree, holds):
-    pattern = """kind = "miura-ori"
+def test_a_torque_on_a_strip_on_vertices_does_the_work_that_crease_and_weight_store(agree, holds):
+    """The bodies of this strip begin at a free plate, whose coordinates come before those of the crease."""
+    torque, stiffness = 5e-3, 0.2
+    values = {
+        **{"facet.kind": "rigid", "crease.back_limit": "170 deg", "protocol.stages.free.time_limit": "0.3 s"},
+        **{"crease.stiffness": f"{stiffness} N m/rad/m", "crease.damping": "2e-3 N m s/rad/m"},
+        **{"protocol.stages.free.drive": "fold"},
+    }
+    drive = f'[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "{torque} N m"\nrise = "0 s"\n'
+    record = simulated(values, ON_FOUR_VERTICES + drive)
+    balance, angle = energy_balance(record), record.series["hinge_angle"][-1, 0]
+    agree("work of the torque", balance.work, torque * abs(angle), unit="J", by="torque times angle", rel=1e-3)
+    holds("residual of the energy balance", balance.residual, below=1e-4, by="the energy balance")
+
+
+def test_opening_creases_on_vertices_sag_as_hinges_and_their_damping_counts(agree, holds):
+    stiffness = 0.2  # N m/rad/m
+    values = {
+        **{"facet.kind": "rigid", "crease.back_limit": "170 deg", "protocol.stages.free.time_limit": "0.05 s"},
+        **{"crease.stiffness": f"{stiffness} N m/rad/m", "crease.damping": "2e-3 N m s/rad/m"},
+        **{"crease.extension": "1e6 N/m^2", "crease.extension_damping": "1 N s/m^2"},
+    }
+    slope = scipy.optimize.brentq(lambda a: 4 * stiffness * SIDE * a - PANEL * G * SIDE * math.cos(a), 0, math.pi / 2)
+    rest = ff.landscape(sheet(values, ON_FOUR_VERTICES), points=11).rests[0].angles[-1]
+    agree("fold angle in statics", rest, 2 * slope, unit="rad", by="4 k a = m g L cos a", rel=1e-6)
+    balance = energy_balance(simulated(values, ON_FOUR_VERTICES))
+    assert balance.hinge_damping > 0.1 * balance.exchanged
+    holds("residual of the energy balance", balance.residual, below=1e-5, by="the energy balance")
+
+
+def test_the_spring_of_an_opening_crease_counts_while_another_crease_is_at_its_stop(holds):
+    begin = SHEET.index("[facet]")
+    text = SHEET[:begin].replace("panels = 2", "panels = 3").replace('"V"', '"VV"') + '[facet]\nkind = "rigid"'
+    group = '[[crease.group]]\nof = "crease 1"\nextension = "1e5 N/m^2"\n'
+    values = {
+        **{"crease.stiffness": "0.02 N m/rad/m", "crease.damping": "1e-4 N m s/rad/m", "crease.fold_limit": "10 deg"},
+        **{"crease.back_limit": "10 deg", "protocol.stages.free.time_limit": "0.06 s"},
+    }
+    supports = '[[support]]\nof = "facet 0"\n[[support]]\nof = "vertex 3"\naxes = "y"\n'
+    design = design_from_text(text + SHEET[begin + len("[facet]") :] + group + supports)
+    balance = energy_balance(ff.run(with_values(design, values), confirm=False).record)
+    assert balance.stops > 0.1 * balance.exchanged
+    holds("residual of the energy balance", balance.residual, below=1e-4, by="the energy balance")
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.5])
+def test_a_strip_on_vertices_sags_until_its_crease_lies_on_a_table(friction, agree, holds):
+    height = 0.01
+    values = {
+        **{"facet.kind": "rigid", "crease.back_limit": "170 deg", "protocol.stages.free.time_limit": "0.15 s"},
+        **{"crease.stiffness": "0.02 N m/rad/m", "crease.damping": "1e-4 N m s/rad/m"},
+        **{"table.height": f"{-height} m", "table.friction": friction},
+    }
+    record = simulated(values, ON_FOUR_VERTICES)
+    angle, fold = record.series["hinge_angle"][-1, -1], 2 * math.asin((height - THICK / 2) / SIDE)
+    agree("fold angle at rest", angle, fold, unit="rad", by="2 asin((h - t / 2) / L)", abs=1e-5)
+    touched = ff.landscape(sheet(values, ON_FOUR_VERTICES), points=11).states[0].contacts
+    carried = 4 * 0.02 * (fold / 2) / math.cos(fold / 2)
+    agree("force of the table", sum(touched.values()), PANEL * G - carried, unit="N", by="virtual work", rel=1e-4)
+    balance = energy_balance(record)
+    stored = 0.02 * SIDE * fold**2 / 2
+    lost = PANEL * G * (height - THICK / 2) - stored
+    dissipated = balance.contacts + balance.hinge_damping + balance.elastic_damping
+    agree("energy that table and crease dissipate", dissipated, lost, unit="J", by="m g h - k a^2 / 2", rel=2e-3)
+    holds("residual of the energy balance", balance.residual, below=0.001, by="the energy balance")
+    holds("gap of the supports", record.series["closure_gap"].max() / SIDE, below=1e-5, by="rigid supports")
+
+
+def miura(fold, supports="", **values):
+    """Return four facets around a vertex."""
+    pattern = f"""kind = "miura-ori"
 columns = 2
 rows = 2
 long_side = "5 cm"
 short_side = "5 cm"
 acute_angle = "60 deg"
-fold = "60 deg"
+fold = "{fold} deg"
 
 """
     begin, end = SHEET.index('kind = "pleats"'), SHEET.index("[facet]")
-    supports = ON_FOUR_VERTICES.replace('"vertex 3"', '"vertex 6"').replace('axes = "xz"', 'axes = "z"')
-    supports = supports[: supports.index('[[support]]\nof = "vertex 5"')]
-    values = {
-        **{"facet.kind": "rigid", "crease.stiffness": "0.2 N m/rad/m", "crease.damping": "2e-3 N m s/rad/m"},
-        **{"crease.back_limit": "170 deg", "crease.rest_angle": "40 deg", "protocol.gravity_direction": [0, 0.3, -1]},
-    }
-    design = with_values(design_from_text(SHEET[:begin] + pattern + SHEET[end:] + supports), values)
+    text = SHEET[:begin] + pattern + SHEET[end:] + supports
+    return with_values(design_from_text(text), {"facet.kind": "rigid", "crease.back_limit": "170 deg"} | values)
+
+
+ON_THREE_VERTICES = ON_FOUR_VERTICES.replace('"vertex 3"', '"vertex 6"').replace('axes = "xz"', 'axes = "z"')
+ON_THREE_VERTICES = ON_THREE_VERTICES[: ON_THREE_VERTICES.index('[[support]]\nof = "vertex 5"')]
+SPRUNG = {
+    **{"crease.stiffness": "0.2 N m/rad/m", "crease.damping": "2e-3 N m s/rad/m", "crease.rest_angle": "40 deg"},
+    "protocol.gravity_direction": [0, 0.3, -1],
+}
+
+
+def test_a_loop_of_rigid_facets_on_vertices_rests_in_statics_as_in_a_run(agree, holds):
+    design = miura(60, ON_THREE_VERTICES, **SPRUNG)
     record = ff.run(design, confirm=False).record
     rest, angles = ff.landscape(design).rests[0].angles, record.series["hinge_angle"][-1]
     agree("fold angles", rest, angles, unit="rad", by="a run", abs=1e-4)
     holds("residual of the energy balance", energy_balance(record).residual, below=0.005, by="the energy balance")
+
+
+def test_a_loop_of_rigid_facets_falls_onto_a_table_and_rests_as_in_statics(agree, holds):
+    values = {"crease.stiffness": "2e-3 N m/rad/m", "crease.damping": "1e-4 N m s/rad/m", "table.height": "-3 mm"}
+    design = miura(60, **values, **{"protocol.stages.free.time_limit": "0.2 s"})
+    record = ff.run(design, confirm=False).record
+    balance = energy_balance(record)
+    assert balance.contacts > 0.05 * balance.exchanged
+    holds("residual of the energy balance", balance.residual, below=0.001, by="the energy balance")
+    height = record.series["point_position"][-1, :, 2].min() + 3e-3
+    agree("height at rest", height, THICK / 2, unit="m", by="half of the thickness", abs=1e-7)
+    rest, angles = ff.landscape(design, points=11).rests[0].angles, record.series["hinge_angle"][-1]
+    agree("fold angles", rest, angles, unit="rad", by="a run", abs=5e-4)
+
+
+def test_a_loop_that_starts_flat_misses_energy_like_the_timestep_to_the_power_two_thirds(agree):
+    """A flat loop can move in more ways than a folded one; the constraint ends these motions and takes their energy.
+
+    Moments accelerate the angles a as t^2, the constraint resists with a^2 / h^2 and acts from t^3 = h on, and the
+    energy is proportional to a.
+    """
+    values = SPRUNG | {"protocol.stages.free.time_limit": "0.02 s", "protocol.residual_limit": 1e-3}
+    steps = 1e-4, 5e-5, 2.5e-5
+    runs = [
+        ff.run(miura(0, ON_THREE_VERTICES, **values, **{"protocol.timestep": step}), confirm=False) for step in steps
+    ]
+    residuals = [energy_balance(run.record).residual for run in runs]
+    orders = np.diff(np.log(residuals)) / np.diff(np.log(steps))
+    agree("order of the residual", orders, 2 / 3, by="a^2 / h^2 and a = t^2", abs=0.07)
+    advised = run_advice(runs[0].record, ff.measure(runs[0]).ending)
+    agree("advised timestep", advised.values["protocol.timestep"], 1e-5, unit="s", by="the order", rel=1e-6)
+    folded = ff.run(miura(1, ON_THREE_VERTICES, **values), confirm=False).record
+    assert energy_balance(folded).residual < 1e-3

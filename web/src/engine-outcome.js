@@ -6,7 +6,7 @@ import { filled, readable } from "./format.js";
 
 const FIRST_STEP = 1.5; // steps
 
-/** Outcome of a path through a protocol, from the stages that took place; `widest`: largest gap of closed loops. */
+/** Outcome of a path through a protocol, from the stages that took place; `widest`: largest gap of loops and supports. */
 export function outcomeOf(live, ends, divergedAt, widest) {
   const { course, protocol, texts } = live;
   const { endings } = texts;

@@ -126,7 +126,7 @@ export function makeWing(engine, live, { model, start }) {
 
   function widen() {
     const { ten_length: lengths } = view();
-    for (const gap of live.gaps) if (lengths[gap] > widest) widest = lengths[gap];
+    for (const [gap, length] of live.gaps) widest = Math.max(widest, Math.abs(lengths[gap] - length));
   }
 
   /** Work of motors in the last step: their controls times the motion of the parts they act on, (motor,). */
@@ -148,7 +148,9 @@ export function makeWing(engine, live, { model, start }) {
     // minus the share that speed takes, from the engine's own forces
     for (const [at, { control, motor, way }] of live.brakeWays.entries()) {
       const force = explicit ? (braked[at] + forces[control]) / 2 : forces[control];
-      for (const [dof, share] of way) into[motor] += force * share * (explicit ? qpos[dof] - from[dof] : travel(dof));
+      for (const [dof, share, place] of way) {
+        into[motor] += force * share * (explicit ? qpos[place] - from[place] : travel(dof));
+      }
     }
   }
 
@@ -254,7 +256,7 @@ export function makeWing(engine, live, { model, start }) {
     get velocity() {
       return view().qvel;
     },
-    /** Largest gap of closed loops since the start, in the model's units. */
+    /** Largest gap of closed loops and supports since the start, in the model's units. */
     get widest() {
       return widest;
     },

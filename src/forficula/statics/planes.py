@@ -88,7 +88,7 @@ def planes_of(structure: Structure, moving: Collection[int] | None = None) -> Pl
         structure: the structure.
         moving: numbers of the bodies whose points count; None for all bodies.
     """
-    up, built, axes = -np.array(structure.down), built_points(structure), np.eye(3)
+    up, built = -np.array(structure.down), built_points(structure)
     rows = [
         (point.body, point.place, up, structure.table.height + point.radius, False)
         for point in (touching_points(structure) if structure.table is not None else ())
@@ -96,7 +96,7 @@ def planes_of(structure: Structure, moving: Collection[int] | None = None) -> Pl
     ]
     for hold in structure.holds:
         point = structure.points[hold.point]
-        rows.append((point.body, point.place, axes[hold.axis], float(built[hold.point, hold.axis]), True))
+        rows.append((point.body, point.place, hold.axis, float(built[hold.point] @ hold.axis), True))
     rows = [row for row in rows if row[0] != GROUND and (moving is None or row[0] in moving)]
     if not rows:
         return None

@@ -58,19 +58,19 @@ class Table:
     stops: Stops
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Hold:
-    """A support that keeps a point of a plate at its position as built along one axis of the ground.
+    """A support that keeps a point of a plate at its position as built along one direction of the ground.
 
     Attributes:
         name: name of the support.
         point: number of the point.
-        axis: of the ground, 0 to 2.
+        axis: unit vector, (3,).
     """
 
     name: str
     point: int
-    axis: int
+    axis: Array
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -145,13 +145,27 @@ to = "vertex 3"
 """
 
 
+ON_VERTICES = """
+[[support]]
+of = "vertex 0"
+[[support]]
+of = "vertex 1"
+axes = "yz"
+[[support]]
+of = "vertex 3"
+axes = "z"
+"""
+
+
 @pytest.mark.parametrize(
-    "pattern", [miura(2), vertex([60, 95, 120, 85], "VVVM", fold="25 deg")], ids=["Miura sheet", "degree-4 vertex"]
+    ("pattern", "supports"),
+    [(miura(2), ON_VERTICES), (vertex([60, 95, 120, 85], "VVVM", fold="25 deg"), "")],
+    ids=["Miura sheet on vertices", "degree-4 vertex"],
 )
-def test_plates_in_loops_move_in_a_page_as_recorded(run_in_page, pattern):
+def test_plates_in_loops_move_in_a_page_as_recorded(run_in_page, pattern, supports):
     """With Runge-Kutta steps and torques that depend on speed."""
     stages = [{"name": "fold", "drive": "fold", "limit": "0.1 s"}]
-    design = plates(pattern, crease=LOOPS, more=TURNED, stages=stages, step="0.1 ms")
+    design = plates(pattern, crease=LOOPS, more=TURNED + supports, stages=stages, step="0.1 ms")
     settings = [
         {"crease.stiffness": stiffness, "crease.rest_angle": np.radians(angle), "drive.fold.value": torque}
         for stiffness, angle, torque in ((1e-3, 60.0, 2e-5), (2e-3, -30.0, 2e-5), (5e-4, 100.0, 5e-5))

@@ -185,11 +185,6 @@ def _check_supports(design: SheetDesign, sheet: CreasePattern) -> None:
                 raise InputError(f"support.{number}.axes: is for edges and vertices; a rigid facet is held as a whole")
         else:
             _keyed(key, vertex_of, sheet, support.of)
-    if design.opens and design.point_supports:
-        raise InputError(
-            f"support.{design.point_supports[0][0]}.of: need a facet or an edge held along all axes where creases open"
-            f" (crease.extension), got {as_written(design.point_supports[0][1].of)}"
-        )
     if rigid and design.point_supports and (design.crease.start or any(group.start for group in design.crease.group)):
         raise InputError("crease.start: need 0 deg for rigid facets that several supports, or vertices, hold")
     if not rigid and len(_held_whole(design, sheet)) == len(sheet.vertices_coords):

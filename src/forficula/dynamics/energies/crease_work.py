@@ -158,27 +158,26 @@ def _losses(model: Model, steps: Steps, place: int, efforts: Array) -> dict[str,
     return works
 
 
-def spring_works(model: Model, steps: Steps, place: int) -> Array:
-    """Return the work of the engine's springs of joints that remember, (step,), as for `crease_works`."""
+def spring_works(model: Model, steps: Steps, place: int, efforts: Array) -> Array:
+    """Return the work of the springs of creases on the structure, (step,), with the arguments of `crease_works`.
+
+    The work of a moving rest angle is not part of it, because such a motor changes only the energy of the spring.
+    """
     assert model.creases is not None
     assert steps.memory is not None
     assert steps.memory_before is not None
     assert steps.angles is not None
-    joints, law, memory, angles = (
-        model.creases.joints >= 0,
-        model.creases.law,
-        steps.memory[:, place],
-        steps.angles[place],
-    )
-    moment, slope = acting_moment(law, angles, 0.0, memory, steps.followed * model.timestep)
+    law, memory, angles = model.creases.law, steps.memory[:, place], steps.angles[place]
+    rests = model.settings(efforts[:: steps.followed])[0]
+    moment, slope = acting_moment(law, angles, rests, memory, steps.followed * model.timestep)
     if law.yields or law.rubs:
         before = np.concatenate([steps.memory_before[:, place, None], memory[:, :-1]], axis=1)
         slope = slope - yielding_slope(law, before, memory)
     position = np.concatenate([steps.position_before[place, None], steps.position[place]])
-    block = np.arange(len(position) - 1) // steps.followed
-    ends = (model.folds.angles(position)[:, model.creases.hinges[joints]][part] for part in (slice(-1), slice(1, None)))
-    start, end = (turned - angles[block][:, joints] for turned in ends)
-    work = moment[block][:, joints] * (end - start) + slope[block][:, joints] / 2 * (end**2 - start**2)
+    block = np.arange(len(efforts)) // steps.followed
+    turned = model.folds.angles(position)[:, model.creases.hinges]
+    start, end = (without_jump(turned[part], angles[block]) - angles[block] for part in (slice(-1), slice(1, None)))
+    work = moment[block] * (end - start) + slope[block] / 2 * (end**2 - start**2)
     return np.asarray(-np.sum(work, axis=1))
 
 

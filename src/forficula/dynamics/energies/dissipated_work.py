@@ -7,11 +7,16 @@ from collections.abc import Sequence
 import mujoco
 import numpy as np
 
-from forficula.arrays import Array
+from forficula.arrays import Array, Flags, Indices
+from forficula.dynamics.energies.crease_work import spring_works
+from forficula.dynamics.energies.energy import energy_of
 from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
 from forficula.dynamics.engine.contact import has_engine_contact
-from forficula.dynamics.engine.model import Model
+from forficula.dynamics.engine.model import Model, joint_ranges
 from forficula.dynamics.stepping.steps import StepContacts, Steps
+
+# steps during which a stop's force still changes fast: four of its time constants
+_JUMP = 8
 
 
 def travel_of(model: Model, steps: Steps, timestep: Array) -> Array:
@@ -107,6 +112,73 @@ def divide_friction(work: dict[str, Array], models: Sequence[Model], steps: Step
             powers[place] += np.sum(torques * velocity[place], axis=1)
     work["friction_work"] = timestep[:, None] / 2 * powers
     work["stop_work"] = work["stop_work"] - work["friction_work"]
+
+
+class ConstraintWork:
+    """Division of the work of constraints in steps of Runge and Kutta, for many structures of one topology.
+
+    Attributes:
+        met: in which of the last steps hinges met or left their stops, and contacts began or ended, (structure, step).
+    """
+
+    def __init__(self, models: Sequence[Model]) -> None:
+        """Start without contacts."""
+        self._models = models
+        # positions of the stops of joints
+        self._stops = [np.array(ends) for ends in zip(*(joint_ranges(model) for model in models), strict=True)]
+        self.met: dict[str, Flags] = {}
+
+    def divide(
+        self, work: dict[str, Array], driven: Array, rows: Indices, steps: Steps, torques: Array, taken: Indices
+    ) -> None:
+        """Divide the work of constraints into that of stops, that of the engine's contacts and that of closures.
+
+        The force of a stop jumps within the step in which a hinge meets or leaves it, and that of a contact where it
+        begins or ends, so no rule for smooth forces applies. In that step and a few more, the change of energy that no
+        other work explains is the work of stops or contacts. While parts touch, the work of all constraints counts as
+        that of contacts.
+        """
+        low, high = (self._stops[end][rows, None] for end in (0, 1))
+        position = np.concatenate([steps.position_before[:, None], steps.position], axis=1)
+        at_stop = (position <= low) | (position >= high)
+        stopped, jumps = self._meeting("stops", at_stop, rows, taken)
+        landed, touched = np.zeros_like(stopped), np.zeros_like(jumps)
+        if "ncon" in steps.derived:
+            assert steps.late is not None
+            numbers = np.concatenate([steps.derived["ncon"][:, :1], steps.late["ncon"]], axis=1)
+            landed, touched = self._meeting("contacts", numbers[:, :, None], rows, taken)
+        jumps = jumps | touched
+        others = driven + work["hinge_damping_work"] + work["elastic_damping_work"]
+        for place, row in enumerate(rows.tolist()):
+            if self._models[row].creases is not None:
+                others[place] += spring_works(self._models[row], steps, place, torques[place])
+        for place, step in zip(*np.nonzero(jumps & (np.arange(jumps.shape[1]) < taken[:, None])), strict=True):
+            ends = (steps.before[place] if step == 0 else steps.after[place, step - 1], steps.after[place, step])
+            before, after = (energy_of(self._models[rows[place]], state) for state in ends)
+            work["stop_work"][place, step] = after - before - others[place, step]
+        constraints = work["stop_work"]
+        work["stop_work"] = np.where(stopped & ~landed, constraints, 0.0)
+        if "ncon" in steps.derived:
+            work["contact_work"] = np.where(landed, constraints, 0.0)
+        if len(self._models[0].gaps):
+            work["closure_work"] = np.where(stopped | landed, 0.0, constraints)
+
+    def _meeting(self, kind: str, touching: Flags | Indices, rows: Indices, taken: Indices) -> tuple[Flags, Flags]:
+        """Return in which steps parts touch or have just touched, and in which their forces jump, (row, step) each.
+
+        Args:
+            kind: of touching, `"stops"` or `"contacts"`.
+            touching: whether parts touch before the first step and after each step, or the number of contacts, (row,
+                1 + step, part).
+            rows: numbers of the structures.
+            taken: number of the steps that count, (row,).
+        """
+        met = self.met.setdefault(kind, np.zeros((len(self._models), _JUMP), dtype=np.bool_))
+        changes = np.concatenate([met[rows], (touching[:, 1:] != touching[:, :-1]).any(axis=2)], axis=1)
+        jumps = np.lib.stride_tricks.sliding_window_view(changes, _JUMP + 1, axis=1).any(axis=2)
+        met[rows] = [flags[end : end + _JUMP] for flags, end in zip(changes, taken.tolist(), strict=True)]
+        touches = touching[:, :-1].any(axis=2) | touching[:, 1:].any(axis=2)
+        return np.asarray(jumps | touches), np.asarray(jumps)
 
 
 def add_contacts(work: dict[str, Array], models: Sequence[Model], contacts: StepContacts, travel: Array) -> None:

@@ -12,9 +12,9 @@ from forficula.dynamics.energies.crease_work import (
     displacement_force,
     engine_work,
     motor_travel,
-    spring_works,
 )
 from forficula.dynamics.energies.dissipated_work import (
+    ConstraintWork,
     add_contacts,
     add_implicit_losses,
     add_yielding,
@@ -22,15 +22,11 @@ from forficula.dynamics.energies.dissipated_work import (
     explicit_works,
     travel_of,
 )
-from forficula.dynamics.energies.energy import energy_of
 from forficula.dynamics.energies.tendon_losses import TendonLosses
-from forficula.dynamics.engine.model import Model, joint_ranges
+from forficula.dynamics.engine.model import Model
 from forficula.dynamics.stepping.steps import EngineState, Steps
 from forficula.structure import RestPath
 from forficula.structure.contact.touching_parts import has_touching_facets
-
-# steps during which a stop's force still changes fast: four of its time constants
-_JUMP = 8
 
 
 class WorkBalance:
@@ -66,10 +62,7 @@ class WorkBalance:
         self._forces = np.full((len(models), len(self._motors)), np.nan)
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
         self._gap_lengths = models[0].gap_lengths
-        # positions of the stops of joints
-        self._stops = [np.array(ends) for ends in zip(*(joint_ranges(model) for model in models), strict=True)]
-        # in which of the last steps a hinge met or left its stop
-        self._met = np.zeros((len(models), _JUMP), dtype=bool)
+        self._constraints = ConstraintWork(models)
         # time that each structure has waited without steps, s, if some stage waits
         self._waits = any(stage.wait for model in models for stage in model.design.protocol.stages)
         self._waited = np.zeros(len(models))
@@ -114,14 +107,18 @@ class WorkBalance:
                 work["drag_work"] = np.sum(drag * travel, axis=2)
             if self._explicit:
                 work |= explicit_works(steps, travel, self._damping[rows], self._timestep[rows])
+                work["hinge_damping_work"] = work["hinge_damping_work"] + of_creases
                 divide_friction(work, models, steps, self._timestep[rows])
-                outside = [motor_work_name(number) for number in range(len(self._motors))]
+                # a rest angle that moves changes only the energy of its spring
+                outside = [
+                    motor_work_name(number) for number, motor in enumerate(self._motors) if motor.kind != "rest-angle"
+                ]
                 done = sum(
                     (work[name] for name in (*outside, "drag_work", "friction_work") if name in work),
                     np.zeros(travel.shape[:2]),
                 )
                 done = done if steps.contact is None else done + np.sum(steps.contact.forces * travel, axis=2)
-                self._add_stops(work, done, rows, steps, taken)
+                self._constraints.divide(work, done, rows, steps, torques, taken)
             else:
                 add_implicit_losses(work, models, steps, travel, self._damping[rows], of_creases)
             if steps.contact is not None:
@@ -254,12 +251,12 @@ class WorkBalance:
         """Copy the sums of another structure, which has had the same motion so far."""
         for done in (
             *self._done.values(),
+            *self._constraints.met.values(),
             self._set,
             self._powers,
             self._forces,
             self._widest,
             self._deepest,
-            self._met,
             self._waited,
             self._jumped,
         ):
@@ -315,7 +312,8 @@ class WorkBalance:
                 ]
             )
         hinges = list(self._motors[number].hinges)
-        return np.asarray(np.sum(self._senses[rows][:, None, hinges] * travel[:, :, hinges], axis=2))
+        turned = travel[:, :, self._models[0].folds.speeds[hinges]]
+        return np.asarray(np.sum(self._senses[rows][:, None, hinges] * turned, axis=2))
 
     def _motor_force(self, rows: Indices, motor: int, steps: Steps, taken: Indices) -> Array:
         """Return the force of a motor on the points that it displaces, N, (row, step); nan if it displaces none."""
@@ -326,32 +324,6 @@ class WorkBalance:
                 forces[place] = unit.energy / unit.length * displacement_force(self._models[row], motor, steps, place)
         self._forces[rows, motor] = forces[np.arange(len(rows)), np.maximum(taken, 1) - 1]
         return forces
-
-    def _add_stops(self, work: dict[str, Array], driven: Array, rows: Indices, steps: Steps, taken: Indices) -> None:
-        """Divide the work of constraints into that of stops and that of closures.
-
-        The force of a stop jumps within the step in which a hinge meets or leaves it, so no rule for smooth forces
-        applies. In that step and a few more, the change of energy that no other work explains is the work of stops.
-        """
-        low, high = (self._stops[end][rows, None] for end in (0, 1))
-        position = np.concatenate([steps.position_before[:, None], steps.position], axis=1)
-        at_stop = (position <= low) | (position >= high)
-        met = np.concatenate([self._met[rows], (at_stop[:, 1:] != at_stop[:, :-1]).any(axis=2)], axis=1)
-        jumps = np.lib.stride_tricks.sliding_window_view(met, _JUMP + 1, axis=1).any(axis=2)
-        self._met[rows] = [flags[end : end + _JUMP] for flags, end in zip(met, taken.tolist(), strict=True)]
-        stopped = jumps | at_stop[:, :-1].any(axis=2) | at_stop[:, 1:].any(axis=2)
-        closing = np.where(stopped, 0.0, work["stop_work"])
-        work["stop_work"] = np.where(stopped, work["stop_work"], 0.0)
-        if len(self._gaps):
-            work["closure_work"] = closing
-        others = driven + work["hinge_damping_work"] + work["elastic_damping_work"]
-        for place, row in enumerate(rows.tolist()):
-            if (creases := self._models[row].creases) is not None and (creases.joints >= 0).any():
-                others[place] += spring_works(self._models[row], steps, place)
-        for place, step in zip(*np.nonzero(jumps & (np.arange(jumps.shape[1]) < taken[:, None])), strict=True):
-            ends = (steps.before[place] if step == 0 else steps.after[place, step - 1], steps.after[place, step])
-            before, after = (energy_of(self._models[rows[place]], state) for state in ends)
-            work["stop_work"][place, step] = after - before - others[place, step]
 
     def _widened(self, rows: Indices, steps: Steps, taken: Indices) -> Array:
         """Return the widest gap of a closure up to the state before each step, m, (row, step)."""

@@ -59,8 +59,8 @@ def add_holds(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> Non
     """
     places = built_points(structure)
     for hold in structure.holds:
-        axis = np.eye(3)[hold.axis]
-        spec.worldbody.add_site(name=f"{hold.name}_anchor", pos=places[hold.point] - rod_length(structure) * axis)
+        anchor = places[hold.point] - rod_length(structure) * hold.axis
+        spec.worldbody.add_site(name=f"{hold.name}_anchor", pos=anchor)
         rod = spec.add_tendon(name=hold.name)
         rod.wrap_site(f"{hold.name}_anchor")
         rod.wrap_site(structure.points[hold.point].name)

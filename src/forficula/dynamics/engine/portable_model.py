@@ -83,8 +83,6 @@ def why_not_portable(model: Model) -> str:
         return "its joints yield, which only MuJoCo 4.0 supports"
     if model.structure.has_contacts:
         return "its parts touch each other or a table, and older engines compute contacts differently"
-    if model.structure.holds:
-        return "supports hold points of its plates, and a page does not measure their gaps"
     if (model.holds >= 0).any():
         return "a drive displaces points"
     if model.pushed_bodies is not None:

@@ -6,7 +6,6 @@ import mujoco
 import numpy as np
 
 from forficula.dynamics.stepping.folds import Folds, start_of
-from forficula.errors import InputError
 from forficula.structure import Structure, refuse_below_table, touching_points
 
 # bit by which MuJoCo selects pairs of the table and a sphere; other contacts have lower bits
@@ -19,19 +18,10 @@ _SOFT = 1e-5
 
 
 def add_table(spec: mujoco.MjSpec, structure: Structure) -> None:
-    """Add the table of a structure in a model's units, and the spheres that touch it, after all bodies.
-
-    Raises:
-        InputError: plates form closed loops or are held at points: steps of Runge and Kutta do not resolve contacts.
-    """
+    """Add the table of a structure in a model's units, and the spheres that touch it, after all bodies."""
     table = structure.table
     if table is None:
         return
-    if structure.closures or structure.holds:
-        raise InputError(
-            f"{structure.name}: table: need a sheet without closed loops and supported points of rigid facets,"
-            ' or facet.kind = "bars", whose facets bend'
-        )
     up = -np.array(structure.down)
     plane = spec.worldbody.add_geom(name=_NAME, type=mujoco.mjtGeom.mjGEOM_PLANE, size=[structure.span] * 3)
     plane.pos = table.height * up

@@ -96,7 +96,7 @@ class Rollout:
 
 def block_memory(memory: Array, steps: int) -> Array:
     """Allocate memory for a block of steps, shaped like that for a chunk, (row, step, ...)."""
-    return np.empty((len(memory), steps, *memory.shape[2:]))
+    return np.empty((len(memory), steps, *memory.shape[2:]), dtype=memory.dtype)
 
 
 def branch_slices(engine: mujoco.MjModel) -> dict[str, slice]:

@@ -84,7 +84,8 @@ class Stepper:
         self._kept = _OF_SPARSE if sparse else _OF_STATES
         self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if models[0].lets_go.any() else ()))
         if has_engine_contact(models[0].structure):
-            self._names = tuple(dict.fromkeys((*self._names, *_OF_CONTACT)))
+            more = ("ncon",) if self._explicit else _OF_CONTACT
+            self._names = tuple(dict.fromkeys((*self._names, *more)))
         if any(hinge.friction and not hinge.flaps for model in models for hinge in model.structure.hinges):
             self._names = (*self._names, "qacc")
         self._names += ("actuator_force",) if models[0].jacobian.any() else ()
@@ -368,5 +369,7 @@ def _device_engine(
 def _memory(models: Sequence[Model], names: Sequence[str], chunk: int, moving: int) -> dict[str | int, Array]:
     """Allocate memory for a chunk of steps of all structures, by recorded field."""
     data = mujoco.MjData(models[0].engine)
-    shapes = {MOVING: (moving,), **{name: getattr(data, name).shape for name in names}}
-    return {name: np.empty((len(models), chunk, *shape)) for name, shape in shapes.items()}
+    fields = {MOVING: np.empty(moving), **{name: np.asarray(getattr(data, name)) for name in names}}
+    # numbers of contacts have the engine's type
+    types = {name: np.int32 if field.dtype.kind == "i" else np.float64 for name, field in fields.items()}
+    return {name: np.empty((len(models), chunk, *field.shape), dtype=types[name]) for name, field in fields.items()}

@@ -43,7 +43,7 @@ def plate_nodes(structure: Structure) -> PlateNodes:
     A plate's kinetic energy is that of the nodes with the mass matrix A [[m, m c], [m c, S]] A^T, where c is its
     centre, S the integral of r r^T, and A maps (1, r) to the weights of the nodes.
     """
-    origins, _ = built_frames(structure)
+    origins, frames = built_frames(structure)
     size = structure.span / 4
     copies = {closure.bodies[1]: closure.bodies[0] for closure in structure.closures}
     carriers = [_carrier(structure, body) for body in range(len(structure.bodies))]
@@ -64,7 +64,7 @@ def plate_nodes(structure: Structure) -> PlateNodes:
         mass[4 * index : 4 * index + 4, 4 * index : 4 * index + 4] += count * shares @ moments @ shares.T
     axes = np.concatenate((np.zeros((1, 3)), size * np.eye(3)))
     return PlateNodes(
-        nodes=np.concatenate([origins[body] + axes for body in originals]),
+        nodes=np.concatenate([origins[body] + axes @ frames[body].T for body in originals]),
         first=tuple(4 * originals.index(copies.get(carrier, carrier)) for carrier, _ in carriers),
         free=tuple(bool(structure.bodies[carrier].slides) or carrier in hinged for carrier, _ in carriers),
         size=size,

@@ -10,9 +10,20 @@ import numpy as np
 from forficula.errors import InputError
 from forficula.structure.assembly.joined_part import JoinedPart
 from forficula.structure.membranes import Membrane, Surface
-from forficula.structure.parts import Bar, Closure, Coupling, Facet, LengthLimit, Plate, PointMass, Spring, Tendon
+from forficula.structure.parts import (
+    GROUND,
+    Bar,
+    Closure,
+    Coupling,
+    Facet,
+    LengthLimit,
+    Plate,
+    PointMass,
+    Spring,
+    Tendon,
+)
 from forficula.structure.structure import Structure
-from forficula.structure.surroundings import Medium
+from forficula.structure.surroundings import Hold, Medium
 
 
 def with_components(structure: Structure, masses: Sequence[PointMass], parts: Sequence[JoinedPart]) -> Structure:
@@ -24,14 +35,8 @@ def with_components(structure: Structure, masses: Sequence[PointMass], parts: Se
         parts: the parts of the assembly.
 
     Raises:
-        InputError: supports hold points of plates.
+        InputError: supports hold points of a part that another part carries.
     """
-    held = next((part for part in parts if part.structure.holds), None)
-    if held is not None:
-        raise InputError(
-            f"part.{held.name}.support: need one facet or edge in a part of rigid facets, held along all axes, got"
-            " vertices or several supports"
-        )
     return replace(
         structure,
         bars=tuple(_bar(part, bar) for part in parts for bar in part.structure.bars),
@@ -39,6 +44,7 @@ def with_components(structure: Structure, masses: Sequence[PointMass], parts: Se
         masses=(*masses, *(_mass(part, mass) for part in parts for mass in part.structure.masses)),
         facets=tuple(_facet(part, facet) for part in parts for facet in part.structure.facets),
         closures=tuple(_closure(part, closure) for part in parts for closure in part.structure.closures),
+        holds=tuple(_hold(part, hold) for part in parts for hold in part.structure.holds),
         limits=tuple(_limit(part, limit) for part in parts for limit in part.structure.limits),
         membranes=tuple(_membrane(part, sheet) for part in parts for sheet in part.structure.membranes),
         couplings=tuple(_coupling(part, coupling) for part in parts for coupling in part.structure.couplings),
@@ -88,6 +94,16 @@ def _closure(part: JoinedPart, closure: Closure) -> Closure:
     one, other = (part.body(body) for body in closure.bodies)
     pairs = tuple((part.first_point + first, part.first_point + second) for first, second in closure.points)
     return replace(closure, name=part.full_name(closure.name), bodies=(one, other), points=pairs)
+
+
+def _hold(part: JoinedPart, hold: Hold) -> Hold:
+    if part.base != GROUND:
+        raise InputError(
+            f"part.{part.name}.support: need one facet or edge that is held along all axes in a part of rigid facets"
+            " that a hinge or another part carries, because further supports and vertices are held to the ground"
+        )
+    axis = part.motion.rotation @ hold.axis
+    return replace(hold, name=part.full_name(hold.name), point=part.first_point + hold.point, axis=axis)
 
 
 def _limit(part: JoinedPart, limit: LengthLimit) -> LengthLimit:

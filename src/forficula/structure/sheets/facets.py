@@ -11,6 +11,8 @@ from forficula.structure.parts import GROUND
 from forficula.structure.structure import Structure
 
 BEND = "facet bend"  # role of a hinge between two triangles of the same facet
+# distance of a point from the axis about which its plate turns below which it is on the axis, as a share of the size
+_ON_AXIS = 1e-9
 
 
 def facet_triangles(structure: Structure) -> tuple[Indices, Indices]:
@@ -57,14 +59,26 @@ def springs_name(structure: Structure) -> str:
 
 
 def held_corners(structure: Structure) -> tuple[int, ...]:
-    """Return the numbers of corners of facets that are on the ground or whose bodies cannot slide along all axes."""
-    corners = sorted({point for facet in structure.facets for point in facet.points})
-    hinged = {hinge.body for hinge in structure.hinges}
+    """Return the numbers of the supported corners of facets and plates.
 
-    def held(body: int) -> bool:
+    Corners of facets are on the ground, or their bodies cannot slide along all axes. Of plates, they are points that
+    supports hold. Where there are such points, also corners of clamped plates, and ends of edges on the ground.
+    """
+    corners = {point for facet in structure.facets for point in facet.points}
+    axes = {hinge.body: hinge.axis for hinge in structure.hinges if hinge.flaps is None}
+    if structure.holds:
+        corners |= {point for plate in structure.plates for point in plate.points}
+
+    def held(number: int) -> bool:
+        body = structure.points[number].body
         if body == GROUND:
             return True
         carrier = structure.bodies[body]
-        return carrier.parent == GROUND and body not in hinged and len(carrier.slides) < 3
+        if carrier.parent != GROUND or len(carrier.slides) == 3:
+            return False
+        if body not in axes:
+            return True
+        away = float(np.linalg.norm(np.cross(axes[body], structure.points[number].place)))
+        return bool(structure.holds) and away < _ON_AXIS * structure.span
 
-    return tuple(point for point in corners if held(structure.points[point].body))
+    return tuple(sorted({hold.point for hold in structure.holds} | {point for point in corners if held(point)}))

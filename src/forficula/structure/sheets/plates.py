@@ -187,7 +187,7 @@ def _holds(design: SheetDesign, pattern: CreasePattern, points: Sequence[Point])
             around = [facet for facet, corners in enumerate(pattern.faces_vertices) if vertex in corners]
             corners = [(around[0] if chosen is None else chosen, vertex)]
         holds += [
-            Hold(name=f"support{number}_{name}_{axis}", point=named[name], axis="xyz".index(axis))
+            Hold(name=f"support{number}_{name}_{axis}", point=named[name], axis=np.eye(3)["xyz".index(axis)])
             for name in (corner_name(facet, vertex) for facet, vertex in corners)
             for axis in sorted(set(support.axes or "xyz"))
         ]

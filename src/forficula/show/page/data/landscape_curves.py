@@ -20,6 +20,7 @@ from forficula.show.run.energies_figure import stored_energies
 from forficula.show.structure.labels import label_of, parts_of, title_of
 from forficula.statics import EnergyLandscape, HingeLandscape
 from forficula.statics.landscape import fold_states
+from forficula.statics.net.net_of import is_net
 from forficula.statics.tree.ensemble import ensemble
 from forficula.statics.tree.potential import stored_energy
 from forficula.structure import Structure
@@ -289,8 +290,11 @@ def _along_fold(landscape: EnergyLandscape, travel: Travel | None) -> EnergyPlot
 
 
 def _weight_zero(record: Record) -> float:
-    """Return the difference between the reference levels of gravitational energy in a run and in statics, J."""
-    if not record.structure.gravity:
+    """Return the difference between the reference levels of gravitational energy in a run and in statics, J.
+
+    Both are 0 at the origin where statics solve a structure as a net.
+    """
+    if not record.structure.gravity or is_net(record.structure):
         return 0.0
     first = stored_energy(ensemble([record.structure]), record.series["hinge_angle"][:1]).get("weight", np.zeros(1))
     return float(first[0] - record.series["gravitational_energy"][0])

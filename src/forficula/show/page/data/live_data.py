@@ -107,6 +107,8 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
     """Return the indices in the engine of hinges, motors, tendons and distances, and the points that are drawn."""
     structure, built = model.structure, model.in_units
     count, mesh = len(structure.points), model.mesh
+    # index of the position of each degree of freedom of a joint
+    positions = np.array(model.engine.jnt_qposadr)[model.engine.dof_jntid].tolist()
     bodies, places, names = [], [], []
     for number in anchors:
         if number < count:
@@ -126,7 +128,7 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
         "brakes": model.brakes.tolist(),
         "brakeWays": [
             {"control": control, "motor": int(model.brakes[control])}
-            | {"way": [[dof, float(direction[dof])] for dof in np.flatnonzero(direction).tolist()]}
+            | {"way": [[dof, float(direction[dof]), positions[dof]] for dof in np.flatnonzero(direction).tolist()]}
             for control, direction in enumerate(model.jacobian)
             if model.brakes[control] >= 0
         ],
@@ -141,7 +143,7 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
             "stiffness": [list(tendon.law.stiffness) for tendon in built.tendons],
         },
         "distances": model.distances.tolist(),
-        "gaps": model.gaps.tolist(),
+        "gaps": [*map(list, zip(model.gaps.tolist(), model.gap_lengths, strict=True))],
         "size": structure.span / model.units.length,
         "sums": [_reading(structure, measure)["parts"] for measure in sums_of(structure)],
     }
