@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from itertools import combinations
 
 import numpy as np
 
@@ -19,11 +18,11 @@ from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.kinematics import folded_coordinates
 from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion, turn_about
 from forficula.pattern.shared_edges import shared_edges
-from forficula.pattern.thick.convex import ConvexSolid, overlap_depths
+from forficula.pattern.thick.convex import ConvexSolid, packed_solids, pair_overlaps
 
 _FLAT_FOLDABLE = 1e-6  # rad, largest alternating sum of sectors that counts as rounding
 # [chosen] number of poses at which the overlap of panels is computed
-POSES = 24
+POSES = 48
 
 
 def facet_motions(pattern: CreasePattern, ends: Array, turns: Array) -> list[RigidMotion]:
@@ -77,7 +76,7 @@ def flat_folded(pattern: CreasePattern) -> Array:
     return np.asarray((folded - corners[0]) @ frame.T)
 
 
-def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]], poses: int = POSES) -> Array | None:
+def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]], poses: int = POSES, *, slowing: bool = False) -> Array | None:
     """Compute fold angles from the flat sheet until the first crease reaches its limit, rad, (pose, edge).
 
     Around vertices of four creases that fold flat, the tangents of half the fold angles have constant ratios (Huffman
@@ -87,7 +86,9 @@ def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]], pos
     Args:
         pattern: flat or folded as built, with mountains, valleys and flat edges.
         limits: least and largest fold angle of every edge, valley positive, rad.
-        poses: number of poses, in equal steps of the largest fold angle; the flat one is left out.
+        poses: number of poses; the flat one is left out.
+        slowing: whether the steps of the largest fold angle decrease linearly to the last pose, where panels that lie
+            on one another slide; otherwise they are equal.
 
     Returns:
         None if the path has no such closed form.
@@ -112,7 +113,8 @@ def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]], pos
     with np.errstate(divide="ignore"):
         last = float((np.tan(most[moving] / 2) / np.abs(ratios[moving])).min())
     largest = 2 * math.atan(last) if last < 1e12 else math.pi
-    shares = np.linspace(0.0, largest, poses + 1)[1:, None]
+    shares = np.linspace(0.0, 1.0, poses + 1)[1:, None]
+    shares = largest * (1 - (1 - shares) ** 2 if slowing else shares)
     return np.asarray(2 * np.arctan2(ratios * np.sin(shares / 2), np.cos(shares / 2)))
 
 
@@ -130,27 +132,23 @@ def panel_overlaps(
         The numbers of two panels whose surroundings overlap, and the depth in each pose, m, (pose,); 0 where the panels
         do not overlap.
     """
-    centres = [np.array([solid.corners.mean(axis=0) for solid in solids]) for solids in panels]
-    reaches = [
-        np.array([np.linalg.norm(solid.corners - middle, axis=1).max() for solid, middle in zip(*pair, strict=True)])
-        for pair in zip(panels, centres, strict=True)
-    ]
-    moved = [
-        np.einsum("pij,sj->psi", turns[:, panel], middles) + shifts[:, panel, None]
-        for panel, middles in enumerate(centres)
-    ]
-    for one, other in combinations(range(len(panels)), 2):
-        deepest = np.zeros(len(turns))
-        for first, solid in enumerate(panels[one]):
-            apart = np.linalg.norm(moved[other] - moved[one][:, first, None], axis=2)
-            near = apart < reaches[one][first] + reaches[other]
-            for second in np.flatnonzero(near.any(axis=0)).tolist():
-                rows = np.flatnonzero(near[:, second])
-                poses = [(turns[rows, panel], shifts[rows, panel]) for panel in (one, other)]
-                depths = overlap_depths(solid, poses[0], panels[other][second], poses[1])
-                deepest[rows] = np.maximum(deepest[rows], depths)
-        if deepest.any():
-            yield one, other, deepest
+    solids = [solid for panel in panels for solid in panel]
+    owners = np.repeat(np.arange(len(panels)), [len(panel) for panel in panels])
+    packed = packed_solids(solids)
+    centres = np.array([solid.corners.mean(axis=0) for solid in solids])
+    reaches = np.array([np.linalg.norm(solid.corners - centre, axis=1).max() for solid, centre in zip(solids, centres, strict=True)])
+    moved = np.einsum("psij,sj->psi", turns[:, owners], centres) + shifts[:, owners]
+    for one in range(len(panels) - 1):
+        first, second = np.flatnonzero(owners == one), np.flatnonzero(owners > one)
+        apart = np.linalg.norm(moved[:, first, None] - moved[:, None, second], axis=3)
+        poses, left, right = np.nonzero(apart < reaches[first, None] + reaches[second])
+        left, right = first[left], second[right]
+        motions = [(turns[poses, owners[side]], shifts[poses, owners[side]]) for side in (left, right)]
+        depths = pair_overlaps(packed, left, right, motions[0], motions[1])
+        deepest = np.zeros((len(panels), len(turns)))
+        np.maximum.at(deepest, (owners[right], poses), depths)
+        for other in np.flatnonzero(deepest.any(axis=1)).tolist():
+            yield one, other, deepest[other]
 
 
 def deepest_overlap(

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 
@@ -58,6 +58,7 @@ class ThickSheet:
         axis_ends: positions of the two vertices of every edge on its axis, m, (edge, 2, 3).
         panels: convex solids of each panel, which touch but do not overlap: the panel, which may consist of pieces,
             then brackets that carry axes outside it.
+        notches: convex solids cut out of each panel, see `bracket_notches`.
         cores: corners of a polygon in the mid-plane of each panel, m, (corner, 3), for contact; see `panel_cores`.
         path: fold angles, rad, (pose, edge), at which the panels do not overlap; see `fold_path`. None if they were not
             checked.
@@ -69,18 +70,9 @@ class ThickSheet:
     axes: Array
     axis_ends: Array
     panels: tuple[tuple[ConvexSolid, ...], ...]
+    notches: tuple[tuple[ConvexSolid, ...], ...]
     cores: tuple[Array | None, ...]
     path: Array | None
-
-
-class _StripCuts(NamedTuple):
-    """Pairs of strips that meet, and fold angles, rad, (pose, edge), at which their ends are cut."""
-
-    meeting: Sequence[tuple[int, int]]
-    path: Array
-
-
-_NO_STRIPS = _StripCuts((), np.zeros((0, 0)))
 
 
 def thick_sheet(pattern: CreasePattern, thickness: float, method: ThickMethod, limits: Limits) -> ThickSheet:
@@ -132,9 +124,9 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
     if method in ("offset", "hinge-shift"):
         levels, axes = _unit_heights(pattern, shifted=method == "hinge-shift")
     trims = limits if method == "tapered" else None
-    path = fold_path(pattern, limits)
-    # strips end where they meet, so these poses are closer than those that are checked
-    finer = fold_path(pattern, limits, 4 * POSES) if method == "split" else None
+    path = fold_path(pattern, limits, slowing=True)
+    # brackets pass through notches and strips end where they meet, so these poses are closer than those of the check
+    finer = None if method == "tapered" else fold_path(pattern, limits, 2 * POSES, slowing=True)
     slots: Sequence[tuple[float, float]] = ()
 
     def sheet(chosen: float) -> ThickSheet:
@@ -143,9 +135,12 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
             split = split_sheet(pattern, chosen)
             # a sheet whose path has no closed form is checked where it is folded flat
             checked = split.path(np.asarray((np.pi * senses(pattern))[None]) if path is None else path)
-            cuts = _StripCuts(split.meeting, checked if finer is None else split.path(finer))
-            return _sheet(split.pattern, split.thickness, split.levels, split.axes, checked, strips=cuts)
-        return _sheet(pattern, np.full(facets, chosen), chosen * levels, chosen * axes, path, trims=trims, slots=slots)
+            swept = checked if finer is None else split.path(finer)
+            return _sheet(
+                split.pattern, split.thickness, split.levels, split.axes, checked, swept=swept, meeting=split.meeting
+            )
+        thick = np.full(facets, chosen)
+        return _sheet(pattern, thick, chosen * levels, chosen * axes, path, swept=finer, trims=trims, slots=slots)
 
     made = sheet(thickness)
     why = _fault(made)
@@ -195,8 +190,9 @@ def _sheet(
     axes: Array,
     path: Array | None,
     *,
+    swept: Array | None = None,
     trims: Limits | None = None,
-    strips: _StripCuts = _NO_STRIPS,
+    meeting: Sequence[tuple[int, int]] = (),
     slots: Sequence[tuple[float, float]] = (),
 ) -> ThickSheet:
     """Return a sheet with panels of given thicknesses, and with panels and axes at given heights, m."""
@@ -214,16 +210,18 @@ def _sheet(
     axis_ends = pattern.vertices_coords[pattern.edges_vertices]
     for edge in shared_edges(pattern):
         axis_ends[edge.edge] = [layers[edge.left].at(end, float(axes[edge.edge])) for end in axis_ends[edge.edge]]
+    poses = [] if swept is None else _motions(pattern, axis_ends, swept)
+    cuts = strip_cuts(pattern, layers, axes, poses, meeting)
     closed = facet_motions(pattern, axis_ends, np.pi * senses(pattern) * pattern.edges_share - built_angles(pattern))
-    poses = _motions(pattern, axis_ends, strips.path) if strips.meeting else []
-    cuts = strip_cuts(pattern, layers, axes, poses, strips.meeting)
+    solids = panel_solids(pattern, layers, axes, [*poses, closed], trims, cuts, slots or [BRACKETS] * len(axes))
     return ThickSheet(
         pattern=pattern,
         thickness=float(thickness.max()),
         layers=layers,
         axes=axes,
         axis_ends=axis_ends,
-        panels=tuple(panel_solids(pattern, layers, axes, closed, trims, cuts, slots or [BRACKETS] * len(axes))),
+        panels=tuple((*panel.pieces, *panel.brackets) for panel in solids),
+        notches=tuple(panel.notches for panel in solids),
         cores=panel_cores(pattern, layers, trims, cuts),
         path=path,
     )
