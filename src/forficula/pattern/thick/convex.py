@@ -182,7 +182,11 @@ def relative_motions(one: tuple[Array, Array], other: tuple[Array, Array]) -> tu
 
 
 def pair_overlaps(
-    solids: PackedSolids, one: Indices, other: Indices, one_motion: tuple[Array, Array], other_motion: tuple[Array, Array]
+    solids: PackedSolids,
+    one: Indices,
+    other: Indices,
+    one_motion: tuple[Array, Array],
+    other_motion: tuple[Array, Array],
 ) -> Array:
     """Compute how far pairs of solids overlap, m, (row,); 0 where they are apart or touch.
 
@@ -209,7 +213,7 @@ def pair_overlaps(
 def _side_depths(solids: PackedSolids, one: Indices, other: Indices, turns: Array, shifts: Array) -> Array:
     """Compute the least overlap of pairs of solids along the normals of their faces, m, (row,)."""
     axes = np.concatenate([solids.faces[one], solids.faces[other] @ np.swapaxes(turns, 1, 2)], axis=1)
-    return _depths_along(axes, solids, one, other, turns, shifts).min(axis=1)
+    return np.asarray(_depths_along(axes, solids, one, other, turns, shifts).min(axis=1))
 
 
 def _edge_depths(solids: PackedSolids, one: Indices, other: Indices, turns: Array, shifts: Array) -> Array:
@@ -221,7 +225,7 @@ def _edge_depths(solids: PackedSolids, one: Indices, other: Indices, turns: Arra
     apart = lengths > math.sqrt(_SAME)
     crossed = crossed / np.where(apart, lengths, 1.0)[..., None]
     depths = _depths_along(crossed, solids, one, other, turns, shifts)
-    return np.where(apart, depths, np.inf).min(axis=1)
+    return np.asarray(np.where(apart, depths, np.inf).min(axis=1))
 
 
 def _depths_along(
@@ -230,7 +234,7 @@ def _depths_along(
     """Compute the overlap of pairs of solids along unit vectors, (row, axis, 3), m, (row, axis)."""
     corners = solids.corners[other] @ np.swapaxes(turns, 1, 2) + shifts[:, None]
     ours, theirs = (points @ np.swapaxes(axes, 1, 2) for points in (solids.corners[one], corners))
-    return np.minimum(ours.max(axis=1) - theirs.min(axis=1), theirs.max(axis=1) - ours.min(axis=1))
+    return np.asarray(np.minimum(ours.max(axis=1) - theirs.min(axis=1), theirs.max(axis=1) - ours.min(axis=1)))
 
 
 def convex_overlap(one: Array, other: Array) -> float:
@@ -244,3 +248,48 @@ def convex_overlap(one: Array, other: Array) -> float:
     ours, theirs = one @ normals.T, other @ normals.T
     depths = np.minimum(ours.max(axis=0) - theirs.min(axis=0), theirs.max(axis=0) - ours.min(axis=0))
     return float(depths.min())
+
+
+def connected_parts(solids: Sequence[ConvexSolid], least: float) -> list[list[int]]:
+    """Return the numbers of convex solids that are connected with each other, because they touch along faces.
+
+    Args:
+        solids: which do not overlap.
+        least: width that faces must have in common, m.
+    """
+    result, waiting = list[list[int]](), list(range(len(solids)))
+    while waiting:
+        result.append(part := [waiting.pop(0)])
+        for one in part:  # grows
+            touching = [other for other in waiting if _share_face(solids[one], solids[other], least)]
+            part += touching
+            waiting = [other for other in waiting if other not in touching]
+    return result
+
+
+def _share_face(one: ConvexSolid, other: ConvexSolid, least: float) -> bool:
+    """Return whether two convex solids that do not overlap touch along faces that have a width in common."""
+    near = max(float(np.ptp(one.corners, axis=0).max()), float(np.ptp(other.corners, axis=0).max())) * 100 * _SAME
+    if not boxes_overlap(one.corners, other.corners, near):
+        return False
+    normals = np.concatenate([one.faces, -one.faces, other.faces, -other.faces])
+    ours, theirs = one.corners @ normals.T, other.corners @ normals.T
+    for number in np.flatnonzero(np.abs(ours.max(axis=0) - theirs.min(axis=0)) <= near).tolist():
+        sides = frame_along(normals[number])[:, :2]
+        on_ours = one.corners[ours[:, number] >= ours[:, number].max() - near] @ sides
+        on_theirs = other.corners[theirs[:, number] <= theirs[:, number].min() + near] @ sides
+        if len(on_ours) > 2 and len(on_theirs) > 2:
+            faces = [face[scipy.spatial.ConvexHull(face).vertices] for face in (on_ours, on_theirs)]
+            if convex_overlap(faces[0], faces[1]) > least:
+                return True
+    return False
+
+
+def boxes_overlap(one: Array, other: Array, near: float = 0.0) -> bool:
+    """Return whether the boxes around corners, (corner, 3), parallel to the axes, are at most `near` apart, m."""
+    return bool(((one.min(axis=0) <= other.max(axis=0) + near) & (other.min(axis=0) <= one.max(axis=0) + near)).all())
+
+
+def volume_of(solids: Sequence[ConvexSolid]) -> float:
+    """Return the sum of the volumes of convex solids, m^3."""
+    return sum(float(scipy.spatial.ConvexHull(solid.corners).volume) for solid in solids)

@@ -11,12 +11,20 @@ import scipy
 
 from forficula.arrays import Array
 from forficula.pattern.rotation import RigidMotion, frame_along
-from forficula.pattern.thick.convex import ConvexSolid, overlap_depths, packed_solids, pair_overlaps, solid_within
+from forficula.pattern.thick.convex import (
+    ConvexSolid,
+    boxes_overlap,
+    overlap_depths,
+    packed_solids,
+    pair_overlaps,
+    solid_within,
+)
 
 # [chosen] distance between the region that a bracket sweeps and the sides of its notch, in thicknesses
 _MARGIN = 0.05
 _TOUCHING = 1e-6  # of the thickness; solids that overlap by less touch
 _ON_PLANE = 1e-6  # of the size of a solid; corners that are nearer to a plane lie on it
+_MANY = 60  # points of which only the corners of the convex hull are kept
 _STAYS = (np.eye(3)[None], np.zeros((1, 3)))
 
 
@@ -73,6 +81,8 @@ def moved_plane(plane: Plane, motion: RigidMotion) -> Plane:
 
 def pieces_without(piece: Piece, notch: Piece, least: float, inside: Array) -> list[Piece]:
     """Return the convex pieces of a piece outside a notch; the piece itself if they overlap by at most `least`, m."""
+    if not boxes_overlap(piece.solid.corners, notch.solid.corners):
+        return [piece]
     if overlap_depths(piece.solid, _STAYS, notch.solid, _STAYS)[0] <= least:
         return [piece]
     cut = notch.planes
@@ -166,30 +176,27 @@ def _swept_region(corners: Array, panel: ConvexSolid, slab: Slab) -> Array:
 
 
 def _clipped(points: Array, outline: Array) -> Array:
-    """Return the corners of the part of the convex hull of points that lies in a convex polygon, (corner, 2).
+    """Return corners, (corner, 2), whose convex hull is the part of that of points that lies in a convex polygon.
 
     Args:
         points: m, (point, 2).
         outline: corners counterclockwise, m, (corner, 2).
     """
-    try:
-        polygon = points[scipy.spatial.ConvexHull(points).vertices]
-    except scipy.spatial.QhullError:  # the bracket touches the panel along a line
-        return np.zeros((0, 2))
+    polygon = points
     for tail, head in zip(outline, np.roll(outline, -1, axis=0), strict=True):
-        outwards = np.array([head[1] - tail[1], tail[0] - head[0]])
-        beyond = (polygon - tail) @ outwards
-        kept = list[Array]()
-        for here, there, low, high in zip(
-            polygon, np.roll(polygon, -1, axis=0), beyond, np.roll(beyond, -1), strict=True
-        ):
-            if low <= 0:
-                kept.append(here)
-            if low * high < 0:
-                kept.append(here + low / (low - high) * (there - here))
-        if not kept:
+        beyond = (polygon - tail) @ np.array([head[1] - tail[1], tail[0] - head[0]])
+        inside = beyond <= 0
+        if inside.all():
+            continue
+        if not inside.any():
             return np.zeros((0, 2))
-        polygon = np.array(kept)
+        # all lines between points on different sides, which include the sides of the hull
+        ends, low, high = polygon[~inside], beyond[inside], beyond[~inside]
+        share = low[:, None] / (low[:, None] - high)
+        cut = polygon[inside][:, None] + share[..., None] * (ends - polygon[inside][:, None])
+        polygon = np.concatenate([polygon[inside], cut.reshape(-1, 2)])
+        if len(polygon) > _MANY:
+            polygon = polygon[scipy.spatial.ConvexHull(polygon, qhull_options="QJ").vertices]
     return polygon
 
 
@@ -199,9 +206,10 @@ def _hole(points: Array, slab: Slab, inside: Array) -> list[Piece]:
     One side of the smallest rectangle lies on a side of the convex hull (Freeman and Shapira 1975). No hole is needed
     where the bracket only touches the panel.
     """
-    if len(points) < 3:
+    try:
+        hull = points[scipy.spatial.ConvexHull(points).vertices]
+    except (scipy.spatial.QhullError, ValueError):
         return []
-    hull = points[scipy.spatial.ConvexHull(points).vertices]
     sides = np.roll(hull, -1, axis=0) - hull
     sides /= np.linalg.norm(sides, axis=1)[:, None]
     normals = np.column_stack([-sides[:, 1], sides[:, 0]])

@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-import scipy
 
 from forficula.arrays import Array
 from forficula.pattern.crease_pattern import CreasePattern, face_sides
 from forficula.pattern.rotation import RigidMotion
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
-from forficula.pattern.thick.convex import ConvexSolid, convex_faces, overlap_depths, relative_motions
+from forficula.pattern.thick.convex import (
+    ConvexSolid,
+    connected_parts,
+    convex_faces,
+    overlap_depths,
+    relative_motions,
+    volume_of,
+)
 from forficula.pattern.thick.notches import (
     Piece,
     Plane,
@@ -25,6 +31,10 @@ from forficula.pattern.thick.notches import (
     pieces_without,
 )
 
+# [chosen] width of a face that holds two pieces of a panel together, in thicknesses
+_HELD = 0.1
+# [chosen] largest share of the volume of a panel that is left out where notches separate it from the rest
+_LOOSE = 0.01
 _MOST_CUTS = 40  # [chosen] most cuts of the ends of two strips that meet
 _ROUNDING = 1e-9
 _TOUCHING = 1e-6  # of the thickness; solids that overlap by less touch
@@ -62,11 +72,13 @@ class PanelSolids(NamedTuple):
         pieces: parts of the panel, which touch but do not overlap.
         brackets: solids that carry axes outside the panel.
         notches: solids that were cut out of the panel.
+        divided: whether notches divide the panel.
     """
 
     pieces: tuple[ConvexSolid, ...]
     brackets: tuple[ConvexSolid, ...]
     notches: tuple[ConvexSolid, ...]
+    divided: bool
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -92,6 +104,7 @@ def panel_solids(
     limits: Sequence[tuple[float, float]] | None,
     cuts: Sequence[Sequence[Plane]],
     slots: Sequence[tuple[float, float]],
+    facets: Collection[int],
 ) -> list[PanelSolids]:
     """Return the convex solids of all panels.
 
@@ -108,6 +121,7 @@ def panel_solids(
             and keep the outlines of their facets.
         cuts: further planes of every panel, see `strip_cuts`.
         slots: parts of edges with the brackets of both facets, see `bracket_slots`.
+        facets: facets whose panels are needed; others have only brackets.
     """
     sides = _sides(pattern)
     drafts = [
@@ -124,28 +138,46 @@ def panel_solids(
     shifts = np.array([[motion.shift for motion in pose] for pose in motions])
     result = []
     for facet, (draft, layer) in enumerate(zip(drafts, layers, strict=True)):
-        whole = piece_within(draft.panel, draft.inside)
+        whole = piece_within(draft.panel, draft.inside) if facet in facets else None
         slab = layer.slab(pattern.vertices_coords[pattern.faces_vertices[facet][0]])
         notches = list[Piece]()
         for carrier, bracket in brackets:
             if carrier != facet and whole is not None:
-                moved = relative_motions(
-                    (turns[:, facet], shifts[:, facet]), (turns[:, carrier], shifts[:, carrier])
-                )
+                moved = relative_motions((turns[:, facet], shifts[:, facet]), (turns[:, carrier], shifts[:, carrier]))
                 notches += bracket_notches(whole, slab, bracket, moved, draft.inside)
         pieces = [] if whole is None else [whole]
         for notch in notches:
             pieces = [
                 part for piece in pieces for part in pieces_without(piece, notch, slab.least_overlap, draft.inside)
             ]
+        carried = [bracket.solid for carrier, bracket in brackets if carrier == facet]
+        kept = [piece.solid for piece in pieces]
+        loose = _loose_pieces(kept, carried, layer.thickness) if notches and kept else []
         result.append(
             PanelSolids(
-                pieces=tuple(piece.solid for piece in pieces),
-                brackets=tuple(bracket.solid for carrier, bracket in brackets if carrier == facet),
-                notches=tuple(notch.solid for notch in notches),
+                pieces=tuple(piece for piece in kept if piece not in (loose or ())),
+                brackets=tuple(carried),
+                notches=(*(notch.solid for notch in notches), *(loose or ())),
+                divided=loose is None,
             )
         )
     return result
+
+
+def _loose_pieces(
+    pieces: Sequence[ConvexSolid], brackets: Sequence[ConvexSolid], thickness: float
+) -> list[ConvexSolid] | None:
+    """Return small pieces that notches separate from a panel; None if they separate large ones or brackets."""
+    solids = [*pieces, *brackets]
+    parts = connected_parts(solids, _HELD * thickness)
+    if len(parts) == 1:
+        return []
+    volumes = [volume_of([solids[number] for number in part]) for part in parts]
+    largest = int(np.argmax(volumes))
+    loose = [number for part in parts if part is not parts[largest] for number in part]
+    if max(loose) >= len(pieces) or sum(volumes) - volumes[largest] > _LOOSE * sum(volumes):
+        return None
+    return [solids[number] for number in loose]
 
 
 def strip_cuts(
@@ -190,7 +222,8 @@ def strip_cuts(
                 for cut, motion in ((0, moved[worst]), (1, back))
                 for face in (moved_plane(plane, motion) for plane in drafts[1 - cut].panel[-2:])
             ]
-            volumes = [_volume([*drafts[cut].panel, plane], drafts[cut].inside) for cut, plane in tried]
+            cuttings = [piece_within([*drafts[cut].panel, plane], drafts[cut].inside) for cut, plane in tried]
+            volumes = [0.0 if piece is None else volume_of([piece.solid]) for piece in cuttings]
             cut, plane = tried[int(np.argmax(volumes))]
             cuts[pair[cut]].append(plane)
     return cuts
@@ -200,12 +233,6 @@ def _relative_motion(one: RigidMotion, other: RigidMotion) -> RigidMotion:
     """Return the motion of one body in the axes of another one."""
     back = other.rotation.T
     return RigidMotion(back @ one.rotation, back @ (one.shift - other.shift))
-
-
-def _volume(planes: Sequence[Plane], inside: Array) -> float:
-    """Return the volume of the solid within planes, m^3."""
-    piece = piece_within(planes, inside)
-    return 0.0 if piece is None else float(scipy.spatial.ConvexHull(piece.solid.corners).volume)
 
 
 def panel_cores(

@@ -76,7 +76,16 @@ def flat_folded(pattern: CreasePattern) -> Array:
     return np.asarray((folded - corners[0]) @ frame.T)
 
 
-def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]], poses: int = POSES, *, slowing: bool = False) -> Array | None:
+def largest_angles(pattern: CreasePattern, limits: Sequence[tuple[float, float]]) -> Array:
+    """Return the fold angles of edges that have reached their limits in the senses of the pattern, rad, (edge,)."""
+    signs = senses(pattern)
+    most = np.array([high if sign > 0 else -low for (low, high), sign in zip(limits, signs, strict=True)])
+    return np.asarray(signs * np.maximum(most, 0.0), dtype=np.float64)
+
+
+def fold_path(
+    pattern: CreasePattern, limits: Sequence[tuple[float, float]], poses: int = POSES, *, slowing: bool = False
+) -> Array | None:
     """Compute fold angles from the flat sheet until the first crease reaches its limit, rad, (pose, edge).
 
     Around vertices of four creases that fold flat, the tangents of half the fold angles have constant ratios (Huffman
@@ -94,9 +103,7 @@ def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]], pos
         None if the path has no such closed form.
     """
     around = [vertex for vertex in vertex_creases(pattern) if len(vertex.edges)]
-    signs = senses(pattern)
-    most = np.array([high if sign > 0 else -low for (low, high), sign in zip(limits, signs, strict=True)])
-    most = np.where(signs != 0, np.maximum(most, 0.0), 0.0)
+    signs, most = senses(pattern), np.abs(largest_angles(pattern, limits))
     if not around:
         return (signs * most)[None] if (most[signs != 0] == math.pi).all() else None
     for vertex in around:
@@ -133,10 +140,14 @@ def panel_overlaps(
         do not overlap.
     """
     solids = [solid for panel in panels for solid in panel]
+    if not solids:
+        return
     owners = np.repeat(np.arange(len(panels)), [len(panel) for panel in panels])
     packed = packed_solids(solids)
     centres = np.array([solid.corners.mean(axis=0) for solid in solids])
-    reaches = np.array([np.linalg.norm(solid.corners - centre, axis=1).max() for solid, centre in zip(solids, centres, strict=True)])
+    reaches = np.array(
+        [np.linalg.norm(solid.corners - centre, axis=1).max() for solid, centre in zip(solids, centres, strict=True)]
+    )
     moved = np.einsum("psij,sj->psi", turns[:, owners], centres) + shifts[:, owners]
     for one in range(len(panels) - 1):
         first, second = np.flatnonzero(owners == one), np.flatnonzero(owners > one)
