@@ -51,7 +51,7 @@ def closing_path(design: SheetDesign, poses: int) -> Array | None:
         poses: number of poses for each crease.
 
     Returns:
-        None without thick panels, if creases do not move independently, or if panels overlap in every order.
+        None without thick panels, or if creases do not move independently.
     """
     sheet, thick = design.drawn_sheet, thick_panels(design)
     if thick is None or any(link.closes for link in facet_tree(sheet)):

@@ -34,8 +34,8 @@ def panel_checks(parts: PartSet) -> Iterator[Check]:
         fold = closing_fold(parts.design, parts.structure, _POSES_OF_CREASE)
     if fold is None:
         text = (
-            "not checked, because the fold path has no closed form, or because panels overlap in every order in which"
-            " creases close one after another; a run reports panels that pass through each other"
+            "not checked, because the fold path of a sheet with such vertices or holes has no closed form; a run"
+            " reports panels that pass through each other"
         )
         yield Check(name=name, part=parts.design.name, ok=None, value=math.nan, limit=limit, unit="m^3", text=text)
         return

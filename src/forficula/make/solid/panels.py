@@ -114,7 +114,7 @@ def closing_fold(design: Design, structure: Structure, poses: int) -> Array | No
         poses: number of poses for each crease.
 
     Returns:
-        None if panels overlap in every order of the creases, or if creases do not move independently.
+        None if creases do not move independently.
     """
     if not isinstance(design, SheetDesign):
         return None

@@ -206,10 +206,10 @@ def panel_motions(sheet: ThickSheet, angles: Array) -> list[list[RigidMotion]]:
     return _motions(sheet.pattern, sheet.axis_ends, angles)
 
 
-def successive_path(sheet: ThickSheet, folds: Array, poses: int) -> Array | None:
-    """Compute fold angles at which creases close one after another without overlap of panels.
+def successive_path(sheet: ThickSheet, folds: Array, poses: int) -> Array:
+    """Compute fold angles at which creases close one after another, without overlap of panels if possible.
 
-    The order is found from the folded state: of the closed creases the first one that can open without overlap opens.
+    The order is found from the folded state: of the closed creases the one that overlaps least while it opens opens.
 
     Args:
         sheet: without interior vertices and holes, so that creases move independently.
@@ -217,19 +217,21 @@ def successive_path(sheet: ThickSheet, folds: Array, poses: int) -> Array | None
         poses: number of poses for each crease.
 
     Returns:
-        Fold angles, rad, (pose, edge), to the folded state; None if no crease can open in some state.
+        Fold angles, rad, (pose, edge), to the folded state.
     """
     closed, waiting, opening = folds.sum(axis=0), list(range(len(folds))), list[Array]()
+    shares = np.linspace(0.0, 1.0, poses + 1)[:, None]
     while waiting:
+        depths = dict[int, float]()
         for crease in waiting:
-            angles = closed - np.linspace(0.0, 1.0, poses + 1)[:, None] * folds[crease]
-            if deepest_overlap(sheet.panels, panel_motions(sheet, angles))[0] <= _TOUCHING * sheet.thickness:
+            angles = closed - shares * folds[crease]
+            depths[crease] = deepest_overlap(sheet.panels, panel_motions(sheet, angles))[0]
+            if depths[crease] <= _TOUCHING * sheet.thickness:
                 break
-        else:
-            return None
-        opening.append(angles[:-1])
-        closed = angles[-1]
-        waiting.remove(crease)
+        least = min(depths, key=lambda crease: depths[crease])
+        opening.append((closed - shares * folds[least])[:-1])
+        closed = closed - folds[least]
+        waiting.remove(least)
     return np.concatenate(opening)[::-1]
 
 
