@@ -126,8 +126,9 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
         levels, axes = _unit_heights(pattern, shifted=method == "hinge-shift")
     trims = limits if method == "tapered" else None
     path = fold_path(pattern, limits, slowing=True)
-    # brackets pass through notches and strips end where they meet, so these poses are closer than those of the check
-    finer = None if method == "tapered" else fold_path(pattern, limits, 2 * POSES, slowing=True)
+    # brackets pass through notches and strips end where they meet, so these poses are closer than those of the check,
+    # and most of them are others
+    finer = None if method == "tapered" else fold_path(pattern, limits, 2 * POSES + 1, slowing=True)
     slots: Sequence[tuple[float, float]] = ()
 
     def sheet(chosen: float, needed: Collection[int] | None = None) -> ThickSheet:
@@ -184,15 +185,15 @@ def _largest_thickness(
     found: _Fault | None = fault
     while found is not None:
         low, high, facets = least, largest, found.facets
-        if _fault(sheet(low, facets), facets):
-            return None
         for _ in range(_HALVINGS):
             middle = (low + high) / 2
             low, high = (low, middle) if _fault(sheet(middle, facets), facets) else (middle, high)
+        if low == least and _fault(sheet(low, facets), facets):
+            return None
         step = 10.0 ** (math.floor(math.log10(low)) - 2)
         largest = step * math.floor(low / step)
-        found = _fault(sheet(largest, None)) if largest > least else None
-    return largest if largest > least else None
+        found = _fault(sheet(largest, None))
+    return largest
 
 
 def _rounded_up(factor: float) -> str:
@@ -304,7 +305,7 @@ def _sheet(
         panels=tuple((*panel.pieces, *panel.brackets) for panel in solids),
         notches=tuple(panel.notches for panel in solids),
         divided=tuple(facet for facet, panel in enumerate(solids) if panel.divided),
-        cores=panel_cores(pattern, layers, trims, cuts),
+        cores=panel_cores(pattern, layers, trims, cuts) if needed is None else (),
         path=path,
     )
 
