@@ -24,7 +24,7 @@ from forficula.pattern.thick.convex import (
 _MARGIN = 0.05
 _TOUCHING = 1e-6  # of the thickness; solids that overlap by less touch
 _ON_PLANE = 1e-6  # of the size of a solid; corners that are nearer to a plane lie on it
-_MANY = 60  # points of which only the corners of the convex hull are kept
+_MANY = 60  # more points are replaced by the corners of their convex hull
 _STAYS = (np.eye(3)[None], np.zeros((1, 3)))
 
 
@@ -157,7 +157,7 @@ def _swept_region(corners: Array, panel: ConvexSolid, slab: Slab) -> Array:
     plane = np.column_stack([across, along])
     outline = panel.corners @ plane
     outline = outline[scipy.spatial.ConvexHull(outline).vertices]
-    found = list[Array]()
+    polygons = [np.zeros((0, 2))]
     for one, other in pairwise(corners) if len(corners) > 1 else [(corners[0], corners[0])]:
         both = np.concatenate([one, other])
         heights = both @ slab.normal
@@ -171,8 +171,8 @@ def _swept_region(corners: Array, panel: ConvexSolid, slab: Slab) -> Array:
             points.append(((1 - share) * both[tails[cross]] + share * both[heads[cross]]) @ plane)
         polygon = np.concatenate(points)
         if len(polygon) > 2:
-            found.append(_clipped(polygon, outline))
-    return np.concatenate(found)
+            polygons.append(_clipped(polygon, outline))
+    return np.concatenate(polygons)
 
 
 def _clipped(points: Array, outline: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Solids of thick panels as convex pieces, with brackets for axes outside a panel and cut-outs for these brackets."""
+"""Solids of thick panels as convex pieces, with brackets for axes outside a panel and notches for these brackets."""
 
 from __future__ import annotations
 
@@ -243,7 +243,7 @@ def panel_cores(
 ) -> tuple[Array | None, ...]:
     """Return the corners of a polygon in the mid-plane of each panel, m, (corner, 3), for contact.
 
-    Everything within half the thickness of the polygon lies inside the panel without its cut-outs, so that polygons of
+    Everything within half the thickness of the polygon lies inside the panel without its notches, so that polygons of
     panels that do not overlap are at least a thickness apart.
 
     Args:

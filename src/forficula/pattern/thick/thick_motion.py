@@ -105,7 +105,7 @@ def fold_path(
     around = [vertex for vertex in vertex_creases(pattern) if len(vertex.edges)]
     signs, most = senses(pattern), np.abs(largest_angles(pattern, limits))
     if not around:
-        return (signs * most)[None] if (most[signs != 0] == math.pi).all() else None
+        return np.asarray(signs * most, dtype=np.float64)[None] if (most[signs != 0] == math.pi).all() else None
     for vertex in around:
         alternating = float(vertex.sectors[::2].sum() - vertex.sectors[1::2].sum())
         if len(vertex.edges) != 4 or abs(alternating) > _FLAT_FOLDABLE:

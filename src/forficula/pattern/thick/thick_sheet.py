@@ -52,7 +52,7 @@ class ThickSheet:
     Attributes:
         pattern: of the sheet without thickness; with strips at split folds.
         thickness: of the panels, m; strips may be thinner.
-        layers: panels over the facets, without trimmed sides, brackets and cut-outs.
+        layers: panels over the facets, without trimmed sides, brackets and notches.
         axes: heights of the axes of creases over the sheet without thickness, m, (edge,); 0 on other edges.
         axis_ends: positions of the two vertices of every edge on its axis, m, (edge, 2, 3).
         panels: convex solids of each panel, which touch but do not overlap: the panel, which may consist of pieces,
@@ -182,9 +182,9 @@ def _largest_thickness(
         None if there is none above a thousandth of the thickness.
     """
     least, largest = _THIN * thickness, thickness
-    found: _Fault | None = fault
-    while found is not None:
-        low, high, facets = least, largest, found.facets
+    remaining: _Fault | None = fault
+    while remaining is not None:
+        low, high, facets = least, largest, remaining.facets
         for _ in range(_HALVINGS):
             middle = (low + high) / 2
             low, high = (low, middle) if _fault(sheet(middle, facets), facets) else (middle, high)
@@ -192,7 +192,7 @@ def _largest_thickness(
             return None
         step = 10.0 ** (math.floor(math.log10(low)) - 2)
         largest = step * math.floor(low / step)
-        found = _fault(sheet(largest, None))
+        remaining = _fault(sheet(largest, None))
     return largest
 
 
