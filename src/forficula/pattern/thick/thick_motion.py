@@ -16,7 +16,7 @@ from forficula.pattern.facts.vertex_creases import vertex_creases
 from forficula.pattern.fold_angles import built_fold_angles
 from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.kinematics import folded_coordinates
-from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion, turn_about
+from forficula.pattern.rotation import RigidMotion, rotations_about
 from forficula.pattern.shared_edges import shared_edges
 from forficula.pattern.thick.convex import ConvexSolid, packed_solids, pair_overlaps
 
@@ -25,25 +25,30 @@ _FLAT_FOLDABLE = 1e-6  # rad, largest alternating sum of sectors that counts as 
 POSES = 48
 
 
-def facet_motions(pattern: CreasePattern, ends: Array, turns: Array) -> list[RigidMotion]:
-    """Compute the motions of facets from the position as built; facet 0 stays.
+def facet_motions(pattern: CreasePattern, ends: Array, turns: Array) -> list[list[RigidMotion]]:
+    """Compute the motions of facets from the position as built, (pose, facet); facet 0 stays.
 
     Args:
         pattern: flat or folded as built.
         ends: positions of the two vertices of every edge on its axis, as built, m, (edge, 2, 3).
-        turns: changes of the fold angles, valley positive, rad, (edge,).
+        turns: changes of the fold angles, valley positive, rad, (pose, edge).
     """
-    motions: dict[int, RigidMotion] = {}
+    poses, facets = len(turns), len(pattern.faces_vertices)
+    rotations, shifts = np.empty((facets, poses, 3, 3)), np.empty((facets, poses, 3))
     for link in facet_tree(pattern):
         if link.closes:
             continue
         if link.parent is None or link.edge is None:
-            motions[link.facet] = IDENTITY_MOTION
+            rotations[link.facet], shifts[link.facet] = np.eye(3), 0.0
             continue
         one, other = ends[link.edge] if pattern.edges_vertices[link.edge][0] == link.tail else ends[link.edge][::-1]
         along = (other - one) / np.linalg.norm(other - one)
-        motions[link.facet] = motions[link.parent].after(turn_about(one, along, -float(turns[link.edge])))
-    return [motions[facet] for facet in range(len(pattern.faces_vertices))]
+        turn = rotations_about(along, -turns[:, link.edge])
+        rotations[link.facet] = rotations[link.parent] @ turn
+        shifts[link.facet] = rotations[link.parent] @ one - rotations[link.facet] @ one + shifts[link.parent]
+    return [
+        [RigidMotion(rotations[facet, pose], shifts[facet, pose]) for facet in range(facets)] for pose in range(poses)
+    ]
 
 
 def built_angles(pattern: CreasePattern) -> Array:

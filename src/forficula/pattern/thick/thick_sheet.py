@@ -239,7 +239,7 @@ def successive_path(sheet: ThickSheet, folds: Array, poses: int) -> Array:
 def _motions(pattern: CreasePattern, axis_ends: Array, angles: Array) -> list[list[RigidMotion]]:
     """Return the motions of facets from the position as built to fold angles, rad, (pose, edge)."""
     built = built_angles(pattern)
-    return [facet_motions(pattern, axis_ends, pose - built) for pose in angles]
+    return facet_motions(pattern, axis_ends, angles - built)
 
 
 def _sheet(
@@ -285,12 +285,12 @@ def _sheet(
         axis_ends[edge.edge] = [layers[edge.left].at(end, float(axes[edge.edge])) for end in axis_ends[edge.edge]]
     poses = [] if swept is None else _motions(pattern, axis_ends, swept)
     cuts = strip_cuts(pattern, layers, axes, poses, meeting)
-    closed = facet_motions(pattern, axis_ends, np.pi * senses(pattern) * pattern.edges_share - built_angles(pattern))
+    closed = _motions(pattern, axis_ends, np.pi * (senses(pattern) * pattern.edges_share)[None])
     solids = panel_solids(
         pattern,
         layers,
         axes,
-        [*poses, closed],
+        [*poses, *closed],
         trims,
         cuts,
         slots or [BRACKETS] * len(axes),
