@@ -16,7 +16,8 @@ from forficula.make.solid.solids import Hull, Joined
 from forficula.show.make.parts_figure import draw_parts
 from forficula.show.page.data.parts_data import parts_data
 from forficula.show.structure.shape import shape_of
-from forficula.structure import built_points
+from forficula.structure import built_points, mass_of
+from tests.plate_sheets import plates, pleats
 
 THICK = 0.004
 
@@ -58,6 +59,38 @@ def test_the_fold_path_ends_with_all_creases_closed(parts):
     fold = panel_fold(parts.design, parts.structure)
     assert np.allclose(fold[0], 0)
     assert np.allclose(fold[-1], math.pi)
+
+
+def test_notches_of_printed_panels_are_those_of_the_panels_that_fold():
+    design = with_values(
+        load_design("thick-miura"),
+        {
+            "pattern.columns": 4,
+            "pattern.rows": 2,
+            "measure": [],
+            "pattern.fold": 0.0,
+            "facet.thickness_method": "offset",
+        },
+    )
+    made = ff.make.parts(design)
+    # boolean volumes of hulls minus notches, and masses of the convex pieces in a run
+    mass = sum(mass_of(made.structure, body)[0] for body in range(len(made.structure.bodies)))
+    assert sum(part.volume for part in made.parts) * design.facet.density == pytest.approx(mass, rel=1e-5)
+    assert [len(part.shape.decompose()) for part in made.parts] == [1] * 8
+    assert [check.ok for check in panel_checks(made)] == [True]
+
+
+def test_flaps_that_close_one_after_another_are_checked():
+    letter = plates(
+        pleats(3, "VV"),
+        crease='stiffness = "1e-3 N m/rad/m"\nrest_angle = "75 deg"\ndamping = "0 N m s/rad/m"',
+        facet='kind = "rigid"\nthickness_method = "split"',
+    )
+    (check,) = panel_checks(ff.make.parts(letter))
+    assert check.ok is True
+    assert check.text == (
+        "no two panels overlap in 13 poses from flat to folded, in which creases close one after another"
+    )
 
 
 def test_plates_whose_solids_overlap_are_named(parts):

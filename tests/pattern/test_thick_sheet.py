@@ -2,6 +2,7 @@
 
 import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,9 +10,9 @@ import pytest
 from forficula import InputError
 from forficula.pattern import miura_pattern, pleat_pattern, vertex_pattern
 from forficula.pattern.shared_edges import shared_edges
-from forficula.pattern.thick.convex import convex_faces, overlap_depths, solid_of, solid_within
-from forficula.pattern.thick.thick_motion import deepest_overlap
-from forficula.pattern.thick.thick_sheet import panel_motions, thick_sheet
+from forficula.pattern.thick.convex import connected_parts, convex_faces, overlap_depths, solid_of, solid_within
+from forficula.pattern.thick.thick_motion import deepest_overlap, fold_path
+from forficula.pattern.thick.thick_sheet import _fault, panel_motions, thick_sheet
 
 BOX = np.array([(x, y, z) for x in (0.0, 3.0) for y in (0.0, 2.0) for z in (0.0, 1.0)])
 STAYS = (np.eye(3)[None], np.zeros((1, 3)))
@@ -108,9 +109,9 @@ def test_a_letter_wraps_its_second_flap_around_the_first():
         (vertex_pattern([math.pi / 2] * 4, 0.06, "VUVM"), 1e-3, "offset", "need mountains and valleys, got crease 1"),
         (
             vertex_pattern(np.radians([100, 60, 80, 120]), 0.02, "MVMM"),
-            3e-3,
+            8e-3,
             "hinge-shift",
-            "need <= 2.47 mm, got 3 mm: the panels on facets 0 and 3 overlap",
+            "need <= 6.83 mm, got 8 mm: notches for brackets of other panels divide the panel on facet 0",
         ),
         (shallow(), 0.06, "tapered", "need <= 9.08 mm, got 6 cm: nothing is left of the faces of the panel on facet 0"),
     ],
@@ -120,9 +121,47 @@ def test_an_impossible_thickness_is_refused_with_the_vertex_or_the_largest_thick
 ):
     with pytest.raises(InputError, match=re.escape(message)) as refused:
         sheet(pattern, thickness, method, math.radians(170) if method == "tapered" else math.pi)
-    if message.startswith("need <= 2.47 mm"):
-        # only the ratio of thickness and size matters: 3 / 2.47, rounded up
-        assert str(refused.value).endswith("a sheet that is 1.22 times as large would also fold flat")
+    if message.startswith("need <= 6.83 mm"):
+        # only the ratio of thickness and size matters: 8 / 6.83, rounded up
+        assert str(refused.value).endswith("a sheet that is 1.18 times as large would also fold flat")
+
+
+@pytest.fixture(scope="module")
+def stacked():
+    """A sheet of two rows whose brackets slide through several panels while it closes."""
+    return sheet(shallow(4), 0.003, "offset")
+
+
+def test_notches_make_room_for_brackets_along_the_whole_path(stacked):
+    limits = [(-math.pi, math.pi)] * len(stacked.pattern.edges_vertices)
+    # poses other than those of the construction, and close to the flat-folded state
+    path = np.concatenate(
+        [fold_path(stacked.pattern, limits, 60), fold_path(stacked.pattern, limits, 71, slowing=True)]
+    )
+    depth, _, _ = deepest_overlap(stacked.panels, panel_motions(stacked, path))
+    assert depth < 1e-6 * stacked.thickness
+
+
+def test_pieces_of_a_panel_that_notches_leave_are_connected(stacked):
+    for solids in stacked.panels:
+        assert len(connected_parts(solids, 0.05 * stacked.thickness)) == 1
+
+
+def test_solids_that_touch_along_an_edge_are_not_connected():
+    beside, diagonal = (solid_of(BOX + np.array(shift)) for shift in ([3, 1.5, 0], [3, 2, 0]))
+    assert connected_parts([solid_of(BOX), beside], 0.4) == [[0, 1]]
+    # the faces have a width of 0.5 in common
+    assert connected_parts([solid_of(BOX), beside], 0.6) == [[0], [1]]
+    assert connected_parts([solid_of(BOX), diagonal], 1e-6) == [[0], [1]]
+
+
+def test_panels_that_overlap_are_named_with_their_common_crease():
+    made = sheet(shallow(), 0.003, "hinge-shift")
+    # folded back, the sides of neighbouring panels overlap
+    fault = _fault(replace(made, path=-made.path[[3]]))
+    one, other = fault.facets
+    edge = next(edge.edge for edge in shared_edges(made.pattern) if {edge.left, edge.right} == {one, other})
+    assert fault.text.startswith(f"the panels on facets {one} and {other} at crease {edge} overlap by")
 
 
 def test_facets_with_an_inner_corner_are_refused():

@@ -143,7 +143,7 @@ def test_a_slow_torque_folds_a_thick_vertex_like_the_sheet_without_thickness(agr
 
 @pytest.mark.parametrize("method", ["offset", "hinge-shift", "split"])
 def test_folded_stacks_are_as_high_as_their_layers(agree, method):
-    for columns, rows in [(2, 2), (2, 3), *([(4, 2)] if method == "hinge-shift" else [])]:
+    for columns, rows in [(2, 2), (2, 3), *([(4, 2)] if method != "split" else [])]:
         package = flat_package(structure_of(thick(miura(columns, rows, "0 deg"), method)))
         height = columns * rows * THICK
         agree("height of the stack of a Miura sheet", package.height, height, by="number of panels", unit="m", rel=1e-9)

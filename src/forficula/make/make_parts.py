@@ -50,7 +50,7 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
         joints = joint_layouts(design, structure)
         joints = bows_beside(_first(joints) if part == "joint" else joints)
     fold = panel_fold(design, structure) if part == "all" else None
-    panels = panel_parts(design, structure, fold) if part == "all" else []
+    panels = panel_parts(design, structure) if part == "all" else []
     return PartSet(
         design=design,
         structure=structure,

@@ -42,6 +42,14 @@ def rotation_about(axis: Array, angle: float) -> Array:
     return np.asarray(np.eye(3) + math.sin(angle) * cross + 2 * math.sin(angle / 2) ** 2 * cross @ cross)
 
 
+def rotations_about(axis: Array, angles: Array) -> Array:
+    """Compute the rotations by several angles about a unit vector, (angle, 3, 3), as `rotation_about`."""
+    x, y, z = axis.tolist()
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    halves = 2 * np.sin(angles / 2) ** 2
+    return np.asarray(np.eye(3) + np.sin(angles)[:, None, None] * cross + halves[:, None, None] * (cross @ cross))
+
+
 def turn_about(origin: Array, axis: Array, angle: float) -> RigidMotion:
     """Compute the rotation by an angle about a line through a position, m, along a unit vector."""
     rotation = rotation_about(axis, angle)

@@ -103,7 +103,7 @@ class Plate:
         solids: numbers of the corners of convex solids that touch but do not overlap, points of that body; empty for a
             prism over the mid-plane.
         core: numbers of the corners of a polygon in the mid-plane, points of that body, in order. Everything within
-            half the thickness of the polygon lies inside the solids, apart from cut-outs. Empty without solids.
+            half the thickness of the polygon lies inside the solids, apart from notches. Empty without solids.
     """
 
     body: int

@@ -5,15 +5,18 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from forficula.arrays import Array
 from forficula.design.section import ANGLE
 from forficula.design.sheets.crease_sections import largest_extension
 from forficula.design.sheets.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.sheets.sheet_creases import crease_sense
 from forficula.errors import InputError
+from forficula.pattern.facet_tree import facet_tree
 from forficula.pattern.thick.split_sheet import split_sheet
-from forficula.pattern.thick.thick_motion import fold_path
-from forficula.pattern.thick.thick_sheet import ThickSheet, thick_sheet
+from forficula.pattern.thick.thick_motion import fold_path, largest_angles
+from forficula.pattern.thick.thick_sheet import ThickSheet, successive_path, thick_sheet
 from forficula.quantities import show_quantity
 
 if TYPE_CHECKING:
@@ -37,9 +40,31 @@ def thick_panels(design: SheetDesign) -> ThickSheet | None:
 def panel_path(design: SheetDesign, poses: int) -> Array | None:
     """Return fold angles of thick panels along their fold path, rad, (pose, edge), as `fold_path`."""
     path = fold_path(design.drawn_sheet, _whole_limits(design), poses)
-    if path is None or design.facet.thickness_method != "split":
-        return path
-    return split_sheet(design.drawn_sheet, design.panel_thickness).path(path)
+    return None if path is None else _with_strips(design, path)
+
+
+def closing_path(design: SheetDesign, poses: int) -> Array | None:
+    """Return fold angles at which the creases of thick panels close one after another, as `successive_path`.
+
+    Args:
+        design: design of the sheet.
+        poses: number of poses for each crease.
+
+    Returns:
+        None without thick panels, or if creases do not move independently.
+    """
+    sheet, thick = design.drawn_sheet, thick_panels(design)
+    if thick is None or any(link.closes for link in facet_tree(sheet)):
+        return None
+    folds = np.diag(largest_angles(sheet, _whole_limits(design)))
+    return successive_path(thick, _with_strips(design, folds[folds.any(axis=1)]), poses)
+
+
+def _with_strips(design: SheetDesign, angles: Array) -> Array:
+    """Return fold angles of the sheet with strips for those of the drawn sheet, rad, (pose, edge)."""
+    if design.facet.thickness_method != "split":
+        return angles
+    return split_sheet(design.drawn_sheet, design.panel_thickness).path(angles)
 
 
 def _whole_limits(design: SheetDesign) -> tuple[tuple[float, float], ...]:

@@ -12,10 +12,12 @@ from manifold3d import Manifold
 from forficula.make.checks.check import Check
 from forficula.make.part import PartSet
 from forficula.make.solid.mesh import MILLIMETRES, placed
+from forficula.make.solid.panels import closing_fold
 from forficula.make.solid.poses import tree_poses
 
-# [chosen] poses of the fold path, and overlap that counts as rounding, as a share of the smallest panel
-_POSES, _ROUNDING = 9, 1e-6
+# [chosen] poses of the fold path; poses for each crease where creases close one after another
+_POSES, _POSES_OF_CREASE = 9, 6
+_ROUNDING = 1e-6  # overlap that counts as rounding, as a share of the smallest panel
 
 
 def panel_checks(parts: PartSet) -> Iterator[Check]:
@@ -27,14 +29,18 @@ def panel_checks(parts: PartSet) -> Iterator[Check]:
     if not panels:
         return
     name, limit = "overlap of panels along the fold path", _ROUNDING * min(panel.volume for panel in panels)
-    if parts.fold is None:
+    fold = parts.fold
+    if fold is None:
+        fold = closing_fold(parts.design, parts.structure, _POSES_OF_CREASE)
+    if fold is None:
         text = (
-            "not checked, because the fold path has no closed form; a run reports panels that pass through each other"
+            "not checked, because the fold path of a sheet with such vertices or holes has no closed form; a run"
+            " reports panels that pass through each other"
         )
         yield Check(name=name, part=parts.design.name, ok=None, value=math.nan, limit=limit, unit="m^3", text=text)
         return
-    rows = np.linspace(0, len(parts.fold) - 1, _POSES).astype(np.int64)
-    poses = tree_poses(parts.structure, parts.fold[rows], rows)
+    rows = np.linspace(0, len(fold) - 1, _POSES if parts.fold is not None else len(fold)).astype(np.int64)
+    poses = tree_poses(parts.structure, fold[rows], rows)
     worst, pair, at = 0.0, "", 0
     for row, (frames, origins) in enumerate(zip(poses.frames, poses.origins, strict=True)):
         bodies = [panel.body or 0 for panel in panels]
@@ -44,9 +50,10 @@ def panel_checks(parts: PartSet) -> Iterator[Check]:
             if volume > worst:
                 worst, pair, at = volume, f"{panels[one].name} and {panels[other].name}", row
     ok = worst <= limit
-    text = f"no two panels overlap in {_POSES} poses from flat to folded"
+    order = "" if parts.fold is not None else ", in which creases close one after another"
+    text = f"no two panels overlap in {len(rows)} poses from flat to folded{order}"
     if not ok:
-        angle = math.degrees(float(np.abs(parts.fold[rows[at]]).max()))
+        angle = math.degrees(float(np.abs(fold[rows[at]]).max()))
         text = f"{pair} overlap by {worst * 1e9:.3g} mm^3 where the largest fold angle is {angle:.4g} deg"
     yield Check(name=name, part=parts.design.name, ok=ok, value=worst, limit=limit, unit="m^3", text=text)
 

@@ -5,51 +5,51 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import scipy
 
 from forficula.arrays import Array
 from forficula.design import Design, MakeSection, SheetDesign
 from forficula.design.sheets.sheet_creases import crease_sense
-from forficula.design.sheets.thick_panels import panel_path
+from forficula.design.sheets.thick_panels import closing_path, panel_path, thick_panels
 from forficula.make.part import Part
-from forficula.make.solid.poses import PartPoses, tree_poses
 from forficula.make.solid.solids import Cut, Hull, Solid, joined
 from forficula.make.stock import stock_of
 from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.rotation import rotation_to_z
-from forficula.pattern.thick.convex import overlap_depths, solid_of
+from forficula.pattern.thick.convex import ConvexSolid
 from forficula.structure import Plate, Structure, built_points
 
 # poses of a drawn fold path, between which fold angles are interpolated linearly
 _POSES = 120
 # growth of a solid from its middle, 0.1 um in 10 cm
 _GROWN = 1e-6
-_TOUCHING = 1e-3  # of the thickness; brackets and panels that overlap by less touch
-_STAYS = (np.eye(3)[None], np.zeros((1, 3)))
 
 
-def panel_parts(design: Design, structure: Structure, fold: Array | None) -> list[Part]:
+def panel_parts(design: Design, structure: Structure) -> list[Part]:
     """Return the thick panels of a structure; empty if its plates are prisms over the facets of a sheet.
 
     Args:
         design: design of the structure.
         structure: structure with the panels.
-        fold: angles of its hinges along the fold path, as `panel_fold`.
     """
     stock = stock_of((design.make or MakeSection()).bar_material)
     points, plates = built_points(structure), [plate for plate in structure.plates if plate.solids]
-    poses = None if fold is None else tree_poses(structure, fold[-1:], [0])
+    thick = thick_panels(design.settled()) if isinstance(design, SheetDesign) else None
     return [
         Part(
             name=structure.bodies[plate.body].name.replace("facet", "panel"),
             kind="panel",
             stock=stock,
-            solid=_united(plate, points, [] if poses is None else _brackets_in(plate, plates, points, poses)),
+            solid=_united(plate, points, () if thick is None else thick.notches[_facet(structure, plate)]),
             body=plate.body,
             bed=_flat(plate, points),
         )
         for plate in plates
     ]
+
+
+def _facet(structure: Structure, plate: Plate) -> int:
+    """Return the number of the facet of a plate."""
+    return int(structure.bodies[plate.body].name.removeprefix("facet"))
 
 
 def _normal(plate: Plate, points: Array) -> Array:
@@ -67,33 +67,18 @@ def _solids(plate: Plate, points: Array) -> tuple[list[Array], list[Array]]:
     return pieces, brackets
 
 
-def _brackets_in(plate: Plate, plates: Sequence[Plate], points: Array, poses: PartPoses) -> list[Array]:
-    """Return the corners of brackets of other panels that overlap the outline of a panel in the flat-folded state."""
-    turn, shift = poses.frames[0, plate.body], poses.origins[0, plate.body]
-    pieces = np.unique(np.concatenate(_solids(plate, points)[0]), axis=0)
-    whole = solid_of(pieces[scipy.spatial.ConvexHull(pieces).vertices])
-    result = []
-    for other in plates:
-        if other is not plate:
-            for corners in _solids(other, points)[1]:
-                folded = corners @ poses.frames[0, other.body].T + poses.origins[0, other.body]
-                bracket = (folded - shift) @ turn
-                if overlap_depths(whole, _STAYS, solid_of(bracket), _STAYS)[0] > _TOUCHING * plate.thickness:
-                    result.append(bracket)
-    return result
+def _united(plate: Plate, points: Array, notches: Sequence[ConvexSolid]) -> Solid:
+    """Return a panel with its brackets and notches.
 
-
-def _united(plate: Plate, points: Array, cut: Sequence[Array]) -> Solid:
-    """Return a panel with its brackets and cut-outs.
-
-    Brackets grow slightly along the normal of the panel, so that they overlap and unite with it. Brackets that are cut
-    out grow in all directions. The union of the convex pieces of the panel would have slivers where the pieces meet.
+    Brackets grow slightly along the normal of the panel, so that they overlap and unite with it. Notches grow in all
+    directions. The union of the convex pieces of the panel would have slivers where the pieces meet.
     """
     pieces, brackets = _solids(plate, points)
     normal = _normal(plate, points)
     grown = [corners + _GROWN * np.outer((corners - corners.mean(axis=0)) @ normal, normal) for corners in brackets]
     panel: Solid = joined(*(Hull(corners=piece) for piece in pieces))
-    if len(pieces) > 1 and cut:
+    if len(pieces) > 1 and notches:
+        cut = [notch.corners for notch in notches]
         taken = tuple(Hull(corners=corners + _GROWN * (corners - corners.mean(axis=0))) for corners in cut)
         panel = Cut(solid=Hull(corners=np.concatenate(pieces)), taken=taken)
     return joined(panel, *(Hull(corners=corners) for corners in grown))
@@ -117,8 +102,28 @@ def panel_fold(design: Design, structure: Structure) -> Array | None:
     if not isinstance(design, SheetDesign) or not any(plate.solids for plate in structure.plates):
         return None
     path = panel_path(design, _POSES)
-    if path is None or len(path) < _POSES:
+    return None if path is None or len(path) < _POSES else _hinge_angles(design, structure, path)
+
+
+def closing_fold(design: Design, structure: Structure, poses: int) -> Array | None:
+    """Compute the angles of all hinges of thick panels whose creases close one after another, as `panel_fold`.
+
+    Args:
+        design: design of the structure.
+        structure: structure with the panels.
+        poses: number of poses for each crease.
+
+    Returns:
+        None if creases do not move independently.
+    """
+    if not isinstance(design, SheetDesign):
         return None
+    path = closing_path(design, poses)
+    return None if path is None else _hinge_angles(design, structure, path)
+
+
+def _hinge_angles(design: SheetDesign, structure: Structure, path: Array) -> Array:
+    """Return the angles of hinges, from flat, for fold angles, rad, (pose, edge)."""
     edges = [hinge.edge for hinge in structure.hinges]
     senses = np.array([crease_sense(design.sheet, edge) for edge in edges])
     return np.concatenate([np.zeros((1, len(edges))), senses * path[:, edges]])

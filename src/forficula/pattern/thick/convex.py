@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from functools import lru_cache
+from itertools import combinations, pairwise
+from typing import NamedTuple
 
 import numpy as np
 import scipy
 
-from forficula.arrays import Array
+from forficula.arrays import Array, Indices
 from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.rotation import frame_along
 
 _SAME = 1e-9  # of unit vectors and, times the size of a solid, of its corners: rounding
-_THINNEST = 1e-7  # radius of the largest ball in a solid, in sizes; thinner ones have no volume
+_ROWS = 4096  # pairs of solids that are compared at once, which limits memory
+_THINNEST = 1e-7  # half the width of a solid, in sizes; thinner ones have no volume
+_LEAST_VOLUME = 1e-6  # of three unit vectors; planes with these normals meet too far away or in a line
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -33,7 +38,9 @@ class ConvexSolid:
 
 
 def solid_within(normals: Array, offsets: Array, inside: Array) -> ConvexSolid | None:
-    """Return the solid of all positions x with normals @ x <= offsets.
+    """Return the bounded solid of all positions x with normals @ x <= offsets.
+
+    Its corners are the intersections of three planes that satisfy all conditions.
 
     Args:
         normals: (plane, 3).
@@ -46,31 +53,39 @@ def solid_within(normals: Array, offsets: Array, inside: Array) -> ConvexSolid |
     lengths = np.linalg.norm(normals, axis=1)
     normals, offsets = normals / lengths[:, None], (offsets - normals @ inside) / lengths
     size = float(np.abs(offsets).max())
-    # the centre of the largest ball inside
-    centre = scipy.optimize.linprog(
-        [0.0, 0.0, 0.0, -1.0],
-        A_ub=np.column_stack([normals, np.ones(len(normals))]),
-        b_ub=offsets / size,
-        bounds=[(None, None)] * 3 + [(0, None)],
+    offsets = offsets / size
+    one, two, three = _triples(len(normals))
+    crossed = np.cross(normals[:, None], normals[None])
+    volumes = (normals[one] * crossed[two, three]).sum(axis=1)
+    meeting = np.abs(volumes) > _LEAST_VOLUME
+    one, two, three = one[meeting], two[meeting], three[meeting]
+    corners = sum(
+        offsets[first, None] * crossed[second, third]
+        for first, second, third in ((one, two, three), (two, three, one), (three, one, two))
     )
-    if centre.status != 0 or not centre.x[3] > _THINNEST:
+    corners = corners / volumes[meeting, None]
+    corners = corners[(corners @ normals.T <= offsets + _SAME).all(axis=1)]
+    apart = np.abs(corners[:, None] - corners).max(axis=2) > 10 * _SAME
+    corners = corners[(apart | ~np.tri(len(corners), k=-1, dtype=bool)).all(axis=1)]
+    touched = np.abs(corners @ normals.T - offsets) <= 10 * _SAME
+    bounding = touched.sum(axis=0) > 2
+    if len(corners) < 4 or not np.ptp(corners @ normals[bounding].T, axis=0).min(initial=np.inf) > 2 * _THINNEST:
         return None
-    planes = scipy.spatial.HalfspaceIntersection(np.column_stack([normals, -offsets / size]), centre.x[:3])
-    corners = planes.intersections
-    corners = corners[np.sort(np.unique(np.round(corners / _SAME), axis=0, return_index=True)[1])]
-    touched = np.abs(corners @ normals.T - offsets / size) <= 10 * _SAME
-    # corners with two planes in common may be the ends of an edge
-    common = touched.astype(np.int64) @ touched.T.astype(np.int64)
-    edges = [
-        corners[one] - corners[other]
-        for one, other in np.argwhere(np.triu(common, 1) > 1).tolist()
-        if np.linalg.matrix_rank(normals[touched[one] & touched[other]], tol=math.sqrt(_SAME)) == 2
-    ]
+    # two corners are the ends of an edge if the planes that they have in common meet in a line
+    tails, heads = np.triu_indices(len(corners), 1)
+    common = normals * (touched[tails] & touched[heads])[..., None]
+    edge = np.linalg.eigvalsh(np.swapaxes(common, 1, 2) @ common)[:, 1] > _SAME
     return ConvexSolid(
         corners=size * corners + inside,
-        faces=_directions(normals[touched.sum(axis=0) > 2]),
-        edges=_directions(np.array(edges)),
+        faces=_directions(normals[bounding]),
+        edges=_directions(corners[tails[edge]] - corners[heads[edge]]),
     )
+
+
+@lru_cache
+def _triples(count: int) -> Array:
+    """Return all sets of three numbers below `count`, (3, set)."""
+    return np.array(list(combinations(range(count), 3))).T
 
 
 def solid_of(corners: Array) -> ConvexSolid:
@@ -125,29 +140,101 @@ def overlap_depths(
         other: another solid.
         other_motion: its rotations and shifts.
     """
-    (turn, shift), (other_turn, other_shift) = one_motion, other_motion
-    # in the axes of the first solid
-    relative = np.swapaxes(turn, 1, 2) @ other_turn
-    moved = np.einsum("pji,pj->pi", turn, other_shift - shift)
-    corners = np.einsum("pij,cj->pci", relative, other.corners) + moved[:, None]
-    poses = len(relative)
-    edges = np.einsum("pij,ej->pei", relative, other.edges)
-    crossed = np.cross(one.edges[None, :, None], edges[:, None]).reshape(poses, -1, 3)
+    solids, (turns, shifts) = packed_solids([one, other]), relative_motions(one_motion, other_motion)
+    numbers = np.zeros(len(turns), dtype=np.int64)
+    sides = _side_depths(solids, numbers, numbers + 1, turns, shifts)
+    return np.minimum(sides, _edge_depths(solids, numbers, numbers + 1, turns, shifts))
+
+
+class PackedSolids(NamedTuple):
+    """Corners, faces and edges of several convex solids, repeated to the same number for all of them.
+
+    Attributes:
+        corners: m, (solid, corner, 3).
+        faces: (solid, face, 3).
+        edges: (solid, edge, 3).
+    """
+
+    corners: Array
+    faces: Array
+    edges: Array
+
+
+def packed_solids(solids: Sequence[ConvexSolid]) -> PackedSolids:
+    """Return solids as arrays."""
+
+    def packed(rows: Sequence[Array]) -> Array:
+        most = max(map(len, rows))
+        return np.array([np.concatenate([row, np.repeat(row[:1], most - len(row), axis=0)]) for row in rows])
+
+    return PackedSolids(
+        packed([solid.corners for solid in solids]),
+        packed([solid.faces for solid in solids]),
+        packed([solid.edges for solid in solids]),
+    )
+
+
+def relative_motions(one: tuple[Array, Array], other: tuple[Array, Array]) -> tuple[Array, Array]:
+    """Return motions of solids in the axes of others; rotations, (row, 3, 3), and shifts after them, m, (row, 3)."""
+    (turns, shifts), (other_turns, other_shifts) = one, other
+    back = np.swapaxes(turns, 1, 2)
+    return back @ other_turns, np.einsum("rij,rj->ri", back, other_shifts - shifts)
+
+
+def pair_overlaps(
+    solids: PackedSolids,
+    one: Indices,
+    other: Indices,
+    one_motion: tuple[Array, Array],
+    other_motion: tuple[Array, Array],
+) -> Array:
+    """Compute how far pairs of solids overlap, m, (row,); 0 where they are apart or touch.
+
+    Args:
+        solids: all solids.
+        one: numbers of the first solids, (row,).
+        other: numbers of the second solids, (row,).
+        one_motion: rotations and shifts of the first solids, (row, 3, 3) and m, (row, 3).
+        other_motion: rotations and shifts of the second solids.
+    """
+    result = np.zeros(len(one))
+    for start in range(0, len(one), _ROWS):
+        rows = np.arange(start, min(start + _ROWS, len(one)))
+        motions = [(turns[rows], shifts[rows]) for turns, shifts in (one_motion, other_motion)]
+        turns, shifts = relative_motions(motions[0], motions[1])
+        depths = _side_depths(solids, one[rows], other[rows], turns, shifts)
+        # most pairs are apart along a normal of a face
+        deep = np.flatnonzero(depths > _SAME * np.ptp(solids.corners[one[rows]], axis=1).max(axis=1))
+        edges = _edge_depths(solids, one[rows[deep]], other[rows[deep]], turns[deep], shifts[deep])
+        result[rows[deep]] = np.maximum(np.minimum(depths[deep], edges), 0.0)
+    return result
+
+
+def _side_depths(solids: PackedSolids, one: Indices, other: Indices, turns: Array, shifts: Array) -> Array:
+    """Compute the least overlap of pairs of solids along the normals of their faces, m, (row,)."""
+    axes = np.concatenate([solids.faces[one], solids.faces[other] @ np.swapaxes(turns, 1, 2)], axis=1)
+    return np.asarray(_depths_along(axes, solids, one, other, turns, shifts).min(axis=1))
+
+
+def _edge_depths(solids: PackedSolids, one: Indices, other: Indices, turns: Array, shifts: Array) -> Array:
+    """Compute the least overlap of pairs of solids along the common normals of their edges, m, (row,)."""
+    edges = solids.edges[other] @ np.swapaxes(turns, 1, 2)
+    pairs = edges.shape[1] ** 2
+    crossed = np.cross(solids.edges[one][:, :, None], edges[:, None]).reshape(len(one), pairs, 3)
     lengths = np.linalg.norm(crossed, axis=2)
     apart = lengths > math.sqrt(_SAME)
     crossed = crossed / np.where(apart, lengths, 1.0)[..., None]
-    axes = np.concatenate(
-        [
-            np.broadcast_to(one.faces, (poses, *one.faces.shape)),
-            np.einsum("pij,fj->pfi", relative, other.faces),
-            crossed,
-        ],
-        axis=1,
-    )
-    ours, theirs = np.einsum("pai,ci->pac", axes, one.corners), np.einsum("pai,pci->pac", axes, corners)
-    depths = np.minimum(ours.max(axis=2) - theirs.min(axis=2), theirs.max(axis=2) - ours.min(axis=2))
-    depths[:, -crossed.shape[1] :] = np.where(apart, depths[:, -crossed.shape[1] :], np.inf)
-    return np.asarray(depths.min(axis=1))
+    depths = _depths_along(crossed, solids, one, other, turns, shifts)
+    return np.asarray(np.where(apart, depths, np.inf).min(axis=1))
+
+
+def _depths_along(
+    axes: Array, solids: PackedSolids, one: Indices, other: Indices, turns: Array, shifts: Array
+) -> Array:
+    """Compute the overlap of pairs of solids along unit vectors, (row, axis, 3), m, (row, axis)."""
+    corners = solids.corners[other] @ np.swapaxes(turns, 1, 2) + shifts[:, None]
+    ours, theirs = (points @ np.swapaxes(axes, 1, 2) for points in (solids.corners[one], corners))
+    return np.asarray(np.minimum(ours.max(axis=1) - theirs.min(axis=1), theirs.max(axis=1) - ours.min(axis=1)))
 
 
 def convex_overlap(one: Array, other: Array) -> float:
@@ -161,3 +248,48 @@ def convex_overlap(one: Array, other: Array) -> float:
     ours, theirs = one @ normals.T, other @ normals.T
     depths = np.minimum(ours.max(axis=0) - theirs.min(axis=0), theirs.max(axis=0) - ours.min(axis=0))
     return float(depths.min())
+
+
+def connected_parts(solids: Sequence[ConvexSolid], least: float) -> list[list[int]]:
+    """Return the numbers of convex solids that are connected with each other, because they touch along faces.
+
+    Args:
+        solids: which do not overlap.
+        least: width that faces must have in common, m.
+    """
+    result, waiting = list[list[int]](), list(range(len(solids)))
+    while waiting:
+        result.append(part := [waiting.pop(0)])
+        for one in part:  # grows
+            touching = [other for other in waiting if _share_face(solids[one], solids[other], least)]
+            part += touching
+            waiting = [other for other in waiting if other not in touching]
+    return result
+
+
+def _share_face(one: ConvexSolid, other: ConvexSolid, least: float) -> bool:
+    """Return whether two convex solids that do not overlap touch along faces that have a width in common."""
+    near = max(float(np.ptp(one.corners, axis=0).max()), float(np.ptp(other.corners, axis=0).max())) * 100 * _SAME
+    if not boxes_overlap(one.corners, other.corners, near):
+        return False
+    normals = np.concatenate([one.faces, -one.faces, other.faces, -other.faces])
+    ours, theirs = one.corners @ normals.T, other.corners @ normals.T
+    for number in np.flatnonzero(np.abs(ours.max(axis=0) - theirs.min(axis=0)) <= near).tolist():
+        sides = frame_along(normals[number])[:, :2]
+        on_ours = one.corners[ours[:, number] >= ours[:, number].max() - near] @ sides
+        on_theirs = other.corners[theirs[:, number] <= theirs[:, number].min() + near] @ sides
+        if len(on_ours) > 2 and len(on_theirs) > 2:
+            faces = [face[scipy.spatial.ConvexHull(face).vertices] for face in (on_ours, on_theirs)]
+            if convex_overlap(faces[0], faces[1]) > least:
+                return True
+    return False
+
+
+def boxes_overlap(one: Array, other: Array, near: float = 0.0) -> bool:
+    """Return whether the boxes around corners, (corner, 3), parallel to the axes, are at most `near` apart, m."""
+    return bool(((one.min(axis=0) <= other.max(axis=0) + near) & (other.min(axis=0) <= one.max(axis=0) + near)).all())
+
+
+def volume_of(solids: Sequence[ConvexSolid]) -> float:
+    """Return the sum of the volumes of convex solids, m^3."""
+    return sum(float(scipy.spatial.ConvexHull(solid.corners).volume) for solid in solids)

@@ -21,6 +21,8 @@ from forficula.pattern.thick.convex import convex_overlap
 _ROUNDING = 1e-9
 # [chosen] part of a crease on which brackets lie, and largest part for the brackets of several creases on one line
 BRACKETS, _BRACKETED = (0.35, 0.65), 0.8
+# [chosen] part of a slot that its brackets leave free if the slots of other creases are beside it
+_GAP = 0.1
 # [chosen] most orders of panels that are tried
 _MOST_TRIES = 600
 # [chosen] share of the width of strips in the sum that is minimised, small beside that of brackets
@@ -112,7 +114,8 @@ def _layers(pattern: CreasePattern, folded: Array) -> _Layers:
 def bracket_slots(pattern: CreasePattern, folded: Array) -> list[tuple[float, float]]:
     """Return the parts of creases on which brackets lie, so that brackets of creases on one line do not meet.
 
-    Creases that lie on one line in the flat-folded state get different parts, as shares of their length.
+    Creases that lie on one line in the flat-folded state get different parts, as shares of their length. Gaps between
+    these parts leave room for brackets that slide past each other while the sheet closes.
 
     Args:
         pattern: flat or folded, with mountains, valleys and flat edges.
@@ -138,9 +141,10 @@ def bracket_slots(pattern: CreasePattern, folded: Array) -> list[tuple[float, fl
     for group in groups:
         width = min(BRACKETS[1] - BRACKETS[0], _BRACKETED / len(group))
         start = (1 - width * len(group)) / 2
+        gap = 0.0 if len(group) == 1 else _GAP * width / 2
         along = lines[group[0]][1] - lines[group[0]][0]
         for edge in group:
-            slot = (start + width * places[edge], start + width * (places[edge] + 1))
+            slot = (start + width * places[edge] + gap, start + width * (places[edge] + 1) - gap)
             opposite = float((lines[edge][1] - lines[edge][0]) @ along) < 0
             slots[edge] = (1 - slot[1], 1 - slot[0]) if opposite else slot
     return slots

@@ -1,31 +1,43 @@
-"""Solids of thick panels as convex pieces, with brackets for axes outside a panel and cut-outs for these brackets."""
+"""Solids of thick panels as convex pieces, with brackets for axes outside a panel and notches for these brackets."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-import scipy
 
 from forficula.arrays import Array
 from forficula.pattern.crease_pattern import CreasePattern, face_sides
 from forficula.pattern.rotation import RigidMotion
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
-from forficula.pattern.thick.convex import ConvexSolid, convex_faces, overlap_depths, solid_within
+from forficula.pattern.thick.convex import (
+    ConvexSolid,
+    connected_parts,
+    convex_faces,
+    overlap_depths,
+    relative_motions,
+    volume_of,
+)
+from forficula.pattern.thick.notches import (
+    Piece,
+    Plane,
+    Slab,
+    bracket_notches,
+    moved_plane,
+    piece_within,
+    pieces_without,
+)
 
+# [chosen] width of a face that holds two pieces of a panel together, in thicknesses
+_HELD = 0.1
+# [chosen] largest share of the volume of a panel that is left out where notches separate it from the rest
+_LOOSE = 0.01
 _MOST_CUTS = 40  # [chosen] most cuts of the ends of two strips that meet
 _ROUNDING = 1e-9
 _TOUCHING = 1e-6  # of the thickness; solids that overlap by less touch
-
-
-class Plane(NamedTuple):
-    """A plane that bounds a solid: normal @ x <= offset in the solid."""
-
-    normal: Array
-    offset: float
 
 
 class Layer(NamedTuple):
@@ -43,9 +55,30 @@ class Layer(NamedTuple):
     level: float
     thickness: float
 
+    def slab(self, base: Array) -> Slab:
+        """Return the space between the faces, over the facet that contains the position `base`, m, (3,)."""
+        middle = float(self.at(base, self.level) @ self.normal)
+        return Slab(self.normal, middle - self.thickness / 2, middle + self.thickness / 2)
+
     def at(self, position: Array, height: float) -> Array:
         """Return the position at a height over a position on the sheet without thickness, m, (3,)."""
         return np.asarray(position + self.origin + height * self.normal)
+
+
+class PanelSolids(NamedTuple):
+    """The convex solids of a panel, in the position as built.
+
+    Attributes:
+        pieces: parts of the panel, which touch but do not overlap.
+        brackets: solids that carry axes outside the panel.
+        notches: solids that were cut out of the panel.
+        divided: whether notches divide the panel.
+    """
+
+    pieces: tuple[ConvexSolid, ...]
+    brackets: tuple[ConvexSolid, ...]
+    notches: tuple[ConvexSolid, ...]
+    divided: bool
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -67,25 +100,28 @@ def panel_solids(
     pattern: CreasePattern,
     layers: Sequence[Layer],
     axes: Array,
-    folded: Sequence[RigidMotion],
+    motions: Sequence[Sequence[RigidMotion]],
     limits: Sequence[tuple[float, float]] | None,
     cuts: Sequence[Sequence[Plane]],
     slots: Sequence[tuple[float, float]],
-) -> list[tuple[ConvexSolid, ...]]:
-    """Return the convex solids of all panels, which touch but do not overlap, in the position as built.
+    facets: Collection[int],
+) -> list[PanelSolids]:
+    """Return the convex solids of all panels.
 
-    An axis outside a panel is carried by a bracket between panel and axis. In the flat-folded state brackets may lie
-    where other panels are: those have cut-outs there.
+    An axis outside a panel is carried by a bracket between panel and axis. Brackets may pass through other panels along
+    the fold path, and lie in them in the flat-folded state: those panels have notches.
 
     Args:
         pattern: flat or folded as built.
         layers: panels over the facets.
         axes: heights of the axes of creases, m, (edge,).
-        folded: motions of the facets from the position as built to the flat-folded state.
+        motions: motions of the facets from the position as built along the fold path, (pose, facet); the last pose is
+            the flat-folded state.
         limits: least and largest fold angle of every edge, rad, to which panels are trimmed; None if they fold flat
             and keep the outlines of their facets.
         cuts: further planes of every panel, see `strip_cuts`.
         slots: parts of edges with the brackets of both facets, see `bracket_slots`.
+        facets: facets whose panels are needed; others have only brackets.
     """
     sides = _sides(pattern)
     drafts = [
@@ -93,34 +129,55 @@ def panel_solids(
         for facet, layer in enumerate(layers)
     ]
     brackets = [
-        (facet, planes, solid)
+        (facet, piece)
         for facet, draft in enumerate(drafts)
         for planes in draft.brackets
-        if (solid := _solid(planes, draft.inside)) is not None
+        if (piece := piece_within(planes, draft.inside)) is not None
     ]
-    solids = []
-    for facet, draft in enumerate(drafts):
-        whole = _solid(draft.panel, draft.inside)
-        pieces = [] if whole is None else [(draft.panel, whole)]
-        for carrier, planes, bracket in brackets:
-            if carrier == facet:
-                continue
-            moved = _relative(folded[carrier], folded[facet])
-            cut = [_moved(plane, moved) for plane in planes]
-            pose = (moved.rotation[None], moved.shift[None])
-            least = _TOUCHING * layers[facet].thickness
+    turns = np.array([[motion.rotation for motion in pose] for pose in motions])
+    shifts = np.array([[motion.shift for motion in pose] for pose in motions])
+    result = []
+    for facet, (draft, layer) in enumerate(zip(drafts, layers, strict=True)):
+        whole = piece_within(draft.panel, draft.inside) if facet in facets else None
+        slab = layer.slab(pattern.vertices_coords[pattern.faces_vertices[facet][0]])
+        notches = list[Piece]()
+        for carrier, bracket in brackets:
+            if carrier != facet and whole is not None:
+                moved = relative_motions((turns[:, facet], shifts[:, facet]), (turns[:, carrier], shifts[:, carrier]))
+                notches += bracket_notches(whole, slab, bracket, moved, draft.inside)
+        pieces = [] if whole is None else [whole]
+        for notch in notches:
             pieces = [
-                part
-                for piece, solid in pieces
-                for part in (
-                    _without(piece, solid, cut, draft.inside)
-                    if overlap_depths(solid, _STAYS, bracket, pose)[0] > least
-                    else [(piece, solid)]
-                )
+                part for piece in pieces for part in pieces_without(piece, notch, slab.least_overlap, draft.inside)
             ]
-        carried = [bracket for carrier, _, bracket in brackets if carrier == facet]
-        solids.append((*(solid for _, solid in pieces), *carried))
-    return solids
+        carried = [bracket.solid for carrier, bracket in brackets if carrier == facet]
+        kept = [piece.solid for piece in pieces]
+        loose = _loose_pieces(kept, carried, layer.thickness) if notches and kept else []
+        result.append(
+            PanelSolids(
+                pieces=tuple(piece for piece in kept if piece not in (loose or ())),
+                brackets=tuple(carried),
+                notches=(*(notch.solid for notch in notches), *(loose or ())),
+                divided=loose is None,
+            )
+        )
+    return result
+
+
+def _loose_pieces(
+    pieces: Sequence[ConvexSolid], brackets: Sequence[ConvexSolid], thickness: float
+) -> list[ConvexSolid] | None:
+    """Return small pieces that notches separate from a panel; None if they separate large ones or brackets."""
+    solids = [*pieces, *brackets]
+    parts = connected_parts(solids, _HELD * thickness)
+    if len(parts) == 1:
+        return []
+    volumes = [volume_of([solids[number] for number in part]) for part in parts]
+    largest = int(np.argmax(volumes))
+    loose = [number for part in parts if part is not parts[largest] for number in part]
+    if max(loose) >= len(pieces) or sum(volumes) - volumes[largest] > _LOOSE * sum(volumes):
+        return None
+    return [solids[number] for number in loose]
 
 
 def strip_cuts(
@@ -145,36 +202,37 @@ def strip_cuts(
     sides, slots = _sides(pattern), [(0.0, 1.0)] * len(axes)
     cuts: list[list[Plane]] = [[] for _ in layers]
     for pair in meeting:
-        moved = [_relative(pose[pair[1]], pose[pair[0]]) for pose in motions]
+        moved = [_relative_motion(pose[pair[1]], pose[pair[0]]) for pose in motions]
         poses = (np.array([motion.rotation for motion in moved]), np.array([motion.shift for motion in moved]))
         stays = (np.repeat(_STAYS[0], len(moved), axis=0), np.zeros((len(moved), 3)))
         for _ in range(_MOST_CUTS):
             drafts = [
                 _draft(pattern, layers[facet], axes, facet, sides[facet], (), cuts[facet], slots) for facet in pair
             ]
-            solids = [_solid(draft.panel, draft.inside) for draft in drafts]
-            if solids[0] is None or solids[1] is None:
+            one, other = (piece_within(draft.panel, draft.inside) for draft in drafts)
+            if one is None or other is None:
                 break
-            depths = overlap_depths(solids[0], stays, solids[1], poses)
+            depths = overlap_depths(one.solid, stays, other.solid, poses)
             worst = int(np.argmax(depths))
             if depths[worst] <= _TOUCHING * layers[pair[0]].thickness:
                 break
-            back = _relative(motions[worst][pair[0]], motions[worst][pair[1]])
+            back = _relative_motion(motions[worst][pair[0]], motions[worst][pair[1]])
             tried = [
                 (cut, Plane(-face.normal, -face.offset))
                 for cut, motion in ((0, moved[worst]), (1, back))
-                for face in (_moved(plane, motion) for plane in drafts[1 - cut].panel[-2:])
+                for face in (moved_plane(plane, motion) for plane in drafts[1 - cut].panel[-2:])
             ]
-            volumes = [_volume([*drafts[cut].panel, plane], drafts[cut].inside) for cut, plane in tried]
+            cuttings = [piece_within([*drafts[cut].panel, plane], drafts[cut].inside) for cut, plane in tried]
+            volumes = [0.0 if piece is None else volume_of([piece.solid]) for piece in cuttings]
             cut, plane = tried[int(np.argmax(volumes))]
             cuts[pair[cut]].append(plane)
     return cuts
 
 
-def _volume(planes: Sequence[Plane], inside: Array) -> float:
-    """Return the volume of the solid within planes, m^3."""
-    solid = _solid(planes, inside)
-    return 0.0 if solid is None else float(scipy.spatial.ConvexHull(solid.corners).volume)
+def _relative_motion(one: RigidMotion, other: RigidMotion) -> RigidMotion:
+    """Return the motion of one body in the axes of another one."""
+    back = other.rotation.T
+    return RigidMotion(back @ one.rotation, back @ (one.shift - other.shift))
 
 
 def panel_cores(
@@ -185,7 +243,7 @@ def panel_cores(
 ) -> tuple[Array | None, ...]:
     """Return the corners of a polygon in the mid-plane of each panel, m, (corner, 3), for contact.
 
-    Everything within half the thickness of the polygon lies inside the panel without its cut-outs, so that polygons of
+    Everything within half the thickness of the polygon lies inside the panel without its notches, so that polygons of
     panels that do not overlap are at least a thickness apart.
 
     Args:
@@ -225,13 +283,14 @@ def _core(
         # a ball of half the thickness around a position in the mid-plane touches the plane
         upwards = float(normal @ layer.normal)
         planes.append(Plane(normal - upwards * layer.normal, offset - half - upwards * base))
-    solid = _solid([*planes, Plane(layer.normal, base + half), Plane(-layer.normal, half - base)], middle)
-    if solid is None:
+    core = piece_within([*planes, Plane(layer.normal, base + half), Plane(-layer.normal, half - base)], middle)
+    if core is None:
         return None
-    heights = solid.corners @ layer.normal - base
-    faces = [list(face) for face in convex_faces(solid.corners)]
+    corners = core.solid.corners
+    heights = corners @ layer.normal - base
+    faces = [list(face) for face in convex_faces(corners)]
     top = max(faces, key=lambda face: float(heights[face].min()))
-    return np.asarray(solid.corners[top] - half * layer.normal)
+    return np.asarray(corners[top] - half * layer.normal)
 
 
 _STAYS = (np.eye(3)[None], np.zeros((1, 3)))
@@ -297,30 +356,3 @@ def _draft(
         brackets=brackets,
         inside=layer.at(middle, layer.level),
     )
-
-
-def _relative(one: RigidMotion, other: RigidMotion) -> RigidMotion:
-    """Return the motion of one body in the axes of another one."""
-    back = other.rotation.T
-    return RigidMotion(back @ one.rotation, back @ (one.shift - other.shift))
-
-
-def _moved(plane: Plane, motion: RigidMotion) -> Plane:
-    """Return a plane after a motion."""
-    normal = motion.rotation @ plane.normal
-    return Plane(normal, plane.offset + float(normal @ motion.shift))
-
-
-def _without(
-    piece: list[Plane], solid: ConvexSolid, cut: Sequence[Plane], inside: Array
-) -> list[tuple[list[Plane], ConvexSolid]]:
-    """Return the convex pieces of a convex solid outside another one that overlaps it; both are given by planes."""
-    reaches = [float((solid.corners @ normal).max()) - offset for normal, offset in cut]
-    outside = [(number, Plane(-normal, -offset)) for number, (normal, offset) in enumerate(cut) if reaches[number] > 0]
-    pieces = [[*piece, *cut[:number], plane] for number, plane in outside]
-    return [(planes, part) for planes in pieces if (part := _solid(planes, inside)) is not None]
-
-
-def _solid(planes: Sequence[Plane], inside: Array) -> ConvexSolid | None:
-    """Return the solid within planes; None if it has no volume."""
-    return solid_within(np.array([plane.normal for plane in planes]), np.array([at for _, at in planes]), inside)

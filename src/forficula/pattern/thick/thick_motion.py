@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from itertools import combinations
 
 import numpy as np
 
@@ -17,34 +16,39 @@ from forficula.pattern.facts.vertex_creases import vertex_creases
 from forficula.pattern.fold_angles import built_fold_angles
 from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.kinematics import folded_coordinates
-from forficula.pattern.rotation import IDENTITY_MOTION, RigidMotion, turn_about
+from forficula.pattern.rotation import RigidMotion, rotations_about
 from forficula.pattern.shared_edges import shared_edges
-from forficula.pattern.thick.convex import ConvexSolid, overlap_depths
+from forficula.pattern.thick.convex import ConvexSolid, packed_solids, pair_overlaps
 
 _FLAT_FOLDABLE = 1e-6  # rad, largest alternating sum of sectors that counts as rounding
 # [chosen] number of poses at which the overlap of panels is computed
-POSES = 24
+POSES = 48
 
 
-def facet_motions(pattern: CreasePattern, ends: Array, turns: Array) -> list[RigidMotion]:
-    """Compute the motions of facets from the position as built; facet 0 stays.
+def facet_motions(pattern: CreasePattern, ends: Array, turns: Array) -> list[list[RigidMotion]]:
+    """Compute the motions of facets from the position as built, (pose, facet); facet 0 stays.
 
     Args:
         pattern: flat or folded as built.
         ends: positions of the two vertices of every edge on its axis, as built, m, (edge, 2, 3).
-        turns: changes of the fold angles, valley positive, rad, (edge,).
+        turns: changes of the fold angles, valley positive, rad, (pose, edge).
     """
-    motions: dict[int, RigidMotion] = {}
+    poses, facets = len(turns), len(pattern.faces_vertices)
+    rotations, shifts = np.empty((facets, poses, 3, 3)), np.empty((facets, poses, 3))
     for link in facet_tree(pattern):
         if link.closes:
             continue
         if link.parent is None or link.edge is None:
-            motions[link.facet] = IDENTITY_MOTION
+            rotations[link.facet], shifts[link.facet] = np.eye(3), 0.0
             continue
         one, other = ends[link.edge] if pattern.edges_vertices[link.edge][0] == link.tail else ends[link.edge][::-1]
         along = (other - one) / np.linalg.norm(other - one)
-        motions[link.facet] = motions[link.parent].after(turn_about(one, along, -float(turns[link.edge])))
-    return [motions[facet] for facet in range(len(pattern.faces_vertices))]
+        turn = rotations_about(along, -turns[:, link.edge])
+        rotations[link.facet] = rotations[link.parent] @ turn
+        shifts[link.facet] = rotations[link.parent] @ one - rotations[link.facet] @ one + shifts[link.parent]
+    return [
+        [RigidMotion(rotations[facet, pose], shifts[facet, pose]) for facet in range(facets)] for pose in range(poses)
+    ]
 
 
 def built_angles(pattern: CreasePattern) -> Array:
@@ -77,7 +81,16 @@ def flat_folded(pattern: CreasePattern) -> Array:
     return np.asarray((folded - corners[0]) @ frame.T)
 
 
-def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]], poses: int = POSES) -> Array | None:
+def largest_angles(pattern: CreasePattern, limits: Sequence[tuple[float, float]]) -> Array:
+    """Return the fold angles of edges that have reached their limits in the senses of the pattern, rad, (edge,)."""
+    signs = senses(pattern)
+    most = np.array([high if sign > 0 else -low for (low, high), sign in zip(limits, signs, strict=True)])
+    return np.asarray(signs * np.maximum(most, 0.0), dtype=np.float64)
+
+
+def fold_path(
+    pattern: CreasePattern, limits: Sequence[tuple[float, float]], poses: int = POSES, *, slowing: bool = False
+) -> Array | None:
     """Compute fold angles from the flat sheet until the first crease reaches its limit, rad, (pose, edge).
 
     Around vertices of four creases that fold flat, the tangents of half the fold angles have constant ratios (Huffman
@@ -87,17 +100,17 @@ def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]], pos
     Args:
         pattern: flat or folded as built, with mountains, valleys and flat edges.
         limits: least and largest fold angle of every edge, valley positive, rad.
-        poses: number of poses, in equal steps of the largest fold angle; the flat one is left out.
+        poses: number of poses; the flat one is left out.
+        slowing: whether the steps of the largest fold angle decrease linearly to the last pose, where panels that lie
+            on one another slide; otherwise they are equal.
 
     Returns:
         None if the path has no such closed form.
     """
     around = [vertex for vertex in vertex_creases(pattern) if len(vertex.edges)]
-    signs = senses(pattern)
-    most = np.array([high if sign > 0 else -low for (low, high), sign in zip(limits, signs, strict=True)])
-    most = np.where(signs != 0, np.maximum(most, 0.0), 0.0)
+    signs, most = senses(pattern), np.abs(largest_angles(pattern, limits))
     if not around:
-        return (signs * most)[None] if (most[signs != 0] == math.pi).all() else None
+        return np.asarray(signs * most, dtype=np.float64)[None] if (most[signs != 0] == math.pi).all() else None
     for vertex in around:
         alternating = float(vertex.sectors[::2].sum() - vertex.sectors[1::2].sum())
         if len(vertex.edges) != 4 or abs(alternating) > _FLAT_FOLDABLE:
@@ -112,7 +125,8 @@ def fold_path(pattern: CreasePattern, limits: Sequence[tuple[float, float]], pos
     with np.errstate(divide="ignore"):
         last = float((np.tan(most[moving] / 2) / np.abs(ratios[moving])).min())
     largest = 2 * math.atan(last) if last < 1e12 else math.pi
-    shares = np.linspace(0.0, largest, poses + 1)[1:, None]
+    shares = np.linspace(0.0, 1.0, poses + 1)[1:, None]
+    shares = largest * (1 - (1 - shares) ** 2 if slowing else shares)
     return np.asarray(2 * np.arctan2(ratios * np.sin(shares / 2), np.cos(shares / 2)))
 
 
@@ -130,27 +144,27 @@ def panel_overlaps(
         The numbers of two panels whose surroundings overlap, and the depth in each pose, m, (pose,); 0 where the panels
         do not overlap.
     """
-    centres = [np.array([solid.corners.mean(axis=0) for solid in solids]) for solids in panels]
-    reaches = [
-        np.array([np.linalg.norm(solid.corners - middle, axis=1).max() for solid, middle in zip(*pair, strict=True)])
-        for pair in zip(panels, centres, strict=True)
-    ]
-    moved = [
-        np.einsum("pij,sj->psi", turns[:, panel], middles) + shifts[:, panel, None]
-        for panel, middles in enumerate(centres)
-    ]
-    for one, other in combinations(range(len(panels)), 2):
-        deepest = np.zeros(len(turns))
-        for first, solid in enumerate(panels[one]):
-            apart = np.linalg.norm(moved[other] - moved[one][:, first, None], axis=2)
-            near = apart < reaches[one][first] + reaches[other]
-            for second in np.flatnonzero(near.any(axis=0)).tolist():
-                rows = np.flatnonzero(near[:, second])
-                poses = [(turns[rows, panel], shifts[rows, panel]) for panel in (one, other)]
-                depths = overlap_depths(solid, poses[0], panels[other][second], poses[1])
-                deepest[rows] = np.maximum(deepest[rows], depths)
-        if deepest.any():
-            yield one, other, deepest
+    solids = [solid for panel in panels for solid in panel]
+    if not solids:
+        return
+    owners = np.repeat(np.arange(len(panels)), [len(panel) for panel in panels])
+    packed = packed_solids(solids)
+    centres = np.array([solid.corners.mean(axis=0) for solid in solids])
+    reaches = np.array(
+        [np.linalg.norm(solid.corners - centre, axis=1).max() for solid, centre in zip(solids, centres, strict=True)]
+    )
+    moved = np.einsum("psij,sj->psi", turns[:, owners], centres) + shifts[:, owners]
+    for one in range(len(panels) - 1):
+        first, second = np.flatnonzero(owners == one), np.flatnonzero(owners > one)
+        apart = np.linalg.norm(moved[:, first, None] - moved[:, None, second], axis=3)
+        poses, left, right = np.nonzero(apart < reaches[first, None] + reaches[second])
+        left, right = first[left], second[right]
+        motions = [(turns[poses, owners[side]], shifts[poses, owners[side]]) for side in (left, right)]
+        depths = pair_overlaps(packed, left, right, motions[0], motions[1])
+        deepest = np.zeros((len(panels), len(turns)))
+        np.maximum.at(deepest, (owners[right], poses), depths)
+        for other in np.flatnonzero(deepest.any(axis=1)).tolist():
+            yield one, other, deepest[other]
 
 
 def deepest_overlap(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal, NamedTuple
@@ -40,8 +40,7 @@ _ROUNDING = 1e-9
 _FLAT_FOLDABLE = 1e-6  # rad, sums of sectors that differ by less are equal
 _TOUCHING = 1e-6  # of the thickness; panels that overlap by less touch
 # search for the largest thickness: least one that is tried, as a share of the given one, and halvings of the range
-# in sheets of at most this number of facets; half as many in larger ones, whose panels take longer
-_THIN, _HALVINGS, _SMALL = 1e-3, 12, 6
+_THIN, _HALVINGS = 1e-3, 12
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -53,11 +52,13 @@ class ThickSheet:
     Attributes:
         pattern: of the sheet without thickness; with strips at split folds.
         thickness: of the panels, m; strips may be thinner.
-        layers: panels over the facets, without trimmed sides, brackets and cut-outs.
+        layers: panels over the facets, without trimmed sides, brackets and notches.
         axes: heights of the axes of creases over the sheet without thickness, m, (edge,); 0 on other edges.
         axis_ends: positions of the two vertices of every edge on its axis, m, (edge, 2, 3).
         panels: convex solids of each panel, which touch but do not overlap: the panel, which may consist of pieces,
             then brackets that carry axes outside it.
+        notches: convex solids that were cut out of each panel.
+        divided: facets of panels that notches divide.
         cores: corners of a polygon in the mid-plane of each panel, m, (corner, 3), for contact; see `panel_cores`.
         path: fold angles, rad, (pose, edge), at which the panels do not overlap; see `fold_path`. None if they were not
             checked.
@@ -69,18 +70,10 @@ class ThickSheet:
     axes: Array
     axis_ends: Array
     panels: tuple[tuple[ConvexSolid, ...], ...]
+    notches: tuple[tuple[ConvexSolid, ...], ...]
+    divided: tuple[int, ...]
     cores: tuple[Array | None, ...]
     path: Array | None
-
-
-class _StripCuts(NamedTuple):
-    """Pairs of strips that meet, and fold angles, rad, (pose, edge), at which their ends are cut."""
-
-    meeting: Sequence[tuple[int, int]]
-    path: Array
-
-
-_NO_STRIPS = _StripCuts((), np.zeros((0, 0)))
 
 
 def thick_sheet(pattern: CreasePattern, thickness: float, method: ThickMethod, limits: Limits) -> ThickSheet:
@@ -132,43 +125,75 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
     if method in ("offset", "hinge-shift"):
         levels, axes = _unit_heights(pattern, shifted=method == "hinge-shift")
     trims = limits if method == "tapered" else None
-    path = fold_path(pattern, limits)
-    # strips end where they meet, so these poses are closer than those that are checked
-    finer = fold_path(pattern, limits, 4 * POSES) if method == "split" else None
+    path = fold_path(pattern, limits, slowing=True)
+    # brackets pass through notches and strips end where they meet, so these poses are closer than those of the check,
+    # and most of them are others
+    finer = None if method == "tapered" else fold_path(pattern, limits, 2 * POSES + 1, slowing=True)
     slots: Sequence[tuple[float, float]] = ()
 
-    def sheet(chosen: float) -> ThickSheet:
-        """Return the sheet with panels of a thickness, which may overlap."""
+    def sheet(chosen: float, needed: Collection[int] | None = None) -> ThickSheet:
+        """Return the sheet with panels of a thickness, which may overlap: all panels, or some and all brackets."""
         if method == "split":
             split = split_sheet(pattern, chosen)
             # a sheet whose path has no closed form is checked where it is folded flat
             checked = split.path(np.asarray((np.pi * senses(pattern))[None]) if path is None else path)
-            cuts = _StripCuts(split.meeting, checked if finer is None else split.path(finer))
-            return _sheet(split.pattern, split.thickness, split.levels, split.axes, checked, strips=cuts)
-        return _sheet(pattern, np.full(facets, chosen), chosen * levels, chosen * axes, path, trims=trims, slots=slots)
+            swept = checked if finer is None else split.path(finer)
+            heights = (split.thickness, split.levels, split.axes)
+            return _sheet(split.pattern, *heights, checked, swept=swept, meeting=split.meeting, needed=needed)
+        heights = (np.full(facets, chosen), chosen * levels, chosen * axes)
+        return _sheet(pattern, *heights, path, swept=finer, trims=trims, slots=slots, needed=needed)
 
-    made = sheet(thickness)
-    why = _fault(made)
-    if why and method in ("offset", "hinge-shift"):
+    shared = method in ("offset", "hinge-shift")
+    made = sheet(thickness, () if shared else None)
+    fault = _fault(made, () if shared else None)
+    if shared and fault is None:
+        made = sheet(thickness)
+        fault = _fault(made)
+    if shared and fault is not None:
         # brackets of different creases may meet, but not at different places along the creases
         slots = bracket_slots(pattern, flat_folded(pattern))
         made = sheet(thickness)
-        why = _fault(made)
-    if not why:
+        fault = _fault(made)
+    if fault is None:
         return made
-    low, high = _THIN * thickness, thickness
-    if _fault(sheet(low)):
-        raise InputError(f"{why}, also with thinner panels")
-    for _ in range(_HALVINGS if facets <= _SMALL else _HALVINGS // 2):
-        middle = (low + high) / 2
-        low, high = (low, middle) if _fault(sheet(middle)) else (middle, high)
-    # rounded down to three digits
-    step = 10.0 ** (math.floor(math.log10(low)) - 2)
-    largest = step * math.floor(low / step)
+    largest = _largest_thickness(sheet, thickness, fault)
+    if largest is None:
+        raise InputError(f"{fault.text}, also with thinner panels")
     raise InputError(
-        f"need <= {show_value(largest, 'm')}, got {show_value(thickness, 'm')}: {why}; a sheet that is"
+        f"need <= {show_value(largest, 'm')}, got {show_value(thickness, 'm')}: {fault.text}; a sheet that is"
         f" {_rounded_up(thickness / largest)} times as large would also fold flat"
     )
+
+
+def _largest_thickness(
+    sheet: Callable[[float, Collection[int] | None], ThickSheet], thickness: float, fault: _Fault
+) -> float | None:
+    """Compute the largest thickness of panels that fold, m, rounded down to three digits.
+
+    Bisection finds the largest thickness for the panels of a fault. If other panels have a fault at this thickness, it
+    is repeated for them.
+
+    Args:
+        sheet: function that returns the sheet with panels of a thickness, or only the panels on some facets.
+        thickness: m, at which there is a fault.
+        fault: at this thickness.
+
+    Returns:
+        None if there is none above a thousandth of the thickness.
+    """
+    least, largest = _THIN * thickness, thickness
+    remaining: _Fault | None = fault
+    while remaining is not None:
+        low, high, facets = least, largest, remaining.facets
+        for _ in range(_HALVINGS):
+            middle = (low + high) / 2
+            low, high = (low, middle) if _fault(sheet(middle, facets), facets) else (middle, high)
+        if low == least and _fault(sheet(low, facets), facets):
+            return None
+        step = 10.0 ** (math.floor(math.log10(low)) - 2)
+        largest = step * math.floor(low / step)
+        remaining = _fault(sheet(largest, None))
+    return largest
 
 
 def _rounded_up(factor: float) -> str:
@@ -182,10 +207,39 @@ def panel_motions(sheet: ThickSheet, angles: Array) -> list[list[RigidMotion]]:
     return _motions(sheet.pattern, sheet.axis_ends, angles)
 
 
+def successive_path(sheet: ThickSheet, folds: Array, poses: int) -> Array:
+    """Compute fold angles at which creases close one after another, without overlap of panels if possible.
+
+    The order is found from the folded state: of the closed creases the one that overlaps least while it opens opens.
+
+    Args:
+        sheet: without interior vertices and holes, so that creases move independently.
+        folds: fold angles of the edges that belong to each crease in the folded state, rad, (crease, edge).
+        poses: number of poses for each crease.
+
+    Returns:
+        Fold angles, rad, (pose, edge), to the folded state.
+    """
+    closed, waiting, opening = folds.sum(axis=0), list(range(len(folds))), list[Array]()
+    shares = np.linspace(0.0, 1.0, poses + 1)[:, None]
+    while waiting:
+        depths = dict[int, float]()
+        for crease in waiting:
+            angles = closed - shares * folds[crease]
+            depths[crease] = deepest_overlap(sheet.panels, panel_motions(sheet, angles))[0]
+            if depths[crease] <= _TOUCHING * sheet.thickness:
+                break
+        least = min(depths, key=lambda crease: depths[crease])
+        opening.append((closed - shares * folds[least])[:-1])
+        closed = closed - folds[least]
+        waiting.remove(least)
+    return np.concatenate(opening)[::-1]
+
+
 def _motions(pattern: CreasePattern, axis_ends: Array, angles: Array) -> list[list[RigidMotion]]:
     """Return the motions of facets from the position as built to fold angles, rad, (pose, edge)."""
     built = built_angles(pattern)
-    return [facet_motions(pattern, axis_ends, pose - built) for pose in angles]
+    return facet_motions(pattern, axis_ends, angles - built)
 
 
 def _sheet(
@@ -195,11 +249,26 @@ def _sheet(
     axes: Array,
     path: Array | None,
     *,
+    swept: Array | None = None,
     trims: Limits | None = None,
-    strips: _StripCuts = _NO_STRIPS,
+    meeting: Sequence[tuple[int, int]] = (),
     slots: Sequence[tuple[float, float]] = (),
+    needed: Collection[int] | None = None,
 ) -> ThickSheet:
-    """Return a sheet with panels of given thicknesses, and with panels and axes at given heights, m."""
+    """Return a sheet with panels of given thicknesses, and with panels and axes at given heights, m.
+
+    Args:
+        pattern: flat or folded as built, with strips.
+        thickness: of panels and strips, (facet,).
+        levels: heights of their mid-planes, (facet,).
+        axes: heights of the axes of creases, (edge,).
+        path: fold angles, rad, (pose, edge), for checks of overlap.
+        swept: fold angles, rad, (pose, edge), at which brackets and ends of strips have room.
+        trims: see `panel_solids`.
+        meeting: pairs of strips that meet.
+        slots: see `panel_solids`.
+        needed: facets whose panels are needed, besides all brackets; None for all.
+    """
     normals = np.array([polygon_normal(pattern.vertices_coords[list(face)]) for face in pattern.faces_vertices])
     normals /= np.linalg.norm(normals, axis=1)[:, None]
     shifts = np.zeros((len(levels), 3))
@@ -214,37 +283,69 @@ def _sheet(
     axis_ends = pattern.vertices_coords[pattern.edges_vertices]
     for edge in shared_edges(pattern):
         axis_ends[edge.edge] = [layers[edge.left].at(end, float(axes[edge.edge])) for end in axis_ends[edge.edge]]
-    closed = facet_motions(pattern, axis_ends, np.pi * senses(pattern) * pattern.edges_share - built_angles(pattern))
-    poses = _motions(pattern, axis_ends, strips.path) if strips.meeting else []
-    cuts = strip_cuts(pattern, layers, axes, poses, strips.meeting)
+    poses = [] if swept is None else _motions(pattern, axis_ends, swept)
+    cuts = strip_cuts(pattern, layers, axes, poses, meeting)
+    closed = _motions(pattern, axis_ends, np.pi * (senses(pattern) * pattern.edges_share)[None])
+    solids = panel_solids(
+        pattern,
+        layers,
+        axes,
+        [*poses, *closed],
+        trims,
+        cuts,
+        slots or [BRACKETS] * len(axes),
+        range(len(levels)) if needed is None else needed,
+    )
     return ThickSheet(
         pattern=pattern,
         thickness=float(thickness.max()),
         layers=layers,
         axes=axes,
         axis_ends=axis_ends,
-        panels=tuple(panel_solids(pattern, layers, axes, closed, trims, cuts, slots or [BRACKETS] * len(axes))),
-        cores=panel_cores(pattern, layers, trims, cuts),
+        panels=tuple((*panel.pieces, *panel.brackets) for panel in solids),
+        notches=tuple(panel.notches for panel in solids),
+        divided=tuple(facet for facet, panel in enumerate(solids) if panel.divided),
+        cores=panel_cores(pattern, layers, trims, cuts) if needed is None else (),
         path=path,
     )
 
 
-def _fault(sheet: ThickSheet) -> str:
-    """Return why panels of a thickness cannot fold; empty if they can."""
-    for facet, (layer, solids) in enumerate(zip(sheet.layers, sheet.panels, strict=True)):
+class _Fault(NamedTuple):
+    """Why panels of a thickness cannot fold, and the facets of these panels."""
+
+    text: str
+    facets: tuple[int, ...]
+
+
+def _fault(sheet: ThickSheet, facets: Collection[int] | None = None) -> _Fault | None:
+    """Return why panels of a thickness, or those on some facets, cannot fold; None if they can."""
+    for facet in range(len(sheet.panels)) if facets is None else facets:
+        layer, solids = sheet.layers[facet], sheet.panels[facet]
         heights = np.concatenate([np.zeros(1), *(solid.corners @ layer.normal for solid in solids)])[1:]
         if not solids or np.ptp(heights) < (1 - _TOUCHING) * layer.thickness:
-            return f"nothing is left of the faces of the panel on facet {facet}"
+            return _Fault(f"nothing is left of the faces of the panel on facet {facet}", (facet,))
+        if facet in sheet.divided:
+            return _Fault(f"notches for brackets of other panels divide the panel on facet {facet}", (facet,))
     if sheet.path is None:
-        return ""
-    depth, (one, other), pose = deepest_overlap(sheet.panels, panel_motions(sheet, sheet.path))
+        return None
+    depth, pair, pose = deepest_overlap(sheet.panels, panel_motions(sheet, sheet.path))
     if depth <= _TOUCHING * sheet.thickness:
-        return ""
+        return None
     largest, share = math.degrees(float(np.abs(sheet.path[pose]).max())), 100 * depth / sheet.thickness
-    return (
-        f"the panels on facets {one} and {other} overlap by {share:.2g} % of the thickness where the largest fold angle"
-        f" is {largest:.4g} deg"
+    return _Fault(
+        f"the panels on facets {pair[0]} and {pair[1]}{_common(sheet.pattern, pair)} overlap by {share:.2g} % of the"
+        f" thickness where the largest fold angle is {largest:.4g} deg",
+        pair,
     )
+
+
+def _common(pattern: CreasePattern, pair: tuple[int, int]) -> str:
+    """Return a text with the crease or the vertex that two facets have in common; empty if they have none."""
+    crease = next((edge.edge for edge in shared_edges(pattern) if {edge.left, edge.right} == set(pair)), None)
+    if crease is not None:
+        return f" at crease {crease}"
+    one, other = (set(pattern.faces_vertices[facet]) for facet in pair)
+    return f" at vertex {min(one & other)}" if one & other else ""
 
 
 def _check_convex(corners: Array, facet: int) -> None:
