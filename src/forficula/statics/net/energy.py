@@ -83,9 +83,7 @@ def shape_at(net: Net, positions: Array, near: Array | None = None, turn: Crease
 
 def moved_shape(net: Net, shape: NetShape, positions: Array) -> NetShape:
     """Return the shape of a net that moves from a shape, with memory and contacts, to positions, m."""
-    return replace(
-        shape_at(net, positions, shape.angles, shape.turn), pressing=shape.pressing, rigid=shape.rigid
-    )
+    return replace(shape_at(net, positions, shape.angles, shape.turn), pressing=shape.pressing, rigid=shape.rigid)
 
 
 def remembered(net: Net, shape: NetShape) -> NetShape:

@@ -12,7 +12,16 @@ from forficula.statics.net.energy import Expansion, expand, expand_at, load_slop
 from forficula.statics.net.factor import Factorisation, factored
 from forficula.statics.net.load import Load
 from forficula.statics.net.net import Net, NetShape
-from forficula.statics.net.rigid_forces import Solve, between_forces, closed, constrained_index, is_exact, rigid_tangent, with_changed_forces, with_rigid_forces
+from forficula.statics.net.rigid_forces import (
+    Solve,
+    between_forces,
+    closed,
+    constrained_index,
+    is_exact,
+    rigid_tangent,
+    with_changed_forces,
+    with_rigid_forces,
+)
 from forficula.statics.net.supports import supported
 
 _CORRECTIONS = 12

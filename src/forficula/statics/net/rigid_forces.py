@@ -9,7 +9,7 @@ they become force + stiffness x stretch, until they change no longer and the str
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -76,6 +76,30 @@ def with_rigid_forces(net: Net, current: Expansion, solve: Solve | None = None) 
 def is_exact(net: Net, shape: NetShape) -> bool:
     """Return whether the rigid parts of an equilibrium have their exact lengths, or whether a net has none."""
     return not any(net.springs.rigid) or (shape.rigid is not None and shape.rigid.change <= _CHANGE)
+
+
+def loop_remarks(net: Net, place: str, shapes: Sequence[NetShape]) -> tuple[str, ...]:
+    """Return a remark on equilibria in which loops of facets are not closed exactly; none if all are.
+
+    Args:
+        net: the net.
+        place: where the equilibria are, as a part of a sentence.
+        shapes: at equilibrium.
+    """
+    count = sum(not is_exact(net, shape) for shape in shapes)
+    if not count:
+        return ()
+    return (
+        f"{place}, loops of facets are not closed exactly in {count} of {len(shapes)} equilibria, because the stiff"
+        " parts that close them yield: angles, torques and energies of these equilibria are unreliable",
+    )
+
+
+def lost_reason(net: Net) -> str:
+    """Return why a path may end before its goal, as a part of a sentence; empty for a net without loops."""
+    if not any(net.springs.rigid):
+        return ""
+    return ": close to a flat-folded state, statics cannot close loops of facets exactly; a run can"
 
 
 def constrained_index(net: Net, current: Expansion, parts: Factorisation) -> int:
@@ -189,7 +213,7 @@ def _forces_of(net: Net, gradients: _Gradients, stretches: Array, solve: Solve) 
 
     def yielding(forces: Array) -> Array:
         moved[net.free] = solve(gradients.slope(forces)[net.free])
-        return gradients.stretches(moved) + least * forces
+        return np.asarray(gradients.stretches(moved) + least * forces)
 
     yields = LinearOperator((size, size), matvec=yielding, dtype=np.float64)
     return np.asarray(gmres(yields, stretches, rtol=_KRYLOV, restart=_MOST_KRYLOV, maxiter=1)[0])
