@@ -14,7 +14,7 @@ from forficula.statics.net.energy import Expansion, expand, expand_at, remembere
 from forficula.statics.net.factor import Factorisation, Matrix, definite, factored, largest_entry
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import TIGHTER, Net, NetShape
-from forficula.statics.net.rigid_forces import closed, constrained_index
+from forficula.statics.net.rigid_forces import closed, constrained_index, exact_equilibrium
 from forficula.statics.net.supports import supported
 
 _MOST_STEPS = 2000
@@ -24,6 +24,7 @@ _DRAG = 1e-4  # dampers on all coordinates of a large net, relative to those bet
 _SHARE = 0.8  # of the longest step that a large net shall take
 _HOME = 1e-9  # step that ends the search, of the net's size
 _EXACT = 1e-12  # the same with contact
+_NEAR = 0.02  # of the net's size: largest distance to an equilibrium of loops that Newton's method finds at once
 _PUSH = 1e-3
 _ROUNDING = 1e-13
 # stiffness below this share of the largest one counts as zero
@@ -94,6 +95,13 @@ def minimum(
         check_load(net, load)
     net, pins = supported(net, load)
     longest = longest_step if longest_step is not None else net.size / 10
+    if start.rigid is not None and net.contact is None:
+        # stiff parts without forces would yield where exact ones hold
+        near = exact_equilibrium(net, expand(net, start, load, factor), load, factor)
+        if near is not None and np.abs(near.shape.positions - start.positions).max() <= _NEAR * net.size:
+            rest = _rest(net, near, pins, 1, True)
+            if rest.stable:
+                return rest
     current, shift, steps, settled = expand(net, replace(start, rigid=None), load, factor), 0.0, 0, False
     dampers = current.layout.dampers if between_nodes and not isinstance(current.free, np.ndarray) else None
     parts, most, before = definite(current.free), 0.0, np.inf

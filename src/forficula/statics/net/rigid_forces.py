@@ -139,7 +139,22 @@ def closed(net: Net, current: Expansion, load: Load | None, factor: float) -> Ex
     shape, ended = with_rigid_forces(net, current)
     if ended and is_exact(net, shape):
         return replace(current, shape=shape)
-    result = expand(net, shape, load, factor)
+    exact = exact_equilibrium(net, expand(net, shape, load, factor), load, factor)
+    if exact is not None or current.shape.rigid is None:
+        return exact or current
+    return expand(net, replace(current.shape, rigid=None), load, factor)
+
+
+def exact_equilibrium(net: Net, start: Expansion, load: Load | None, factor: float) -> Expansion | None:
+    """Return the equilibrium near a shape, by Newton's method on shape and forces; None without convergence.
+
+    Args:
+        net: supported.
+        start: expansion about the shape, with forces of rigid parts.
+        load: acting load.
+        factor: of the load.
+    """
+    result = start
     for _ in range(_STEPS):
         positions = result.shape.positions.copy()
         step = factored(result.free).solve(-result.slope[net.free])
@@ -156,7 +171,7 @@ def closed(net: Net, current: Expansion, load: Load | None, factor: float) -> Ex
         if ended:
             return replace(result, shape=shape)
         result = expand(net, shape, load, factor)
-    return current if current.shape.rigid is None else expand(net, replace(current.shape, rigid=None), load, factor)
+    return None
 
 
 def rigid_tangent(net: Net, current: Expansion, tangent: Array, parts: Factorisation) -> tuple[Array, Array]:
