@@ -97,9 +97,9 @@ def minimum(
     longest = longest_step if longest_step is not None else net.size / 10
     if start.rigid is not None and net.contact is None:
         # stiff parts without forces would yield where exact ones hold
-        near = exact_equilibrium(net, expand(net, start, load, factor), load, factor)
-        if near is not None and np.abs(near.shape.positions - start.positions).max() <= _NEAR * net.size:
-            rest = _rest(net, near, pins, 1, True)
+        exact = exact_equilibrium(net, expand(net, start, load, factor), load, factor)
+        if exact is not None and np.abs(exact.shape.positions - start.positions).max() <= _NEAR * net.size:
+            rest = _rest(net, exact, pins, 1, True)
             if rest.stable:
                 return rest
     current, shift, steps, settled = expand(net, replace(start, rigid=None), load, factor), 0.0, 0, False

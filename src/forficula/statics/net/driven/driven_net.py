@@ -167,13 +167,13 @@ def point_between(
 ) -> PathPoint | None:
     """Find the equilibrium between two points of a path near a guess; None without one."""
     net, load = driven.net, driven.load
-    found = None
+    point = None
     if net.contact is None:
-        found = intermediate_point(net, load, before, after, positions, factor)
+        point = intermediate_point(net, load, before, after, positions, factor)
     # where a crease meets its stop, the forces of rigid parts have a kink
-    if net.contact is not None or (found is None and any(net.springs.rigid)):
-        found = stable_point_between(net, load, before, after, positions, factor)
-    return found
+    if net.contact is not None or (point is None and any(net.springs.rigid)):
+        point = stable_point_between(net, load, before, after, positions, factor)
+    return point
 
 
 def displaced_net(structure: Structure, net: Net, drive: Drive) -> Net:

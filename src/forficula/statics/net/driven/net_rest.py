@@ -128,8 +128,8 @@ class _LoadedNet:
             return bool(np.abs(shape.positions - before.positions).max() > _NEAR * self._net.size)
 
         rest = minimum(self._net, start, load, 1.0, stop=is_far)
-        found = rest.stable and is_exact(self._net, rest.shape) and not is_far(rest.shape)
-        return _NetState(share, rest.shape) if found else None
+        usable = rest.stable and is_exact(self._net, rest.shape) and not is_far(rest.shape)
+        return _NetState(share, rest.shape) if usable else None
 
     def _motor_load(self, settings: Array) -> Load:
         return motor_load(self._structure, self._net, tuple(settings.tolist()))
