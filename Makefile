@@ -53,7 +53,7 @@ benchmarks: $(INSTALLED)  ## run every benchmark in its smallest size, as a chec
 	$(BIN)/python benchmarks/folding_ratio.py --units 1
 	$(BIN)/python benchmarks/gpu.py --smallest
 	$(BIN)/python benchmarks/identify.py --plantings 1 --only smooth
-	$(BIN)/python benchmarks/many_points.py --points 5000 --shards 2
+	$(BIN)/python benchmarks/many_points.py --points 1000 --shards 2
 	$(BIN)/python benchmarks/named_designs.py letter-fold
 	$(BIN)/python benchmarks/optimise.py --runs 4 --batch 4 --seeds 1 --only methods --goals wing joint
 	$(BIN)/python benchmarks/screening.py --repetitions 1
@@ -93,10 +93,10 @@ clean:
 # uv needs 10 s, pip 50 s; pip is used if uv is missing or finds no packages
 define install_groups
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --upgrade "pip>=25.1"
 	($(BIN)/python -m pip install --quiet uv && \
 		$(BIN)/uv pip install --quiet --python $(BIN)/python --editable . $(1)) || \
-		$(BIN)/python -m pip install --quiet --editable . $(1)
+		($(BIN)/python -m pip install --quiet --upgrade "pip>=25.1" && \
+		$(BIN)/python -m pip install --quiet --editable . $(1))
 endef
 
 $(INSTALLED): pyproject.toml

@@ -19,8 +19,9 @@ LENGTHS = {
     "zigzag": ["4 cm", "4 cm", "4 cm", "4 cm"],
     "strip": ["3.7 cm", "1.001 mm", "4 cm"],
     "letter": ["3.7 cm", "1.001 mm", "4 cm", "2.002 mm", "3.7 cm"],
+    "flap": ["3.7 cm", "4 cm", "4 cm"],
 }
-HELD = {"fold": 0, "zigzag": 0, "strip": 2, "letter": 2}
+HELD = {"fold": 0, "zigzag": 0, "strip": 2, "letter": 2, "flap": 1}
 DRIVES = {
     "torque": '[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "4 N cm"\nrise = "1 s"',
     # on both corners of the free edge of a strip

@@ -6,6 +6,8 @@ import json
 import os
 import re
 import shutil
+import time
+from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -21,14 +23,45 @@ from sphinx.util.typing import OptionSpec
 
 _LOG = logging.getLogger(__name__)
 _LANGUAGES = {"command": "bash", "python": "python"}
+# pages whose cells take longest: they begin first, so that the other pages keep all cores busy until the end
+_LONGEST = ("named-designs", "tutorial", "how-to/build-and-measure", "how-to/export", "how-to/large-study")
+_RUNNING: list[Future[None]] = []
 _TITLE = re.compile(r"<title>(.*?)</title>", re.S)
 
 
-def run_cells(app: Sphinx, page: str, source: list[str]) -> None:
-    """Run all cells of a page before Sphinx reads it."""
-    cells = cells_of(source[0])
-    if cells:
-        _LOG.info("running the %d cells of %s", len(cells), page)
+def begin_cells(app: Sphinx) -> None:
+    """Begin to run the cells of all pages, several pages at a time; Sphinx builds the gallery meanwhile.
+
+    Sphinx itself would divide the pages among its processes by their names, and wait for the slower half.
+    """
+    paths = [path for path in app.srcdir.rglob("*.md") if "_build" not in path.parts]
+    sources = {path.relative_to(app.srcdir).with_suffix("").as_posix(): path.read_text("utf-8") for path in paths}
+    digest = sources_digest()
+    pool = ThreadPoolExecutor(app.parallel)
+    pages = (*_LONGEST, *sorted(sources.keys() - set(_LONGEST)))
+    _RUNNING.extend(pool.submit(_run_cells, page, sources[page], digest) for page in pages)
+    pool.shutdown(wait=False)
+
+
+def _run_cells(page: str, source: str, digest: str) -> None:
+    start = time.monotonic()
+    if cells := cells_of(source):
+        run_page(page, cells, digest)
+        _LOG.info("the %d cells of %s took %.1f s", len(cells), page, time.monotonic() - start)
+
+
+def wait_for_cells(*_: object) -> None:
+    """Wait until all cells have run, or one has failed, which ends the build."""
+    done, left = wait(_RUNNING, return_when=FIRST_EXCEPTION)
+    for running in left:
+        running.cancel()
+    for running in done:
+        running.result()
+
+
+def show_cells(app: Sphinx, page: str, source: list[str]) -> None:
+    """Take the results of the cells of a page that Sphinx is going to read."""
+    if cells := cells_of(source[0]):
         app.env.temp_data["shown"] = run_page(page, cells, sources_digest())
 
 
@@ -204,7 +237,9 @@ def merge_pages(_: Sphinx, env: Any, __: set[str], other: Any) -> None:
 def setup(app: Sphinx) -> dict[str, object]:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     app.connect("env-get-outdated", outdated)
-    app.connect("source-read", run_cells)
+    app.connect("builder-inited", begin_cells, priority=100)  # before the gallery
+    app.connect("env-before-read-docs", wait_for_cells)
+    app.connect("source-read", show_cells)
     app.connect("env-purge-doc", forget_page)
     app.connect("env-merge-info", merge_pages)
     app.connect("build-finished", copy_live_pages)

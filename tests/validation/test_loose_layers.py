@@ -50,9 +50,11 @@ def test_middle_surfaces_of_loose_layers_rest_a_thickness_above_each_other_in_st
 def test_each_contact_of_a_stack_carries_the_weight_of_the_layers_above(rest, agree):
     net, shape = rest
     forces = contact_forces(net, shape.shape)
+    on_table = sum(forces.pop(name) for name in list(forces) if name.endswith("and table"))
     lowest = forces.pop("facet 0 and facet 2") + forces.pop("facet 1 and facet 2")
     carried = LAYER * G * np.arange(COUNT - 1, 0, -1)
     agree("contact force", [lowest, *forces.values()], carried, by="weight of the layers above", unit="N", rel=1e-6)
+    agree("force on the table", on_table, LAYER * G * COUNT, by="weight of all layers", unit="N", rel=1e-6)
 
 
 def test_a_stack_that_falls_rests_where_statics_does(stack, rest, agree, holds):

@@ -7,16 +7,18 @@ export function barMaterial(nearer) {
   const material = new MeshLambertMaterial();
   material.userData.nearer = nearer;
   if (nearer === 0) return material;
+  const distance = { value: nearer };
+  // one shader serves all distances
   material.onBeforeCompile = (shader) => {
-    shader.vertexShader = shader.vertexShader.replace(
+    shader.uniforms.nearer = distance;
+    shader.vertexShader = `uniform float nearer;\n${shader.vertexShader}`.replace(
       "#include <project_vertex>",
       `#include <project_vertex>
-      vec4 pulled = vec4(mvPosition.xyz - normalize(mvPosition.xyz) * ${nearer.toExponential()}, 1.0);
+      vec4 pulled = vec4(mvPosition.xyz - normalize(mvPosition.xyz) * nearer, 1.0);
       vec4 nearPosition = projectionMatrix * pulled;
       gl_Position.z = nearPosition.z / nearPosition.w * gl_Position.w;`,
     );
   };
-  material.customProgramCacheKey = () => `nearer ${nearer}`;
   return material;
 }
 

@@ -31,9 +31,10 @@ export function makeFold() {
    * Request the path of a design in place of another one; returns {shown: true} once it is built, or {refused}.
    *
    * The picture of another design is shown at once. After a change of a value, the former path stays until the first
-   * part of the new one is known, so that the slider continues from its position.
+   * part of the new one is known, so that the slider continues from its position. `begins` is called before a picture
+   * is shown.
    */
-  fold.show = (wanted, { fresh = false, look } = {}) => {
+  fold.show = (wanted, { fresh = false, look, begins } = {}) => {
     fold.leave();
     if (fresh) fold.share = 0;
     const mine = (doing = Object.assign(new AbortController(), { wanted }));
@@ -44,6 +45,7 @@ export function makeFold() {
         if (line.picture) {
           picture = line.picture;
           fold.whole = picture.whole;
+          begins?.();
           if (fresh || !mounted?.grow) showPicture(picture, look);
           asked = wanted;
           fold.complete = false;

@@ -44,9 +44,8 @@ export function makeWing(asked, set, run) {
   /** Request a picture; returns {shown: true}, {refused}, or {} if the structure is simulated live. */
   wing.begin = async (wanted, fresh) => {
     if (!fresh && wing.panel) return {};
-    const first = await fold.show(wanted, { fresh, look });
+    const first = await fold.show(wanted, { fresh, look, begins: clear });
     if (first.shown) {
-      clear();
       wing.whole = fold.whole;
       if (!element.contains(fold.element)) element.replaceChildren(fold.element);
     }

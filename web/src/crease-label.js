@@ -88,14 +88,14 @@ export function showCreases(stage, clip, clock) {
     list.value = index === null ? "" : String(index);
     show();
   };
-  canvas.addEventListener("pointermove", (event) => {
+  stage.listen("pointermove", (event) => {
     if (event.pointerType === "mouse") pointAt(event.buttons ? null : at(event));
   });
-  canvas.addEventListener("pointerleave", () => pointAt(null));
-  canvas.addEventListener("pointerdown", (event) => {
+  stage.listen("pointerleave", () => pointAt(null));
+  stage.listen("pointerdown", (event) => {
     pressed = event.isPrimary ? [event.clientX, event.clientY] : null;
   });
-  canvas.addEventListener("pointerup", (event) => {
+  stage.listen("pointerup", (event) => {
     if (!pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > STILL) return;
     const index = at(event);
     choose(index === chosen ? null : index);

@@ -115,7 +115,10 @@ export function makeEfforts(clip) {
     for (const turn of turns) addTurn(turn, place, moment, strengths);
     for (const push of pushes) addPush(push, place, moment, strengths);
     [rods.count, heads.count] = [rod, tip];
-    for (const object of [rods, heads]) object.instanceMatrix.needsUpdate = true;
+    for (const object of [rods, heads]) {
+      object.visible = object.count > 0;
+      object.instanceMatrix.needsUpdate = true;
+    }
   }
 
   const paint = () => material.color.set(new Color(styleColour("--effort")));
@@ -125,7 +128,6 @@ export function makeEfforts(clip) {
       object.dispose();
       object.geometry.dispose();
     }
-    material.dispose();
   }
 
   /** Number of arrows drawn now. */

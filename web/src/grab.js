@@ -68,18 +68,15 @@ export function listenToGrabs(stage, { points, movable, between = () => null, mo
     drawing.style.display = "";
   }
 
-  canvas.addEventListener(
-    "pointerdown",
-    (event) => {
-      held = event.button === 0 ? grabbed(event) : null;
-      if (!held) return;
-      eye.controls.enabled = false;
-      canvas.setPointerCapture(event.pointerId);
-      event.stopImmediatePropagation();
-    },
-    { capture: true },
-  );
-  canvas.addEventListener("pointermove", (event) => {
+  const press = (event) => {
+    held = event.button === 0 ? grabbed(event) : null;
+    if (!held) return;
+    eye.controls.enabled = false;
+    canvas.setPointerCapture(event.pointerId);
+    event.stopImmediatePropagation();
+  };
+  stage.listen("pointerdown", press, true);
+  stage.listen("pointermove", (event) => {
     if (!held) {
       canvas.classList.toggle("grip", grabbed(event) !== null);
       return;
@@ -98,8 +95,8 @@ export function listenToGrabs(stage, { points, movable, between = () => null, mo
     said.textContent = "";
     left();
   };
-  canvas.addEventListener("pointerup", leave);
-  canvas.addEventListener("pointercancel", leave);
+  stage.listen("pointerup", leave);
+  stage.listen("pointercancel", leave);
   stage.onDraw(draw);
   return { say: (text) => (said.textContent = text) };
 }

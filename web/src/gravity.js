@@ -32,10 +32,7 @@ export function makeGravity(direction) {
     group.position.set(...CORNER, depth).unproject(camera);
   }
 
-  function dispose() {
-    for (const part of [shaft, head]) part.geometry.dispose();
-    material.dispose();
-  }
+  const dispose = () => [shaft, head].forEach((part) => part.geometry.dispose());
 
   return { group, paint, follow, dispose };
 }

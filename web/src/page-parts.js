@@ -177,7 +177,7 @@ function mount(element, data, model, state, shown) {
       shape.paint();
       clock.seek(clock.time);
     },
-    onPress: (press) => listenToPresses(stage.canvas, (place) => press(shape.at(place, stage.eye.camera))),
+    onPress: (press) => listenToPresses(stage, (place) => press(shape.at(place, stage.eye.camera))),
   };
 }
 
@@ -234,12 +234,12 @@ function swatchEntry(colour, text) {
 }
 
 /** Listen to presses without a drag: position on the canvas, -1 to 1 in both directions. */
-function listenToPresses(canvas, press) {
+function listenToPresses({ canvas, listen }, press) {
   let from = null;
-  canvas.addEventListener("pointerdown", (event) => {
+  listen("pointerdown", (event) => {
     from = event.isPrimary ? [event.clientX, event.clientY] : null;
   });
-  canvas.addEventListener("pointerup", (event) => {
+  listen("pointerup", (event) => {
     if (from === null || Math.hypot(event.clientX - from[0], event.clientY - from[1]) > STILL) return;
     const box = canvas.getBoundingClientRect();
     const [x, y] = [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];

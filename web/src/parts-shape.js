@@ -78,7 +78,6 @@ export function makePartsShape(model, state, anglesAt, stopColour) {
     for (const { mesh, lines } of made) {
       mesh.geometry.dispose();
       lines.geometry.dispose();
-      for (const material of [mesh.material, lines.material].flat()) material.dispose();
     }
   }
 

@@ -55,6 +55,8 @@ export function makeShape(clip, largestEnergy) {
   const joints = makeJoints(mesh);
   const group = new Group();
   group.add(base.object, plates.object, bars.object, joints.object, lines.object, tendons.object, sheet.object);
+  // shaders are compiled for everything visible, even without triangles
+  for (const part of [bars, joints, lines, tendons]) part.object.visible = part.object.count > 0;
   if (efforts) group.add(efforts.group);
   const shadow = makeShadow(sheet.object, plates.object, bars.object);
   const colour = [0, 0, 0];
@@ -106,11 +108,7 @@ export function makeShape(clip, largestEnergy) {
     for (const faces of [sheet, plates]) faces.dispose();
     efforts?.dispose();
     base.dispose();
-    for (const part of [bars, lines, tendons, joints]) {
-      part.object.geometry.dispose();
-      part.object.material.dispose();
-    }
-    shadow.children[0].material.dispose();
+    for (const part of [bars, lines, tendons, joints]) part.object.geometry.dispose();
   }
 
   return { group, shadow, pose, paint, sort: sheet.sort, vertices, tendons: tendons.object, efforts, strains, colourSheets, dispose };
@@ -135,6 +133,7 @@ function makeShadow(...objects) {
       : new Mesh(object.geometry, material);
     if (object.isInstancedMesh) thrown.instanceMatrix = object.instanceMatrix;
     thrown.frustumCulled = false;
+    thrown.visible = object.visible;
     shadow.add(thrown);
   }
   shadow.scale.z = 1e-5;
@@ -172,6 +171,7 @@ function makeFaces(mesh, solid) {
   // colours that are read from a scale are independent of the light
   const unlit = new MeshBasicMaterial({ vertexColors: true, side: DoubleSide });
   const object = new Mesh(geometry, material);
+  object.visible = count > 0;
   object.frustumCulled = false;
   object.renderOrder = solid ? 0 : 1;
   const shade = new Color();
@@ -190,11 +190,7 @@ function makeFaces(mesh, solid) {
     object.material = wanted ? unlit : material;
   };
 
-  function dispose() {
-    geometry.dispose();
-    material.dispose();
-    unlit.dispose();
-  }
+  const dispose = () => geometry.dispose();
 
   function pose(vertices) {
     for (let corner = 0; corner < corners.length; corner++) {
@@ -300,6 +296,7 @@ function makeBase({ rods, radius }) {
   const bars = new InstancedMesh(new CylinderGeometry(1, 1, 1, 16), material, rods.length);
   const knobs = new InstancedMesh(new SphereGeometry(1, 16, 12), material, 2 * rods.length);
   const object = new Group();
+  object.visible = rods.length > 0;
   for (const part of [bars, knobs]) {
     part.frustumCulled = false;
     object.add(part);
@@ -317,7 +314,6 @@ function makeBase({ rods, radius }) {
       part.dispose();
       part.geometry.dispose();
     }
-    material.dispose();
   }
 
   return { object, paint: () => material.color.set(styleColour("--base")), dispose };

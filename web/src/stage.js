@@ -1,11 +1,11 @@
 /** The picture: one canvas with a cell for every structure, drawn only when something has changed. */
 
-import { DirectionalLight, HemisphereLight, Scene, Vector3, WebGLRenderer } from "three";
+import { DirectionalLight, HemisphereLight, Scene, Vector3 } from "three";
 import { makeCamera } from "./camera.js";
 import { make } from "./elements.js";
 import { makeFloor } from "./floor.js";
 import { makeGravity } from "./gravity.js";
-import { makeProcessorRenderer } from "./processor-renderer.js";
+import { leaveRenderer, takeRenderer } from "./renderer.js";
 import { onSchemeChange, styleColour } from "./scheme.js";
 
 const LONGEST = 4096; // pixels of the canvas in one direction, which all graphics chips support
@@ -24,8 +24,10 @@ const GRID_FROM_BELOW = 0.14;
  * Its cells contain the structures' names and other text of the page.
  */
 export function makeStage(clips, clock, shapeOf, text, look) {
-  const canvas = make("canvas", { tabIndex: 0, role: "img", "aria-label": `${text} ${HELP}` });
-  const context = canvas.getContext("webgl2", { antialias: true, alpha: true, stencil: true });
+  const taken = takeRenderer();
+  const { renderer, canvas, webgl } = taken;
+  canvas.setAttribute("aria-label", `${text} ${HELP}`);
+  const ended = new AbortController();
   const cells = clips.map(() => make("div", { className: "cell" }));
   const several = clips.length > 1;
   const element = make("div", { className: several ? "stage several" : "stage" }, canvas, ...cells);
@@ -34,7 +36,6 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     String(clips.length === 4 ? 2 : Math.min(clips.length, clips.length > 6 ? 4 : 3)),
   );
   const names = () => (several ? Math.ceil(NAME_ROOM * parseFloat(getComputedStyle(cells[0]).fontSize)) : 0);
-  const renderer = context ? new WebGLRenderer({ canvas, context, antialias: true, alpha: true, stencil: true }) : makeProcessorRenderer(canvas);
   renderer.setScissorTest(true);
   const eye = makeCamera(canvas, clips, clock, invalidate, look);
   const views = clips.map((clip) => makeView(clip, shapeOf(clip), eye));
@@ -120,11 +121,17 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     draw();
   });
   const stopPainting = onSchemeChange(paint);
-  canvas.addEventListener("webglcontextrestored", invalidate);
+  listen("webglcontextrestored", invalidate);
   paint();
+
+  /** Listen to events of the canvas as long as it shows this stage. */
+  function listen(type, listener, capture = false) {
+    canvas.addEventListener(type, listener, { capture, signal: ended.signal });
+  }
 
   function dispose() {
     cancelAnimationFrame(waiting);
+    ended.abort();
     stop();
     stopPainting();
     watch.disconnect();
@@ -133,10 +140,8 @@ export function makeStage(clips, clock, shapeOf, text, look) {
       shape.dispose();
       gravity?.dispose();
       floor.geometry.dispose();
-      floor.material.dispose();
     }
-    renderer.dispose();
-    renderer.forceContextLoss();
+    leaveRenderer(taken);
     element.remove();
   }
 
@@ -148,8 +153,11 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     return largest;
   }
 
-  const note = context ? null : make("p", { className: "note" }, WITHOUT_WEBGL);
-  return { element, note, canvas, cells, eye, pose, draw, drawSharp, paint, views, colourSheets, onDraw: (listener) => drawn.add(listener), statistics: () => renderer.info.render, dispose };
+  /** What was drawn, and what the renderer keeps in the memory of the graphics chip. */
+  const statistics = () => ({ ...renderer.info.render, ...renderer.info.memory, programs: renderer.info.programs?.length ?? 0 });
+
+  const note = webgl ? null : make("p", { className: "note" }, WITHOUT_WEBGL);
+  return { element, note, canvas, cells, eye, pose, draw, drawSharp, paint, views, colourSheets, listen, onDraw: (listener) => drawn.add(listener), statistics, dispose };
 }
 
 const WITHOUT_WEBGL = "This browser has no WebGL: the processor draws the picture, without shadows and more slowly.";

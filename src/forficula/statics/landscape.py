@@ -153,7 +153,8 @@ class EnergyLandscape(Result):
         states: stable states: along the single folding path from its start to its end, or of a net by rising energy;
             for a tree without a single folding path, the different stable ones of the rests.
         passes: between neighbouring states; of a tree without a single folding path between states that its protocol
-            reaches one after another, over the highest saddle on a path that may lead through further states.
+            reaches one after another, over the highest saddle on a path that may lead through further states; of a net
+            with contact between both kinds of pairs.
         courses: effects of slowly growing drives: of the protocol's transitions, and for nets of all other drives.
         remarks: sentences on missing results and on limits of the others.
         hinges: every hinge that one tendon lies across, by tendon, with the hinge's spring.

@@ -363,15 +363,28 @@ def test_the_table_that_is_downloaded_is_the_one_of_the_folder(opened, small):
     assert download.value.path().read_text("utf-8") == small.text
 
 
-def test_closing_a_run_frees_its_graphics_memory(opened, small):
+# numbers of geometries and shaders, and whether the canvas is that of the last run
+GRAPHICS = """() => {
+  const { canvas, statistics } = forficula.panel.playing.player.stage;
+  const { geometries, programs } = statistics();
+  const same = window.canvas === canvas;
+  window.canvas = canvas;
+  return [geometries, programs, same];
+}"""
+
+
+def test_a_run_that_is_opened_later_takes_the_graphics_memory_of_the_run_before(opened, small):
     page = opened.page
     points = [point for point, part in small.kept if part == "folding"]
-    cell(page, points[0]).click()
-    page.evaluate("window.left = document.querySelector('.stage canvas').getContext('webgl2')")
-    cell(page, points[1]).click()
-    opened.settle()
-    assert page.evaluate("window.left.isContextLost()")
-    assert page.locator(".stage canvas").count() == 1
+    used = []
+    for point in (points[0], points[1], points[0]):
+        cell(page, point).click()
+        opened.settle()
+        used.append(page.evaluate(GRAPHICS))
+        assert page.locator(".stage canvas").count() == 1
+    assert used[0][:-1] == used[1][:-1] == used[2][:-1]
+    assert used[1][-1]
+    assert used[2][-1]
     assert opened.messages == []
 
 

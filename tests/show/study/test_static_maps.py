@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from forficula.design import load_design
+from forficula.design import load_design, with_values
+from forficula.errors import InputError
 from forficula.show.study.static_maps import draw_static_maps
 from forficula.study.tables.static_map import map_study, static_map
 
@@ -48,3 +49,11 @@ def test_a_wing_that_springs_open_when_released_does_not_resist_opening():
     letter = load_design("letter-fold", {"drive.open.value": "-1 N cm"})
     table = static_map(map_study(letter, {"crease.stiffness": ["0.02 N m/rad/m", "0.12 N m/rad/m"]}))
     assert legend(draw_static_maps(table)) == {"did not get opened", "did not stay closed"}
+
+
+def test_a_map_of_a_design_that_no_drive_takes_to_a_state_is_an_error_that_names_the_missing_stage():
+    stage = {"name": "wait", "drive": "none", "until": "time", "time_limit": 1.0, "hold": 0.0, "state": "closed"}
+    design = with_values(load_design("letter-fold"), {"protocol.stages": [stage]})
+    with pytest.raises(InputError, match="maps of slowly growing torques need a stage of the protocol") as error:
+        map_study(design, {"crease.rest_angle": ["0 deg", "1 deg"]})
+    assert "ask" not in str(error.value)

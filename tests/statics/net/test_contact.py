@@ -10,10 +10,11 @@ from forficula.errors import InputError
 from forficula.statics import start_drag
 from forficula.statics.net.contact.closest import corner_to_triangle, distance_hessians, edge_to_edge, gradients
 from forficula.statics.net.contact.contact_energy import contact_forces, with_contact_forces
+from forficula.statics.net.driven.net_course import released
 from forficula.statics.net.factor import Factorisation
 from forficula.statics.net.load import crease_torques
 from forficula.statics.net.load_path import load_path
-from forficula.statics.net.net_of import is_net, net_of, panels
+from forficula.statics.net.net_of import is_net, net_of, own_angles, panels, start_shape
 from forficula.statics.net.panel_crossing import panels_cross
 from forficula.statics.net.stable_states import find_stable_states
 from forficula.statics.survey import check_quasi_static
@@ -132,3 +133,21 @@ def test_statics_of_a_fan_reports_that_it_ignores_contact():
         "statics ignores contact of the bars and panels of this wing"
     )
     assert ignored_contact_remarks(structure_of(load_design("binder2025"))) == ()
+
+
+def test_plates_in_a_tree_come_to_rest_with_contact_where_a_run_and_the_statics_without_contact_do():
+    design = load_design("two-clasps", {"protocol.contact": True})
+    structure = structure_of(design)
+    net = net_of(structure)
+    rest = released(net, start_shape(structure, net))[0]
+    assert np.rad2deg(own_angles(structure, rest.shape)) == pytest.approx([60, 60], abs=1e-3)
+    assert not panels_cross(net, rest.shape, panels(structure))
+
+
+def test_plates_that_start_on_the_far_side_of_a_crease_stay_there():
+    structure = structure_of(load_design("letter-fold", {"protocol.contact": True}))
+    net = net_of(structure)
+    begin = start_shape(structure, net)
+    assert np.rad2deg(begin.angles) == pytest.approx([-3, -3], abs=1e-6)
+    # neighbouring plates meet at their crease and do not pass through each other
+    assert not panels_cross(net, begin, panels(structure))

@@ -47,7 +47,7 @@ class Expansion:
         free: Hessian by the free coordinates, N/m.
         turning: gradient of the angles by the sides of their creases, 1/m, (3, side, crease).
         layout: of the net.
-        pressed: Hessian of the contact by all coordinates, N/m; None without contact.
+        pressed: Hessian of the contact by all coordinates, N/m; None if nothing touches.
     """
 
     shape: NetShape
@@ -58,7 +58,7 @@ class Expansion:
     free: Matrix
     turning: Array
     layout: Layout
-    pressed: csc_array | None = None
+    pressed: Matrix | None = None
 
     @cached_property
     def curvature(self) -> bsr_array:
@@ -166,10 +166,11 @@ def _expanded(
         energy = stored - factor * _work(net, shape, load)
     free, pressed = layout.free_part(blocks), None
     if net.contact is not None:
-        terms = contact_terms(net.contact, shape.positions, shape.pressing)
+        terms = contact_terms(net.contact, shape.positions, shape.pressing, dense=isinstance(free, np.ndarray))
         energy, forces, pressed = energy + terms.energy, forces + terms.slope, terms.curvature
-        further = pressed[layout.free][:, layout.free]
-        free = free + (further.toarray() if isinstance(free, np.ndarray) else csc_array(further))
+        if pressed is not None:
+            further = pressed[layout.free][:, layout.free]
+            free = free + (further if isinstance(further, np.ndarray) else csc_array(further))
     return Expansion(
         shape=shape,
         stored=stored,

@@ -65,6 +65,7 @@ def load_path(
     rising: bool = True,
     direction: Array | None = None,
     watch: Callable[[PathPoint], None] = lambda _: None,
+    overlaps: bool = False,
 ) -> LoadPath:
     """Follow equilibria by modified generalised displacement control.
 
@@ -89,13 +90,15 @@ def load_path(
         direction: in which the path leaves its start, (node, 3). The mode of a bifurcation, or its opposite, leads
             onto the other path. None for the direction given by the load.
         watch: called with every point before the first event.
+        overlaps: whether contact is a stiff spring along the path: its multipliers remain those of the start, and parts
+            that touch overlap slightly. Without this, a net with contact is refused.
 
     Raises:
         InputError: the load does not fit, is zero or would move the net as a rigid body; there is no equilibrium near
             the start; or the net has contact.
     """
     check_load(net, load)
-    if net.contact is not None:
+    if net.contact is not None and not overlaps:
         raise InputError("net.contact: need None for a path through unstable equilibria, got a net with contact")
     if not any(np.any(part) for part in (load.forces, load.torques, load.displacements)):
         raise InputError("load: need one that acts, got none")

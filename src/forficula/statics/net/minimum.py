@@ -9,7 +9,7 @@ import numpy as np
 from scipy.sparse import csc_array
 
 from forficula.arrays import Array
-from forficula.statics.net.contact.contact_energy import passes_through, with_contact_forces
+from forficula.statics.net.contact.contact_energy import constrained_step, passes_through, with_contact_forces
 from forficula.statics.net.energy import Expansion, expand, expand_at, remembered
 from forficula.statics.net.factor import Factorisation, Matrix, definite, factored, largest_entry
 from forficula.statics.net.load import Load, check_load
@@ -19,6 +19,7 @@ from forficula.statics.net.supports import supported
 
 _MOST_STEPS = 2000
 _CORRECTIONS = 7
+_MOST_CORRECTIONS = 50  # of a stationary point
 _SMALLEST_SHIFT, _LARGEST_SHIFT = 1e-9, 1e3  # of the largest stiffness
 _DRAG = 1e-4  # dampers on all coordinates of a large net, relative to those between nodes
 _SHARE = 0.8  # of the longest step that a large net shall take
@@ -122,10 +123,7 @@ def minimum(
             shift = _raised(shift, stiffest)
         else:
             moved = float(np.abs(taken.shape.positions - current.shape.positions).max())
-            near = moved <= _HOME * net.size
-            if net.contact is not None:
-                # contact forces are as exact as the shape; rounding may keep steps from getting shorter
-                near = near and (moved <= _EXACT * net.size or 2 * moved > before)
+            near = _is_near(net, moved, before)
             before, current = moved, taken
             # while a shift remains, the shape is a minimum only if no force is left
             pushed = np.abs(current.slope[net.free]).max(initial=0.0) > _PUSH * _HOME * net.size * stiffest
@@ -150,16 +148,25 @@ def stationary(net: Net, start: NetShape, load: Load | None = None, factor: floa
         factor: of the load.
     """
     net, pins = supported(net, load)
-    current, settled, steps = expand(net, start, load, factor), False, 0
-    while steps < 50 and not settled:
-        step = -factored(current.free).solve(current.slope[net.free])
-        most = np.abs(step).max(initial=0.0)
-        settled = bool(most <= _HOME * net.size)
-        current = _moved(net, current.shape, step * min(1.0, 0.05 * net.size / max(most, 1e-300)), load, factor)
-        if settled:
-            current, settled = _with_contact_forces(net, current, load, factor)
-        steps += 1
+    current, settled, steps, before = expand(net, start, load, factor), False, 0, np.inf
+    while steps < _MOST_CORRECTIONS and not settled:
+        parts = factored(current.free)
+        step, shape = constrained_step(net, current.shape, parts, -parts.solve(current.slope[net.free]))
+        most = float(np.abs(step).max(initial=0.0))
+        settled = _is_near(net, most, before)
+        current = _moved(net, shape, step * min(1.0, 0.05 * net.size / max(most, 1e-300)), load, factor)
+        if settled and net.contact is not None:
+            with_forces, settled = with_contact_forces(net, current.shape, factored(current.free))
+            current = replace(current, shape=with_forces) if settled else current
+        steps, before = steps + 1, most
     return _rest(net, closed(net, current, load, factor) if settled else current, pins, steps, settled)
+
+
+def _is_near(net: Net, moved: float, before: float) -> bool:
+    """Return whether the last step, m, ends a search, from the step before it."""
+    near = moved <= _HOME * net.size
+    # contact forces are as exact as the shape; rounding may keep steps from getting shorter
+    return near and (net.contact is None or moved <= _EXACT * net.size or 2 * moved > before)
 
 
 def _with_contact_forces(net: Net, current: Expansion, load: Load | None, factor: float) -> tuple[Expansion, bool]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 from scipy.sparse import coo_array
@@ -11,7 +12,6 @@ from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 
 from forficula.design import Design
 from forficula.errors import InputError
-from forficula.quantities import show_value
 from forficula.statics.friction import friction_remarks
 from forficula.statics.landscape import EnergyLandscape, NetSurvey, Pass, Rest
 from forficula.statics.net.contact.contact_of import contact_remarks
@@ -57,10 +57,8 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
     progress("stable states")
     search = find_stable_states(net, [rest.shape for _, rest, _ in rests], tries=_TRIES)
     states = _states(structure, net, search, rests, progress)
-    passes: tuple[Pass, ...] = ()
-    if net.contact is None:
-        progress("saddles between states")
-        search, states, passes = _joined(structure, net, search, states)
+    progress("saddles between states")
+    search, states, passes = _joined(structure, net, search, states, _protocol_pairs(net, states, rests))
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -73,27 +71,8 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
             *refused,
             *_remarks(structure, net, search, states, passes, courses),
             *contact_remarks(structure),
-            *_lower_remarks(structure, first, states),
         ),
         net=NetSurvey(net=net, built=mobility(structure, net, built), search=search),
-    )
-
-
-def _lower_remarks(structure: Structure, first: NetRest, states: Sequence[NetState]) -> tuple[str, ...]:
-    """Return a remark if rigid plates that touch do not come to their state of lowest energy after the release.
-
-    Every corner of a plate has the same damper, but a run has dampers in its hinges. Both motions may end in different
-    states, and with them the states that the protocol names.
-    """
-    if structure.contact is None or not structure.plates or not states:
-        return ()
-    lowest = min(states, key=lambda state: state.energy)
-    if first.energy - lowest.energy <= _SAME * abs(lowest.energy):
-        return ()
-    return (
-        f"released as built, the {structure.appearance.whole} comes to a state of {show_value(first.energy, 'J')} here,"
-        f" although {lowest.name} has only {show_value(lowest.energy, 'J')}; a run may come to another state, and then"
-        " the names of states and the effects of drives are not those of the run",
     )
 
 
@@ -210,10 +189,32 @@ def _name(net: Net, state: NetRest, rests: Sequence[tuple[str, NetRest, bool]]) 
     return ""
 
 
+def _protocol_pairs(
+    net: Net, states: Sequence[NetState], rests: Sequence[tuple[str, NetRest, bool]]
+) -> list[tuple[int, int]]:
+    """Return the pairs of states that a protocol reaches one after another with contact, by number.
+
+    Plates on joints in a tree are a net only with contact. Without it, passes join these pairs.
+    """
+    if net.contact is None:
+        return []
+    numbers = [_state_number(net, states, rest) for _, rest, _ in rests]
+    pairs = [
+        (min(one, other), max(one, other))
+        for one, other in pairwise(numbers)
+        if one is not None and other is not None and one != other
+    ]
+    return list(dict.fromkeys(pairs))
+
+
 def _joined(
-    structure: Structure, net: Net, search: StableStates, listed: Sequence[NetState]
+    structure: Structure,
+    net: Net,
+    search: StableStates,
+    listed: Sequence[NetState],
+    further: Sequence[tuple[int, int]] = (),
 ) -> tuple[StableStates, list[NetState], tuple[Pass, ...]]:
-    """Find saddles between neighbouring states: pairs that form the minimum spanning tree of all states.
+    """Find saddles between neighbouring states: pairs that form the minimum spanning tree, and further ones.
 
     A saddle that joins two other states than the requested ones is kept for those. A state beyond a saddle that the
     search has missed, such as the mirror image of a listed one, is listed as well, and its neighbours are tried.
@@ -223,7 +224,7 @@ def _joined(
     """
     states, passes, tried = list(listed), dict[tuple[int, int], Pass](), set[tuple[int, int]]()
     saddles = list[Saddle]()
-    while pairs := _neighbours(states, passes.keys(), tried):
+    while pairs := list(dict.fromkeys([*_neighbours(states, passes.keys(), tried), *(set(further) - tried)])):
         count = len(states)
         for start, end in pairs:
             tried.add((start, end))
@@ -339,7 +340,7 @@ def _remarks(
         remarks.append(f"{search.failed} of the tries ended in no stable state")
     if not count:
         remarks.append("a part can move without any force: a crease has no spring, or a support is missing")
-    unconnected = _unconnected_states(len(states), passes) if structure.contact is None else []
+    unconnected = _unconnected_states(len(states), passes)
     remarks += [
         f'no saddles were found that connect "{states[number].name}" to the first state' for number in unconnected
     ]

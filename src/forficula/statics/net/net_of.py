@@ -15,13 +15,17 @@ from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.crease_turn import relaxed
 from forficula.material.law.tendon_law import stacked_laws
+from forficula.statics.net.contact.contact_energy import passes_through, touches
 from forficula.statics.net.contact.contact_of import with_contact
 from forficula.statics.net.energy import remembered, shape_at
 from forficula.statics.net.load import Load, no_load, point_forces
 from forficula.statics.net.net import Net, NetCreases, NetPlanes, NetShape, Springs, Tendons, Triangles
-from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, stiffness_of
+from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, posed_nodes, stiffness_of
 from forficula.statics.path_dependence import refuse_rest_angles
 from forficula.statics.planes import planes_of
+from forficula.statics.tree.ensemble import ensemble, start_angles
+from forficula.statics.tree.pose import pose, tree_of
+from forficula.statics.tree.potential import hinge_angles, rest
 from forficula.structure import (
     GROUND,
     Structure,
@@ -138,9 +142,34 @@ def panels(structure: Structure) -> Indices:
 
 
 def start_shape(structure: Structure, net: Net) -> NetShape:
-    """Return the shape as built, with start angles that distinguish panels that lie on one another."""
-    start = np.array([hinge.start for hinge in structure.hinges])
-    return remembered(net, shape_at(net, net.nodes, valley_angles(structure, start)))
+    """Return the shape from which a net is released: as built, except for plates on joints in a tree.
+
+    These begin with the angles of a run and fold as without contact, until they rest or touch. Start angles also
+    distinguish panels that lie on one another.
+    """
+    positions, angles = net.nodes, np.array([hinge.start for hinge in structure.hinges])
+    if structure.contact is not None and not is_net(replace(structure, contact=None)):
+        positions, angles = _folded_apart(structure, net)
+    return remembered(net, shape_at(net, positions, valley_angles(structure, angles)))
+
+
+def _folded_apart(structure: Structure, net: Net) -> tuple[Array, Array]:
+    """Return nodes, m, (node, 3), and angles, rad, (hinge,), of a released tree that rests or whose plates touch."""
+    structures, first = ensemble([structure]), plate_nodes(structure).first
+    tree, steps = tree_of(structure), [start_angles(structures)]
+    rest(structures, steps[0], follow=lambda _, angles: steps.append(angles.copy()))
+
+    def nodes_at(angles: Array) -> Array:
+        at = pose(tree, angles)
+        return posed_nodes(structure, net.nodes, first, at.origins[0], at.frames[0])
+
+    angles, nodes = steps[0], nodes_at(steps[0])
+    for following in steps[1:]:
+        moved = nodes_at(following)
+        if touches(net, moved) or passes_through(net, nodes, moved):
+            break
+        angles, nodes = following, moved
+    return nodes, hinge_angles(structures, angles)[0]
 
 
 def own_angles(structure: Structure, shape: NetShape) -> Array:

@@ -27,6 +27,7 @@ from forficula.structure import Measure, Motor, Structure, read_angles, springs_
 _MODES = 4  # reported for every state, besides rigid-body motions
 _STEPS, _INCREMENTS = (0.04, 0.01), 40  # first increments of a path to collapse, of the net's size, and their number
 STRAINED = 0.05  # strain of a bar that ends a path to collapse, because panels tear or crumple
+_CRUSHED = 0.02  # rad beyond a stop that end a path to collapse with contact [chosen]
 _ROUNDING = 1e-15
 _LARGEST = 1500  # free coordinates up to which mechanisms are counted
 
@@ -214,6 +215,8 @@ def _loss_under(net: Net, rest: NetRest, load: Load) -> Collapse | None:
     """Find the loss of a state under a load; None for a rigid-body motion, and if no path is found."""
 
     def strained(point: PathPoint) -> bool:
+        if net.contact is not None and _is_beyond_stops(net, point.shape):
+            return True
         return bool(np.abs(strength(net, point.shape).strains).max(initial=0.0) > STRAINED)
 
     for step in _STEPS:
@@ -225,6 +228,12 @@ def _loss_under(net: Net, rest: NetRest, load: Load) -> Collapse | None:
         if lost.factor > 0:
             return lost
     return None
+
+
+def _is_beyond_stops(net: Net, shape: NetShape) -> bool:
+    """Return whether a load turns creases far beyond their stops, which are stiff springs."""
+    law = net.creases.law
+    return bool(np.any((shape.angles < law.lower - _CRUSHED) | (shape.angles > law.upper + _CRUSHED)))
 
 
 def _loads(structure: Structure, net: Net, shape: NetShape) -> list[tuple[str, str, Load]]:

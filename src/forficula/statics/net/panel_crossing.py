@@ -31,6 +31,10 @@ def panels_cross(net: Net, shape: NetShape, triangles: Indices) -> bool:
 def _joined(net: Net) -> Indices:
     """Number the points, (point,), so that both sides of a crease between plates have the same numbers."""
     sides = [(flaps[end], flaps[end + 3]) for flaps in net.creases.points for end in (0, 1)]
+    if net.contact is not None:
+        parts = net.contact.parts
+        _, firsts = np.unique(parts.vertices, return_index=True)
+        sides += zip(parts.points[firsts[parts.vertices]], parts.points, strict=True)
     return parts_of(net.points.shape[0], sides)
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
+from forficula.statics.net.contact.contact_energy import passes_through
 from forficula.statics.net.energy import Expansion, expand, expand_at, load_slope, moved_shape, remembered
 from forficula.statics.net.factor import Factorisation, factored
 from forficula.statics.net.load import Load
@@ -123,6 +124,8 @@ def increment(net: Net, load: Load, current: PathStation, length: float) -> Path
     if corrected is None:
         return None
     following, factor, corrections = corrected
+    if passes_through(net, current.point.shape.positions, following.shape.positions):
+        return None
     return station_of(net, load, following, factor, current.direction, True, corrections)
 
 

@@ -73,6 +73,23 @@ def plate_nodes(structure: Structure) -> PlateNodes:
     )
 
 
+def posed_nodes(structure: Structure, nodes: Array, first: tuple[int, ...], origins: Array, frames: Array) -> Array:
+    """Return the nodes of plates in a pose, m, (node, 3); other nodes are as built.
+
+    Args:
+        structure: with plates.
+        nodes: as built, m, (node, 3).
+        first: number of the first node of each body, as in `PlateNodes`.
+        origins: of the bodies in the pose, m, (body, 3).
+        frames: rotations from their axes to the ground's, (body, 3, 3).
+    """
+    positions, (built, axes) = nodes.copy(), built_frames(structure)
+    for body, begin in enumerate(first):
+        turn = frames[body] @ axes[body].T
+        positions[begin : begin + 4] = origins[body] + (nodes[begin : begin + 4] - built[body]) @ turn.T
+    return positions
+
+
 def _carrier(structure: Structure, body: int) -> tuple[int, RigidMotion]:
     """Return the body that carries a body without joints, itself for others, and the motion to the axes of the carrier.
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from forficula.statics.net.contact.contact_energy import passes_through
 from forficula.statics.net.energy import expand, moved_shape
 from forficula.statics.net.factor import lowest
 from forficula.statics.net.load import Load, no_load
@@ -57,7 +58,8 @@ def find_saddle(
 
     The load is a set of torques on creases, which turn with the net as dead loads do not. They are equivalent to moving
     the rest angles to those of the other state. Tries alternate between both directions. From the second pair on, the
-    torques have random weights, to leave paths that symmetry keeps on a ridge.
+    torques have random weights, to leave paths that symmetry keeps on a ridge. With contact, parts that touch overlap
+    slightly along the path; the saddle at its end is exact.
 
     Args:
         net: as for `minimum`.
@@ -84,7 +86,16 @@ def find_saddle(
         if number > 1:
             towards = replace(towards, torques=towards.torques * random.uniform(0.0, 2.0, len(towards.torques)))
             towards = replace(towards, forces=towards.forces * random.uniform(0.0, 2.0, towards.forces.shape))
-        path = load_path(net, start.shape, towards, step=step, increments=increments, target=0.0, locate_events=False)
+        path = load_path(
+            net,
+            start.shape,
+            towards,
+            step=step,
+            increments=increments,
+            target=0.0,
+            locate_events=False,
+            overlaps=True,
+        )
         if path.ended != "target":
             continue
         result = _saddle_at(net, path, known)
@@ -117,6 +128,8 @@ def _saddle_at(net: Net, path: LoadPath, known: list[Saddle]) -> Saddle | None:
     off = np.zeros_like(net.nodes)
     off[held.free] = lowest(expand(held, rest.shape).free)
     off *= _OFF * net.size / np.abs(off).max()
+    while any(passes_through(net, rest.shape.positions, rest.shape.positions + sign * off) for sign in (1, -1)):
+        off /= 2
     sides = [moved_shape(net, rest.shape, rest.shape.positions + sign * off) for sign in (1, -1)]
     one, another = (minimum(net, side, longest_step=_STEP * net.size) for side in sides)
     known.append(Saddle(rest=rest, ends=(one, another), joins=False, path=path))

@@ -91,8 +91,8 @@ def read_search(ask: str, table: Mapping[str, Any], base: Design) -> Search:
     ]
     if len({step.key for step in steps}) < len(steps):
         raise InputError(
-            f'ask: "least-torques" needs transitions with drives of their own, got {steps[0].key} for both'
-            f' {first.name} and {others[0].name}; ask "least-value" of one'
+            f"least torques need transitions with drives of their own, got {steps[0].key} for both {first.name}"
+            f' and {others[0].name}; a study with ask = "least-value" searches for one'
         )
     # with the drive's own torque, a point gives the same result as a run of the same values
     default_torque = format_quantity(abs(drives[0].strength) or steps[0].values[-1], TORQUE)

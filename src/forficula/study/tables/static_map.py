@@ -50,12 +50,18 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
     Raises:
         InputError: an unknown key, values that are not allowed, a distribution, or a design that is no tree of joints.
     """
-    if is_net(structure_of(design)):
+    structure = structure_of(design)
+    if is_net(structure):
         raise InputError(
-            f"{design.name}: maps of slowly growing torques need bodies on joints in a tree, got points that slide or"
-            " plates in loops; a study (forficula study) runs them over any key"
+            f"{design.name}: maps of slowly growing torques need bodies on joints in a tree, got points that slide,"
+            " plates in loops or plates that touch; a study (forficula study) runs them over any key"
         )
-    refuse_path_dependence(structure_of(design), _RESULT)
+    if not structure.transitions:
+        raise InputError(
+            f"{design.name}: maps of slowly growing torques need a stage of the protocol with a drive, a goal and a"
+            " state to which it leads, got none"
+        )
+    refuse_path_dependence(structure, _RESULT)
     check_keys_once(over, design)
     factors = tuple(read_factor(key, values, type(design)) for key, values in over.items())
     count = math.prod(len(factor.values) for factor in factors)

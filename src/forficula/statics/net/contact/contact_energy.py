@@ -12,7 +12,7 @@ from scipy.sparse import coo_array, csc_array, csr_array
 from forficula.arrays import Array, Flags
 from forficula.statics.net.contact.closest import Closest, distance_hessians, gradients
 from forficula.statics.net.contact.net_contact import NetContact, Pressing
-from forficula.statics.net.factor import Factorisation
+from forficula.statics.net.factor import Factorisation, Matrix
 from forficula.structure.contact.distances import squared_sines
 from forficula.structure.contact.pairs import Pairs
 
@@ -35,15 +35,17 @@ class ContactTerms(NamedTuple):
     Attributes:
         energy: of the augmented Lagrangian, J; 0 at a converged equilibrium.
         slope: forces by the positions of nodes, N, (node, 3).
-        curvature: Hessian by all coordinates, N/m.
+        curvature: Hessian by all coordinates, N/m; None if nothing touches.
     """
 
     energy: float
     slope: Array
-    curvature: csc_array
+    curvature: Matrix | None
 
 
-def contact_terms(contact: NetContact, positions: Array, pressing: Pressing | None) -> ContactTerms:
+def contact_terms(
+    contact: NetContact, positions: Array, pressing: Pressing | None, *, dense: bool = False
+) -> ContactTerms:
     """Compute the augmented Lagrangian of the constraints distance >= thickness.
 
     For a pair with the distance d, the multiplier f and the stiffness k, the term is (max(0, f + k (t - d))^2 - f^2) /
@@ -53,12 +55,17 @@ def contact_terms(contact: NetContact, positions: Array, pressing: Pressing | No
         contact: of the net.
         positions: of the nodes, m, (node, 3).
         pressing: multipliers; None for 0.
+        dense: whether the Hessian is dense, which is faster for few nodes.
     """
     places = contact.points @ positions
-    pairs, nearest, force, known = _forces(contact, places, pressing)
+    pairs, known = contact.near(places, pressing)
+    if not len(known):
+        return ContactTerms(0.0, np.zeros_like(positions), None)
+    nearest = contact.closest(places[pairs.nodes], pairs.of_triangles)
+    force = known + contact.stiffness * (pairs.thickness - nearest.distance)
     rows = (force > 0) | (known > 0)
     if not rows.any():
-        return ContactTerms(0.0, np.zeros_like(positions), csc_array((positions.size, positions.size)))
+        return ContactTerms(0.0, np.zeros_like(positions), None)
     stiffness, force, known, pairs = contact.stiffness, np.maximum(force[rows], 0.0), known[rows], pairs.some(rows)
     at, nearest = places[pairs.nodes], _some(nearest, rows)
     share, changes = _shares(pairs, at)
@@ -73,12 +80,18 @@ def contact_terms(contact: NetContact, positions: Array, pressing: Pressing | No
     numbers = (3 * pairs.nodes[:, :, None] + np.arange(3)).reshape(-1, 12)
     forces = np.zeros(size)
     np.add.at(forces, numbers, by_place)
+    by_node = np.asarray(contact.points.T @ forces.reshape(-1, 3))
+    if dense:
+        curvature = np.zeros((size, size))
+        np.add.at(curvature, (numbers[:, :, None], numbers[:, None]), hessians)
+        spread = contact.dense_spread
+        return ContactTerms(energy=float(share @ value), slope=by_node, curvature=spread.T @ curvature @ spread)
     rows_of, columns_of = (np.broadcast_to(part, hessians.shape) for part in (numbers[:, :, None], numbers[:, None]))
-    curvature = coo_array((hessians.ravel(), (rows_of.ravel(), columns_of.ravel())), shape=(size, size))
+    sparse = coo_array((hessians.ravel(), (rows_of.ravel(), columns_of.ravel())), shape=(size, size))
     return ContactTerms(
         energy=float(share @ value),
-        slope=np.asarray(contact.points.T @ forces.reshape(-1, 3)),
-        curvature=csc_array(contact.spread.T @ curvature.tocsr() @ contact.spread),
+        slope=by_node,
+        curvature=csc_array(contact.spread.T @ sparse.tocsr() @ contact.spread),
     )
 
 
@@ -115,21 +128,71 @@ def with_contact_forces(net: Net, shape: NetShape, parts: Factorisation) -> tupl
         pressed = force > 0
         return replace(shape, pressing=Pressing(pairs=pairs.some(pressed), forces=force[pressed])), True
     active = force > 0
-    numbers = (3 * pairs.nodes[:, :, None] + np.arange(3)).reshape(-1, 12)
-    rows = np.repeat(np.arange(len(numbers)), 12)
-    by_place = csr_array((slopes.ravel(), (rows, numbers.ravel())), shape=(len(numbers), places.size))
-    by_free = (by_place @ contact.spread)[:, np.flatnonzero(net.free.ravel())].toarray()[active]
+    by_free = _by_free(net, contact, pairs, nearest)[active]
     yields = by_free @ parts.solve(np.ascontiguousarray(by_free.T))
     overlap = pairs.thickness[active] - nearest.distance[active]
     force = force.copy()
     # away from a minimum, the distances do not determine the forces
     if active.any() and error <= _NEAR and parts.index == 0:
-        root = np.linalg.cholesky(
-            (yields + yields.T) / 2 + _INDEPENDENT * yields.diagonal().max() * np.eye(len(yields))
-        )
-        force[active] = nnls(root.T, root.T @ known[active] + np.linalg.solve(root, overlap))[0]
+        force[active] = _pushing(yields, known[active], overlap)
     pressed = force > 0
     return replace(shape, pressing=Pressing(pairs=pairs.some(pressed), forces=force[pressed])), False
+
+
+def constrained_step(net: Net, shape: NetShape, parts: Factorisation, step: Array) -> tuple[Array, NetShape]:
+    """Return the step of Newton's method on equilibrium and distances of pressing pairs, and the shape with its forces.
+
+    Unlike the multipliers of `with_contact_forces`, these converge near any equilibrium, stable or not.
+
+    Args:
+        net: need not have contact.
+        shape: near an equilibrium.
+        parts: of the Hessian by the free coordinates.
+        step: to the equilibrium for the multipliers of the shape, by the free coordinates, m, (coordinate,).
+    """
+    contact = net.contact
+    if contact is None:
+        return step, shape
+    places = contact.points @ shape.positions
+    pairs, nearest, force, known = _forces(contact, places, shape.pressing)
+    share = _shares(pairs, places[pairs.nodes])[0]
+    used = (share > 0) & (force > 0)
+    if not used.any():
+        return step, replace(shape, pressing=None)
+    pairs, nearest, share = pairs.some(used), _some(nearest, used), share[used]
+    by_free = _by_free(net, contact, pairs, nearest)
+    spread = parts.solve(np.ascontiguousarray(by_free.T)) * share
+    overlap = pairs.thickness - nearest.distance - by_free @ step
+    try:
+        forces = _pushing(by_free @ spread, known[used], overlap)
+    except np.linalg.LinAlgError:  # the force of a pair and its distance fall together
+        return step, shape
+    pressing = Pressing(pairs=pairs, forces=forces)
+    return step + spread @ (forces - known[used]), replace(shape, pressing=pressing)
+
+
+def _pushing(yields: Array, known: Array, overlap: Array) -> Array:
+    """Return the forces >= 0 of pairs without overlaps, N, from those that have overlaps, m.
+
+    Args:
+        yields: of the distances to the forces, m/N, (pair, pair).
+        known: forces with these overlaps, N, (pair,).
+        overlap: m, (pair,).
+
+    Raises:
+        numpy.linalg.LinAlgError: the yields are not positive definite.
+    """
+    root = np.linalg.cholesky((yields + yields.T) / 2 + _INDEPENDENT * yields.diagonal().max() * np.eye(len(yields)))
+    return np.asarray(nnls(root.T, root.T @ known + np.linalg.solve(root, overlap))[0])
+
+
+def _by_free(net: Net, contact: NetContact, pairs: Pairs, nearest: Closest) -> Array:
+    """Return the derivatives of the distances of pairs by the free coordinates, (pair, coordinate)."""
+    numbers = (3 * pairs.nodes[:, :, None] + np.arange(3)).reshape(-1, 12)
+    rows = np.repeat(np.arange(len(numbers)), 12)
+    entries = gradients(nearest).ravel()
+    by_place = csr_array((entries, (rows, numbers.ravel())), shape=(len(numbers), 3 * contact.points.shape[0]))
+    return np.asarray((by_place @ contact.spread)[:, np.flatnonzero(net.free.ravel())].toarray())
 
 
 def contact_forces(net: Net, shape: NetShape) -> dict[str, float]:
@@ -151,6 +214,14 @@ def contact_forces(net: Net, shape: NetShape) -> dict[str, float]:
         f"{names[one]} and {names[other]}": force for (one, other), force in sorted(by_parts.items()) if force > 0
     }
     return touching | result
+
+
+def touches(net: Net, positions: Array) -> bool:
+    """Return whether parts are closer than their thickness at positions of the nodes, m, (node, 3)."""
+    if net.contact is None:
+        return False
+    pairs, nearest, _, _ = _forces(net.contact, net.contact.points @ positions, None)
+    return bool(np.any(nearest.distance < pairs.thickness))
 
 
 def passes_through(net: Net, before: Array, after: Array) -> bool:

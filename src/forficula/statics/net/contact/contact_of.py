@@ -58,8 +58,6 @@ def contact_remarks(structure: Structure) -> tuple[str, ...]:
     return (
         f"statics keeps the parts of the {structure.appearance.whole} apart by the thickness of contact, and ignores"
         " friction",
-        "barriers and unstable equilibria are not computed with contact, because parts that touch part again there;"
-        " without contact (protocol.contact = false) they are",
         "frequencies are those of small vibrations in which touching parts stay in contact",
     )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -17,6 +17,7 @@ from forficula.structure.contact.touching_parts import TouchingParts
 _HALVINGS = 40  # of a motion, to locate the time at which four points are in one plane
 _TIMES = np.linspace(0.0, 1.0, 4)  # at which a cubic function is known
 _INTERPOLATION = np.linalg.inv(np.vander(_TIMES, increasing=True))
+_MARGIN = 0.05  # of the size: additional distance within which pairs are kept while the net moves
 _CROSSED = 1e-6  # of the size of two elements: their distance when they cross
 
 
@@ -31,6 +32,15 @@ class Pressing:
 
     pairs: Pairs
     forces: Array
+
+
+@dataclass(kw_only=True, eq=False)
+class _NearPairs:
+    """Pairs that were near at some places, m, (corner, 3), within a reach, m."""
+
+    places: Array = field(default_factory=lambda: np.zeros((0, 3)))
+    reach: float = 0.0
+    pairs: Pairs | None = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -57,6 +67,11 @@ class NetContact:
         """Return the derivatives of the coordinates of the corners by those of the nodes."""
         return csr_array(kron(self.points, eye_array(3)))
 
+    @cached_property
+    def dense_spread(self) -> Array:
+        """Return the same derivatives as a dense matrix."""
+        return np.asarray(self.spread.toarray())
+
     def near(self, places: Array, pressing: Pressing | None = None) -> tuple[Pairs, Array]:
         """Return pairs of elements that may touch, and their forces at the last equilibrium, N, (pair,).
 
@@ -64,7 +79,7 @@ class NetContact:
             places: of the corners, m, (corner, 3).
             pressing: pairs that are included in any case; None for none.
         """
-        pairs = near_pairs(self.parts, places, 2 * self.larger * self.size)
+        pairs = self._pairs(places, 2 * self.larger * self.size)
         if pressing is None or not len(pressing.forces):
             return pairs, np.zeros(len(pairs.nodes))
         size = len(places)
@@ -75,6 +90,26 @@ class NetContact:
         places_of = np.minimum(np.searchsorted(all_known[order], codes), len(order) - 1)
         same = all_known[order][places_of] == codes
         return pairs, np.where(same, pressing.forces[order][places_of], 0.0)
+
+    def _pairs(self, places: Array, reach: float) -> Pairs:
+        """Return pairs whose surfaces may be closer than a distance.
+
+        Pairs within a larger distance are kept until a corner has moved by half the difference (Verlet 1967, Phys. Rev.
+        159, 98).
+        """
+        last = self._last
+        moved = np.inf if last.pairs is None else float(np.linalg.norm(places - last.places, axis=1).max(initial=0.0))
+        if last.pairs is None or reach + 2 * moved > last.reach:
+            last.reach = reach + _MARGIN * self.size
+            last.places, last.pairs = places.copy(), near_pairs(self.parts, places, last.reach)
+        at, first = places[last.pairs.nodes], last.pairs.of_triangles
+        apart = np.concatenate([_gaps(at[:first], 1), _gaps(at[first:], 2)])
+        return last.pairs.some(apart <= reach + last.pairs.thickness)
+
+    @cached_property
+    def _last(self) -> _NearPairs:
+        """Return the last pairs, which change while the net moves."""
+        return _NearPairs()
 
     def closest(self, at: Array, of_triangles: int) -> Closest:
         """Return the closest points of pairs: first those of a corner and a triangle, then those of two sides.
@@ -94,7 +129,7 @@ class NetContact:
             after: places after the motion, m, (corner, 3).
         """
         moved = float(np.linalg.norm(after - before, axis=1).max(initial=0.0))
-        pairs = near_pairs(self.parts, before, 2 * moved)
+        pairs = self._pairs(before, 2 * moved)
         start, end = before[pairs.nodes], after[pairs.nodes]
         # the volume of a moving tetrahedron is a cubic function of time
         volumes = np.array([_volumes(start + time * (end - start)) for time in _TIMES])
@@ -178,6 +213,13 @@ def _together(one: Pairs, other: Pairs) -> Pairs:
         thickness=np.concatenate([one.thickness, other.thickness])[order],
         parts=np.concatenate([one.parts, other.parts])[order],
     )
+
+
+def _gaps(at: Array, corners: int) -> Array:
+    """Return the largest gap along an axis between the first corners of pairs and the others, m, (pair,)."""
+    one, other = at[:, :corners], at[:, corners:]
+    gap = np.maximum(one.min(axis=1) - other.max(axis=1), other.min(axis=1) - one.max(axis=1))
+    return np.asarray(gap.max(axis=1, initial=-np.inf))
 
 
 def _volumes(places: Array) -> Array:

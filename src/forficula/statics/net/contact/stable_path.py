@@ -25,7 +25,10 @@ _QUICK = 0.5  # of the longest displacement, below which the next step may be lo
 _FAR = 2.0  # of the longest displacement, beyond which a step is halved
 _HALVINGS = 16  # of an interval, to locate where parts begin to touch
 _LARGEST = 0.05  # step of the factor, of the whole range
-_DESCENT = 200  # steps of a descent, after which a step of the factor is halved
+_DESCENT = 60  # steps of a descent, after which a step of the factor is halved
+_AGAIN = 3  # number of successful steps after which a factor is tried again at which no equilibrium was found
+_BELOW = 0.98  # of the way to an estimated limit: next factor
+_BEYOND = 0.25  # of the way to a factor without equilibrium: nearer limits are bounded from above next
 _LOST = 1e-4  # of the factor, without a target: accuracy with which the loss of an equilibrium is located
 _SMALLEST = 1e-7  # step of the factor, of the whole range or of the first step, at which an equilibrium counts as lost
 
@@ -47,7 +50,7 @@ def stable_path(
 
     With contact, the tangent of a path turns where parts begin to touch, and it vanishes where they are blocked. The
     load therefore grows in steps. After each step the net descends to the nearest energy minimum. A step is halved if
-    the minimum is unstable or far away.
+    the minimum is far away. If none is found, the factor at which the equilibrium is lost is located.
 
     Args:
         net: as for `load_path`.
@@ -71,31 +74,37 @@ def stable_path(
         raise InputError("start: need a shape at rest under the load at its start, got one that is not")
     sign, points = 1.0 if rising else -1.0, [_point(first, factor, rising)]
     watch(points[0])
-    pace = _pace(net, load, first.shape, factor)
-    size = longest / pace if pace else 1.0
+    paces = [_pace(net, load, first.shape, factor)]
+    size = longest / paces[0] if paces[0] else 1.0
     smallest = _SMALLEST * (size if target is None else max(abs(target - factor), 1e-300))
     most = np.inf if target is None else _LARGEST * abs(target - factor)
-    size, lost = min(size, most), None
+    size, lost, refused, successes = min(size, most), None, None, 0
     ended: Literal["target", "count", "stop"] = "count"
     while len(points) <= increments:
         before = points[-1]
+        accuracy = 2 * (smallest if target is not None else max(smallest, _LOST * abs(before.factor - factor)))
         following = before.factor + sign * size
+        if refused is not None and (following - refused) * sign >= 0:
+            following = _near_limit(points, paces, refused)
         passed = target is not None and (following - target) * sign >= 0
         following = target if passed and target is not None else following
         rest = _next_rest(net, load, before, following, _FAR * longest)
         moved = np.abs(rest.shape.positions - before.shape.positions).max()
         if not rest.stable or moved > _FAR * longest:
-            size = abs(following - before.factor) / 2
-            if size >= (smallest if target is not None else max(smallest, _LOST * abs(before.factor - factor))):
-                continue
-            lost, ended = rest, "stop"
-            break
+            if abs(following - before.factor) < accuracy:
+                lost, ended = rest, "stop"
+                break
+            size, refused, successes = abs(following - before.factor) / 2, following, 0
+            continue
         points.append(_point(rest, following, rising))
         watch(points[-1])
         if passed or (stop is not None and stop(points[-1])):
             ended = "target" if passed else "stop"
             break
-        size = min(2 * size, most) if moved <= _QUICK * longest else size
+        paces.append(_pace(net, load, rest.shape, following))
+        size, successes = min(2 * size, most) if moved <= _QUICK * longest else size, successes + 1
+        # from further away, an equilibrium may have been out of reach that exists
+        refused = None if successes == _AGAIN else refused
     events = () if lost is None else (_event(net, load, points, lost),)
     return LoadPath(load=load, points=tuple(points), events=events, ended=ended, pins=pins)
 
@@ -181,6 +190,22 @@ def _next_rest(net: Net, load: Load, before: PathPoint, factor: float, far: floa
         return bool(np.abs(shape.positions - before.shape.positions).max() > far) or next(steps) > _DESCENT
 
     return minimum(net, start, load, factor, stop=is_far)
+
+
+def _near_limit(points: Sequence[PathPoint], paces: Sequence[float], refused: float) -> float:
+    """Return a factor near the limit that the last two points announce before a refused factor; else the middle.
+
+    At a limit, 1 / pace^2 falls to zero linearly with the factor, because the displacement is proportional to the
+    square root of the distance from the limit. The result is just below the limit or, once the limit is near, just
+    above it.
+    """
+    last, room, share = points[-1].factor, refused - points[-1].factor, 0.5
+    if len(points) > 1 and 0 < paces[-2] < paces[-1]:
+        fall = paces[-1] ** -2 / (paces[-2] ** -2 - paces[-1] ** -2)
+        limit = fall * (last - points[-2].factor) / room
+        if limit < 1:
+            share = _BELOW * limit if limit > _BEYOND else 2 * limit
+    return float(last + room * share)
 
 
 def _pace(net: Net, load: Load, shape: NetShape, factor: float) -> float:

@@ -28,7 +28,7 @@ from forficula.statics.net.net_of import (
     valley_angles,
     valley_law,
 )
-from forficula.statics.net.plate_nodes import plate_nodes
+from forficula.statics.net.plate_nodes import plate_nodes, posed_nodes
 from forficula.statics.net.rigid_forces import is_exact
 from forficula.statics.rest_path import CreaseLosses, crease_losses, rest_path
 from forficula.structure import (
@@ -102,12 +102,7 @@ class _LoadedNet:
         """Return the state of a shape."""
         positions = start.points
         if self._structure.plates:
-            positions = self._net.nodes.copy()
-            origins, frames = self._built
-            for body, first in enumerate(self._first):
-                turn = start.frames[body] @ frames[body].T
-                arms = self._net.nodes[first : first + 4] - origins[body]
-                positions[first : first + 4] = start.origins[body] + arms @ turn.T
+            positions = posed_nodes(self._structure, self._net.nodes, self._first, start.origins, start.frames)
         angles, turn = valley_angles(self._structure, start.angles), None
         if start.memory is not None:
             turn = CreaseTurn(memory=memory_in_senses(self._structure, start.memory), angle=angles)
