@@ -96,7 +96,7 @@ def net_path(
         complete=not growing.stopped,
         error=stretches.error() / structure.span,
         at=_nearest(driven, points, near_rest),
-        remarks=(*remarks, *_path_remarks(driven, slow, events, reached=reached)),
+        remarks=(*remarks, *_path_remarks(driven, slow, stretches.shapes, events, reached=reached)),
     )
 
 
@@ -276,6 +276,11 @@ class _Stretches:
         driven, (before, after) = self._driven, points[place : place + 2]
         return point_between(driven, before, after, positions, factor)
 
+    @property
+    def shapes(self) -> list[NetShape]:
+        """Return the shapes at rest."""
+        return [point.shape for points in self._stretches for point in points]
+
     def error(self) -> float:
         """Return the largest estimated error of linear interpolation between equilibria, m."""
         return max(float(interval_errors(_positions(points)).max(initial=0.0)) for points in self._stretches)
@@ -328,7 +333,7 @@ def _event(drive: Drive, snap: Snap, first: int, last: int) -> NumberedEvent:
 
 
 def _path_remarks(
-    driven: DrivenNet, slow: SlowPath, events: Sequence[NumberedEvent], *, reached: bool
+    driven: DrivenNet, slow: SlowPath, shapes: Sequence[NetShape], events: Sequence[NumberedEvent], *, reached: bool
 ) -> tuple[str, ...]:
     """Return sentences on unreliable parts of a path."""
     remarks = list[str]()
@@ -345,6 +350,6 @@ def _path_remarks(
     if not reached and events[-1].kind == "lost":
         reason = "was followed only as far as shown" if slow.ended == "lost" else "ends before its goal"
         remarks.append(f'the path under "{driven.name}" {reason}{lost_reason(driven.net)}')
-    resting = [point.shape for point in slow.points] + [snap.after.shape for snap in slow.snaps]
+    resting = [*shapes, *(snap.after.shape for snap in slow.snaps)]
     remarks += loop_remarks(driven.net, f'on the path under "{driven.name}"', resting)
     return tuple(remarks)
