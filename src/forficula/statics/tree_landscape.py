@@ -52,6 +52,7 @@ from forficula.statics.tree_remarks import (
     table_remarks,
     tendon_remarks,
     withstood_remark,
+    yield_remarks,
 )
 from forficula.structure import Structure, Transition, drive_of, drive_unit, first_state, goal_of, state_of
 
@@ -149,6 +150,8 @@ def _protocol(
                 span = float(torques.min()), float(torques.max())
             after = state_after(structures, transition, slow.torque, slow.position)
             paths.append(slow.paths[0].position)
+            sign = -1.0 if drive.strength < 0 else 1.0
+            remarks += yield_remarks(structures, transition.name, slow.paths[0], sign * np.array(drive.shares))
             if led:
                 rests.append(_rest(structures, transition.state, after, rests))
         else:

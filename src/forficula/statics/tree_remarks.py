@@ -17,12 +17,13 @@ from forficula.statics.tree.ensemble import Ensemble
 from forficula.statics.tree.hinge_landscape import CrossedHinge
 from forficula.statics.tree.inertial_help import InertialHelp
 from forficula.statics.tree.partial_folds import folding_hinges
-from forficula.statics.tree.potential import largest_gap
-from forficula.statics.tree.quasi_static import FIRST_STEP, SlowTransition
+from forficula.statics.tree.potential import largest_gap, largest_yield
+from forficula.statics.tree.quasi_static import FIRST_STEP, SlowTransition, TorquePath
 from forficula.structure import Structure, Transition, drive_of, drive_unit
 
 _FORCE = Unit(display="N", si="N", example="5 N")
 _STRAIGHT = math.radians(1)  # tolerance of straight
+_YIELDS = math.radians(0.1)  # turn of a joint by yielding pins beyond which results are unreliable [chosen]
 _ALIKE = 0.03  # relative difference below which torques count as equal
 
 
@@ -97,12 +98,40 @@ def coupling_remarks(structures: Ensemble, hinges: Sequence[CrossedHinge], rests
         )
     if structures.pins is not None:
         angles = np.array([rest.angles[: structures.size] for rest in rests])
-        gap = largest_gap(structures, angles)
+        gap, yields = largest_gap(structures, angles), largest_yield(structures, angles)
         remarks.append(
             "stiff pins close the loops of bodies; in the states where the structure rests they open by up to"
             f" {show_value(gap, 'm')}"
         )
+        if yields > _YIELDS:
+            remarks.append(
+                "in states where the structure rests these pins yield by about"
+                f" {math.degrees(yields):.2g} deg: angles and energies of these states are unreliable"
+            )
     return tuple(remarks)
+
+
+def yield_remarks(structures: Ensemble, name: str, path: TorquePath, torques: Array) -> tuple[str, ...]:
+    """Return a remark if the pins of closures yield too far on a path; none without closures.
+
+    Args:
+        structures: the tree as the only case, at the start of the path.
+        name: of the transition or drive.
+        path: of the tree.
+        torques: of all motors per size of the drive, (motor,).
+    """
+    if structures.pins is None:
+        return ()
+    resting = np.ones(len(path.torque), dtype=np.bool_)
+    for first, last in path.snaps:
+        resting[first + 1 : last] = False
+    yields = largest_yield(structures, path.position[resting], path.torque[resting, None] * torques)
+    if yields <= _YIELDS:
+        return ()
+    return (
+        f'on the path under "{name}" the stiff pins that close the loops of bodies yield by about'
+        f" {math.degrees(yields):.2g} deg: angles, torques and snaps of this path are unreliable",
+    )
 
 
 def stage_remarks(design: Design, structure: Structure) -> tuple[str, ...]:

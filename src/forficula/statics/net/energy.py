@@ -25,7 +25,7 @@ from forficula.statics.net.fold_angle import (
 )
 from forficula.statics.net.layout import Layout, layout_of
 from forficula.statics.net.load import Load
-from forficula.statics.net.net import Net, NetShape, Triangles
+from forficula.statics.net.net import Net, NetShape, RigidForces, Triangles
 
 # energy, gradient by side, (3, side), Hessian by pair of sides, (9, pair)
 Piece = tuple[float, Array, Array]
@@ -83,7 +83,7 @@ def shape_at(net: Net, positions: Array, near: Array | None = None, turn: Crease
 
 def moved_shape(net: Net, shape: NetShape, positions: Array) -> NetShape:
     """Return the shape of a net that moves from a shape, with memory and contacts, to positions, m."""
-    return replace(shape_at(net, positions, shape.angles, shape.turn), pressing=shape.pressing)
+    return replace(shape_at(net, positions, shape.angles, shape.turn), pressing=shape.pressing, rigid=shape.rigid)
 
 
 def remembered(net: Net, shape: NetShape) -> NetShape:
@@ -143,7 +143,7 @@ def _expanded(
     shares = corner_shares(creases, frames)
     turning = angle_gradients(frames, shares)
     pieces = [
-        _straight(net, springs, tendons),
+        _straight(net, springs, tendons, shape.rigid),
         _folds(net, frames, shares, turning, shape, torques),
     ]
     if net.membranes is not None:
@@ -243,14 +243,18 @@ def _work(net: Net, shape: NetShape, load: Load) -> float:
     return float(np.sum(load.forces * (shape.positions - net.nodes)) + load.torques @ shape.angles)
 
 
-def _straight(net: Net, springs: Array, tendons: Array) -> Piece:
+def _straight(net: Net, springs: Array, tendons: Array, rigid: RigidForces | None) -> Piece:
     """Return the piece of bars and tendons."""
     shortest = _SHORTEST * net.size
-    stiffness, rest_length = net.springs.stiffness, net.springs.rest_length
+    stiffness, rest_length = net.springs.tightened(rigid), net.springs.rest_length
     apart = side_lengths(springs)
     length, rise = np.maximum(apart, shortest), apart - rest_length
     pull = stiffness * rise
     energy = float(pull @ rise) / 2
+    if rigid is not None:
+        bars, pins = net.springs.rigid_parts
+        energy += float(rigid.bars @ rise[bars]) + float(np.sum(rigid.pins * springs[:, pins]))
+        pull[bars] += rigid.bars
     per_length = np.where(rest_length > 0, pull / length, stiffness)
     sides = springs
     if tendons.shape[1]:
@@ -266,7 +270,10 @@ def _straight(net: Net, springs: Array, tendons: Array) -> Piece:
     blocks = np.empty((3, 3, len(length)))
     np.multiply(unit[:, None], (stiffness - per_length) * unit, out=blocks)
     blocks.reshape(9, -1)[::4] += per_length
-    return energy, per_length * sides, blocks.reshape(9, -1)
+    forces = per_length * sides
+    if rigid is not None:
+        forces[:, net.springs.rigid_parts[1]] += rigid.pins
+    return energy, forces, blocks.reshape(9, -1)
 
 
 def _crease_energies(net: Net, shape: NetShape, further: Array | float) -> Array:

@@ -13,7 +13,8 @@ from forficula.statics.net.contact.contact_energy import constrained_step, passe
 from forficula.statics.net.energy import Expansion, expand, expand_at, remembered
 from forficula.statics.net.factor import Factorisation, Matrix, definite, factored, largest_entry
 from forficula.statics.net.load import Load, check_load
-from forficula.statics.net.net import Net, NetShape
+from forficula.statics.net.net import TIGHTER, Net, NetShape
+from forficula.statics.net.rigid_forces import closed, constrained_index, exact_equilibrium
 from forficula.statics.net.supports import supported
 
 _MOST_STEPS = 2000
@@ -24,6 +25,7 @@ _DRAG = 1e-4  # dampers on all coordinates of a large net, relative to those bet
 _SHARE = 0.8  # of the longest step that a large net shall take
 _HOME = 1e-9  # step that ends the search, of the net's size
 _EXACT = 1e-12  # the same with contact
+_NEAR = 0.02  # of the net's size: largest distance to an equilibrium of loops that Newton's method finds at once
 _PUSH = 1e-3
 _ROUNDING = 1e-13
 # stiffness below this share of the largest one counts as zero
@@ -94,7 +96,14 @@ def minimum(
         check_load(net, load)
     net, pins = supported(net, load)
     longest = longest_step if longest_step is not None else net.size / 10
-    current, shift, steps, settled = expand(net, start, load, factor), 0.0, 0, False
+    if start.rigid is not None and net.contact is None:
+        # stiff parts without forces would yield where exact ones hold
+        exact = exact_equilibrium(net, expand(net, start, load, factor), load, factor)
+        if exact is not None and np.abs(exact.shape.positions - start.positions).max() <= _NEAR * net.size:
+            rest = _rest(net, exact, pins, 1, True)
+            if rest.stable:
+                return rest
+    current, shift, steps, settled = expand(net, replace(start, rigid=None), load, factor), 0.0, 0, False
     dampers = current.layout.dampers if between_nodes and not isinstance(current.free, np.ndarray) else None
     parts, most, before = definite(current.free), 0.0, np.inf
     while steps < _MOST_STEPS and not settled and not (stop is not None and stop(current.shape)):
@@ -126,7 +135,7 @@ def minimum(
             if settled:
                 current, settled = _with_contact_forces(net, current, load, factor)
         parts = definite(*_damped(current, dampers, shift))
-    return _rest(net, current, pins, steps, settled)
+    return _rest(net, closed(net, current, load, factor) if settled else current, pins, steps, settled)
 
 
 def stationary(net: Net, start: NetShape, load: Load | None = None, factor: float = 0.0) -> NetRest:
@@ -150,7 +159,7 @@ def stationary(net: Net, start: NetShape, load: Load | None = None, factor: floa
             with_forces, settled = with_contact_forces(net, current.shape, factored(current.free))
             current = replace(current, shape=with_forces) if settled else current
         steps, before = steps + 1, most
-    return _rest(net, current, pins, steps, settled)
+    return _rest(net, closed(net, current, load, factor) if settled else current, pins, steps, settled)
 
 
 def _is_near(net: Net, moved: float, before: float) -> bool:
@@ -169,14 +178,14 @@ def _with_contact_forces(net: Net, current: Expansion, load: Load | None, factor
 
 
 def _rest(net: Net, current: Expansion, pins: tuple[tuple[int, int], ...], steps: int, settled: bool) -> NetRest:
-    near = _NEUTRAL * largest_entry(current.free)
-    index = factored(current.free, near).index
+    near = _NEUTRAL * largest_entry(current.free) / (1 if current.shape.rigid is None else TIGHTER)
+    index = constrained_index(net, current, factored(current.free, near))
     return NetRest(
         shape=remembered(net, current.shape),
         energy=current.stored,
         slope=float(np.abs(current.slope[net.free]).max(initial=0.0)),
         index=index,
-        neutral=factored(current.free, -near).index - index,
+        neutral=constrained_index(net, current, factored(current.free, -near)) - index,
         pins=pins,
         steps=steps,
         settled=settled,

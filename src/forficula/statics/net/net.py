@@ -21,6 +21,7 @@ Flags = NDArray[np.bool_]
 
 _NO_PAIRS = np.zeros((0, 2), dtype=np.int64)
 _NONE = np.zeros(0)
+TIGHTER = 100.0  # stiffness of rigid parts with forces, divided by their stiffness on the way to an equilibrium
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -31,11 +32,29 @@ class Springs:
         points: their ends, (spring, 2).
         stiffness: N/m, (spring,).
         rest_length: m, (spring,); 0 is allowed.
+        rigid: numbers of bars and, after them, of pins with a rest length of 0, at the end of the springs, whose
+            stretches vanish at equilibrium; see `rigid_forces`.
     """
 
     points: Indices = field(default_factory=lambda: _NO_PAIRS)
     stiffness: Array = field(default_factory=lambda: _NONE)
     rest_length: Array = field(default_factory=lambda: _NONE)
+    rigid: tuple[int, int] = (0, 0)
+
+    @property
+    def rigid_parts(self) -> tuple[slice, slice]:
+        """Return which springs are rigid bars and which are rigid pins."""
+        bars, pins = self.rigid
+        count = len(self.points)
+        return slice(count - bars - pins, count - pins), slice(count - pins, count)
+
+    def tightened(self, forces: RigidForces | None) -> Array:
+        """Return the stiffness, N/m, (spring,): that of rigid parts is larger once these have forces."""
+        if forces is None:
+            return self.stiffness
+        stiffness = self.stiffness.copy()
+        stiffness[self.rigid_parts[0].start :] *= TIGHTER
+        return stiffness
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -178,6 +197,23 @@ class Net:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class RigidForces:
+    """Forces of the rigid bars and pins of a net, at their exact lengths.
+
+    Attributes:
+        bars: tensions, N, (bar,).
+        pins: on the second end of each pin, towards the first one, N, (3, pin).
+        change: largest change of a force in the last update, as a share of the largest force.
+        updates: number of updates since the net left another equilibrium.
+    """
+
+    bars: Array
+    pins: Array
+    change: float
+    updates: int = 0
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class NetShape:
     """Shape of a net.
 
@@ -187,9 +223,11 @@ class NetShape:
         turn: of the creases, by which the net moved to this shape: their memory and angles when the motion began, and
             its duration; None for new creases.
         pressing: forces between elements that touch, at equilibrium; None for none.
+        rigid: forces of rigid bars and pins, at equilibrium; None for 0.
     """
 
     positions: Array
     angles: Array
     turn: CreaseTurn | None = None
     pressing: Pressing | None = None
+    rigid: RigidForces | None = None

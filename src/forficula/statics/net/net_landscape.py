@@ -22,6 +22,7 @@ from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import net_of, own_angles, panels, start_shape
 from forficula.statics.net.net_state import NetState, mobility, net_state, rounded_energy, stored_parts
 from forficula.statics.net.panel_crossing import panels_cross
+from forficula.statics.net.rigid_forces import loop_remarks, lost_reason
 from forficula.statics.net.saddle import Saddle, find_saddle
 from forficula.statics.net.stable_states import StableStates, by_energy, find_stable_states, same_shape
 from forficula.statics.planes import table_friction_remarks
@@ -68,7 +69,7 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
         remarks=(
             *left,
             *refused,
-            *_remarks(structure, search, states, passes, courses),
+            *_remarks(structure, net, search, states, passes, courses),
             *contact_remarks(structure),
         ),
         net=NetSurvey(net=net, built=mobility(structure, net, built), search=search),
@@ -310,6 +311,7 @@ def _unconnected_states(count: int, passes: Sequence[Pass]) -> list[int]:
 
 def _remarks(
     structure: Structure,
+    net: Net,
     search: StableStates,
     states: Sequence[NetState],
     passes: Sequence[Pass],
@@ -349,5 +351,10 @@ def _remarks(
                 " the branch of lower energy is shown"
             )
         if course.slow.ended == "lost":
-            remarks.append(f'the path under "{course.name}" was followed only as far as shown, not to its end')
+            remarks.append(
+                f'the path under "{course.name}" was followed only as far as shown, not to its end{lost_reason(net)}'
+            )
+        resting = [point.shape for point in course.slow.points] + [snap.after.shape for snap in course.slow.snaps]
+        remarks += loop_remarks(net, f'on the path under "{course.name}"', [*resting, course.rest.shape])
+    remarks += loop_remarks(net, "in states without load", [state.rest.shape for state in states])
     return remarks

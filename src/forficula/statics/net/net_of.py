@@ -78,6 +78,7 @@ def net_of(structure: Structure) -> Net:
             points=_pairs([*(spring.points for spring in structure.springs), *laid.pairs]),
             stiffness=np.concatenate([[spring.stiffness for spring in structure.springs], stiffness]),
             rest_length=np.concatenate([[spring.rest_length for spring in structure.springs], rest]),
+            rigid=laid.rigid if structure.closures else (0, 0),
         ),
         creases=NetCreases(points=laid.creases, law=relaxed(valley_law(structure))),
         tendons=Tendons(
@@ -259,6 +260,7 @@ class _Frame(NamedTuple):
     creases: Indices
     pairs: list[tuple[int, int]]
     stiff: tuple[list[float], list[float]]
+    rigid: tuple[int, int]
 
 
 def _plates(structure: Structure) -> _Frame:
@@ -304,6 +306,7 @@ def _plates(structure: Structure) -> _Frame:
         creases=np.array(creases, dtype=np.int64).reshape(-1, 6),
         pairs=[*bars, *pins],
         stiff=([stiff] * (len(bars) + len(pins)), [*rest, *[0.0] * len(pins)]),
+        rigid=(len(bars), len(pins)),
     )
 
 
@@ -322,7 +325,7 @@ def _nodes(structure: Structure) -> _Frame:
         masses[number] = body.mass if point.body not in carried else 0.0
         carried.add(point.body)
     points = csr_array(eye_array(len(nodes)))
-    return _Frame(nodes, free, masses, points, crease_flaps(structure), [], ([], []))
+    return _Frame(nodes, free, masses, points, crease_flaps(structure), [], ([], []), (0, 0))
 
 
 def _pairs(pairs: list[tuple[int, int]]) -> Indices:

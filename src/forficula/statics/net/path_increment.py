@@ -13,6 +13,16 @@ from forficula.statics.net.energy import Expansion, expand, expand_at, load_slop
 from forficula.statics.net.factor import Factorisation, factored
 from forficula.statics.net.load import Load
 from forficula.statics.net.net import Net, NetShape
+from forficula.statics.net.rigid_forces import (
+    Solve,
+    between_forces,
+    closed,
+    constrained_index,
+    is_exact,
+    rigid_tangent,
+    with_changed_forces,
+    with_rigid_forces,
+)
 from forficula.statics.net.supports import supported
 
 _CORRECTIONS = 12
@@ -51,6 +61,7 @@ class PathStation:
     parts: Factorisation
     direction: Array
     pace: float  # change of the factor per length along the path
+    rates: Array  # change of the forces of rigid parts with the factor, N, see `rigid_tangent`
 
 
 def settled(net: Net, load: Load, start: NetShape, factor: float) -> Expansion | None:
@@ -64,7 +75,7 @@ def settled(net: Net, load: Load, start: NetShape, factor: float) -> Expansion |
             break
         current = _moved(net, current.shape, step, load, factor)
         if moved <= _HOME * net.size / 100:
-            return current
+            return closed(net, current, load, factor)
     return None
 
 
@@ -87,7 +98,7 @@ def station_of(
 ) -> PathStation:
     """Return an equilibrium with its tangent, oriented like the tangent before it."""
     parts = factored(current.free)
-    tangent = _tangent(net, load, current, parts)
+    tangent, rates = rigid_tangent(net, current, _tangent(net, load, current, parts), parts)
     length = float(np.linalg.norm(tangent))
     if not (np.isfinite(length) and length):
         raise InputError("load: need one that moves the net, got one that does not")
@@ -97,17 +108,18 @@ def station_of(
         shape=remembered(net, current.shape),
         factor=factor,
         energy=current.stored,
-        index=parts.index,
+        index=constrained_index(net, current, parts),
         rising=forwards,
         corrections=corrections,
     )
-    return PathStation(point=point, parts=parts, direction=pace * tangent, pace=pace)
+    return PathStation(point=point, parts=parts, direction=pace * tangent, pace=pace, rates=rates)
 
 
 def increment(net: Net, load: Load, current: PathStation, length: float) -> PathStation | None:
     """Find the next point of the path at about the given length; None if Newton's method does not converge."""
     factor = current.point.factor + length * current.pace
-    guess = _moved(net, current.point.shape, length * current.direction, load, factor)
+    shape = with_changed_forces(current.point.shape, length * current.pace * current.rates)
+    guess = _moved(net, shape, length * current.direction, load, factor)
     corrected = _corrected(net, load, guess, factor, current.direction, length)
     if corrected is None:
         return None
@@ -127,8 +139,8 @@ def _corrected(
         leaves the neighbourhood of the guess.
     """
     following = guess
-    aside = np.zeros_like(net.nodes)
-    for corrections in range(_CORRECTIONS):
+    aside, corrections, updates = np.zeros_like(net.nodes), 0, 0
+    while corrections < _CORRECTIONS * (1 + updates):
         if not np.all(np.isfinite(following.slope)):
             return None
         parts = factored(following.free)
@@ -143,9 +155,31 @@ def _corrected(
         factor += change
         following = _moved(net, following.shape, step, load, factor)
         if moved <= _HOME * length:
-            # the energy is infinite beyond the contact of locking panels, where no path leads
-            return (following, factor, corrections) if np.isfinite(following.stored) else None
+            shape, ended = with_rigid_forces(net, following, _in_plane(net, load, following, direction))
+            if ended and not is_exact(net, shape):
+                return None
+            if ended:
+                following = replace(following, shape=shape)
+                # the energy is infinite beyond the contact of locking panels, where no path leads
+                return (following, factor, corrections - updates) if np.isfinite(following.stored) else None
+            following, updates = expand(net, shape, load, factor), updates + 1
+        corrections += 1
     return None
+
+
+def _in_plane(net: Net, load: Load, current: Expansion, direction: Array) -> Solve | None:
+    """Return the displacements under forces in the plane normal to a direction; None if the net has no rigid parts."""
+    if not any(net.springs.rigid):
+        return None
+    parts = factored(current.free)
+    tangent = _tangent(net, load, current, parts)[net.free]
+    across = direction[net.free]
+
+    def solve(forces: Array) -> Array:
+        moved = parts.solve(forces)
+        return np.asarray(moved - tangent * (float(across @ moved) / (float(across @ tangent) or np.nan)))
+
+    return solve
 
 
 def intermediate_point(
@@ -164,7 +198,8 @@ def intermediate_point(
     net, _ = supported(net, load)
     chord = after.shape.positions - before.shape.positions
     length = float(np.linalg.norm(chord))
-    guess = expand_at(net, positions, before.shape, load, factor)
+    share = float(np.linalg.norm(positions - before.shape.positions)) / length
+    guess = expand_at(net, positions, between_forces(before.shape, after.shape, share), load, factor)
     corrected = _corrected(net, load, guess, factor, chord / length, length)
     if corrected is None:
         return None

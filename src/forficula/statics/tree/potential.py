@@ -27,6 +27,7 @@ from forficula.structure import springs_name
 
 # Steps in which a structure is followed: shorter ones end in the same equilibria.
 _LONGEST_STEP = 0.1  # rad
+_AT_STOP = 1e-9  # rad, distance from a stop
 
 
 def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> Expansion:
@@ -266,6 +267,31 @@ def hinge_angles(structures: Ensemble, angles: Array) -> Array:
     if structures.flaps is None:
         return angles
     return np.concatenate([angles, crease_angles(structures.flaps, angles)], axis=1)
+
+
+def largest_yield(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> float:
+    """Return the largest turn of a joint by which stiff pins of closures yield at equilibria, rad; 0 without closures.
+
+    It is estimated by the step of Newton's method to the equilibrium at which the pins exert the same forces without
+    being stretched. Joints at stops do not turn.
+
+    Args:
+        structures: the tree as the only case.
+        angles: of the joints at equilibria, rad, (shape, joint).
+        torques: of every motor, N m, or N for a force, (motor,), or by shape, (shape, motor).
+    """
+    if structures.pins is None or not len(angles):
+        return 0.0
+    repeated = structures.repeated(len(angles))
+    slope, curvature = spring_energy(structures.pins, angles)[1], potential(repeated, angles, torques)[2]
+    stopped = (angles <= structures.lower + _AT_STOP) | (angles >= structures.upper - _AT_STOP)
+    largest = 0.0
+    for row, free in enumerate(~stopped):
+        spread = np.eye(structures.size)[:, free] if structures.ties is None else structures.ties.spread
+        stiffness = spread.T @ curvature[row] @ spread
+        turned = spread @ np.linalg.lstsq(stiffness, spread.T @ slope[row], rcond=None)[0]
+        largest = max(largest, float(np.abs(turned).max(initial=0.0)))
+    return largest
 
 
 def largest_gap(structures: Ensemble, angles: Array) -> float:

@@ -36,6 +36,7 @@ from forficula.statics.tree.quasi_static import (
     start_state,
     state_after,
 )
+from forficula.statics.tree_remarks import yield_remarks
 from forficula.structure import Drive, Structure, Transition, goal_of
 
 _MOST_POINTS = 2000  # of a path
@@ -106,7 +107,10 @@ def tree_path(
         complete=not growing.stopped,
         error=missed / structure.span,
         at=None if near_rest is None else nearest_point(points, place_positions(structure, near_rest[None])[0]),
-        remarks=() if reached or growing.stopped else (remark,),
+        remarks=(
+            *(() if reached or growing.stopped else (remark,)),
+            *yield_remarks(driven.structures, name, slow.paths[0], driven.torques),
+        ),
     )
 
 

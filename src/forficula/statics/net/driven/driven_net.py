@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
+from forficula.statics.net.contact.stable_path import stable_point_between
 from forficula.statics.net.driven.slow_path import SlowPath, slow_path
 from forficula.statics.net.load import Load
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import motor_load, own_angles, point_positions
+from forficula.statics.net.path_increment import PathPoint, intermediate_point
 from forficula.structure import (
     Drive,
     StageGoal,
@@ -27,6 +29,8 @@ from forficula.structure import (
 
 _MOST = 4.0  # largest multiple of a drive's strength if its strength is not sufficient
 INCREMENTS = 120  # of each path
+_HALVINGS = 20  # of the last interval, to locate the goal
+_ARRIVED = 1e-9  # rad or m, distance from the goal
 FINE = 0.008  # first increment of equilibria that are drawn through a snap or with a force, of the net's size
 
 
@@ -133,6 +137,43 @@ def follow_drive(
         stop_snaps=(lambda _: stop()) if finish_snaps else at_goal,
         watch=watch,
     )
+
+
+def up_to_goal(driven: DrivenNet, points: Sequence[PathPoint]) -> list[PathPoint]:
+    """Replace the last point of a path by the one at which the goal is reached (regula falsi with halved weights)."""
+    if len(points) < 2:
+        return list(points)
+    before, after = points[-2:]
+    low, high = driven.short_of_goal(before.shape), driven.short_of_goal(after.shape)
+    for _ in range(_HALVINGS):
+        if not (math.isfinite(low) and low > 0 >= high) or -high <= _ARRIVED:
+            break
+        share = float(np.clip(low / (low - high), 0.05, 1 - 1e-6))
+        positions = (1 - share) * before.shape.positions + share * after.shape.positions
+        factor = (1 - share) * before.factor + share * after.factor
+        middle = point_between(driven, before, after, positions, factor)
+        if middle is None:
+            break
+        value = driven.short_of_goal(middle.shape)
+        if value > 0:
+            before, low = middle, value
+        else:
+            after, high = middle, value
+    return [*points[:-1], after]
+
+
+def point_between(
+    driven: DrivenNet, before: PathPoint, after: PathPoint, positions: Array, factor: float
+) -> PathPoint | None:
+    """Find the equilibrium between two points of a path near a guess; None without one."""
+    net, load = driven.net, driven.load
+    point = None
+    if net.contact is None:
+        point = intermediate_point(net, load, before, after, positions, factor)
+    # where a crease meets its stop, the forces of rigid parts have a kink
+    if net.contact is not None or (point is None and any(net.springs.rigid)):
+        point = stable_point_between(net, load, before, after, positions, factor)
+    return point
 
 
 def displaced_net(structure: Structure, net: Net, drive: Drive) -> Net:

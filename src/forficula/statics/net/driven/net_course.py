@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from forficula.statics.net.driven.driven_net import (
     follow_drive,
     prescribes_displacement,
     short_of,
+    up_to_goal,
 )
 from forficula.statics.net.driven.slow_path import SlowPath
 from forficula.statics.net.energy import expand, moved_shape
@@ -114,6 +115,10 @@ def drive_course(
     driven = driven_net(structure, net, drive, transition)
     free, net, load, goal = net, driven.net, driven.load, driven.goal
     slow = follow_drive(driven, start.shape)
+    if any(net.springs.rigid) and slow.ended == "stop" and len(slow.snaps) < len(slow.paths):
+        # between the last two points creases may meet stops
+        end = replace(slow.paths[-1], points=tuple(up_to_goal(driven, slow.paths[-1].points)))
+        slow = replace(slow, paths=(*slow.paths[:-1], end))
     last = slow.points[-1] if len(slow.snaps) < len(slow.paths) else None
     shape = slow.snaps[-1].after.shape if last is None else last.shape
     factor = slow.snaps[-1].factor if last is None else last.factor

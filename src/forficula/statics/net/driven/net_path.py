@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise
@@ -23,8 +22,7 @@ from forficula.statics.growing_path import (
     nearest_point,
     path_of,
 )
-from forficula.statics.net.contact.stable_path import stable_point_between
-from forficula.statics.net.driven.driven_net import DrivenNet, driven_net, follow_drive
+from forficula.statics.net.driven.driven_net import DrivenNet, driven_net, follow_drive, point_between, up_to_goal
 from forficula.statics.net.driven.net_course import drive_course, released
 from forficula.statics.net.driven.net_point import net_point, place_positions
 from forficula.statics.net.driven.slow_path import SlowPath, Snap
@@ -37,14 +35,13 @@ from forficula.statics.net.net_of import (
     start_shape,
     valley_angles,
 )
-from forficula.statics.net.path_increment import PathPoint, intermediate_point
+from forficula.statics.net.path_increment import PathPoint
+from forficula.statics.net.rigid_forces import loop_remarks, lost_reason
 from forficula.statics.quasi_static_path import QuasiStaticPath, QuasiStaticPoint
 from forficula.structure import Drive, Structure, Transition, drive_of
 
 _INCREMENTS = 500  # of each path
 _SWEEPS = 6  # halvings of the interval between two points
-_HALVINGS = 20  # of the last interval, to locate the goal
-_ARRIVED = 1e-9  # rad or m, distance from the goal
 _SAME = 1e-3  # of the net's size: distance of two shapes that count as one
 _MOST_POINTS = 1000  # of a snap
 _LOOSE = "a part can move without any force: a crease has no spring, or a support is missing"
@@ -99,7 +96,7 @@ def net_path(
         complete=not growing.stopped,
         error=stretches.error() / structure.span,
         at=_nearest(driven, points, near_rest),
-        remarks=(*remarks, *_path_remarks(driven, slow, events, reached=reached)),
+        remarks=(*remarks, *_path_remarks(driven, slow, stretches.shapes, events, reached=reached)),
     )
 
 
@@ -239,30 +236,7 @@ class _Stretches:
         self._known = dict[int, tuple[NetShape, QuasiStaticPoint]]()
         self._skipped = set[tuple[int, int]]()
         if slow.ended == "stop" and driven.goal is not None and len(slow.snaps) < len(slow.paths):
-            self._stretches[-1] = self._up_to_goal(self._stretches[-1])
-
-    def _up_to_goal(self, points: list[PathPoint]) -> list[PathPoint]:
-        """Replace the last point by the one at which the goal is reached (regula falsi with halved weights)."""
-        driven = self._driven
-        if len(points) < 2:
-            return points
-        before, after = points[-2:]
-        low, high = driven.short_of_goal(before.shape), driven.short_of_goal(after.shape)
-        for _ in range(_HALVINGS):
-            if not (math.isfinite(low) and low > 0 >= high) or -high <= _ARRIVED:
-                break
-            share = float(np.clip(low / (low - high), 0.05, 1 - 1e-6))
-            positions = (1 - share) * before.shape.positions + share * after.shape.positions
-            factor = (1 - share) * before.factor + share * after.factor
-            middle = _between(driven, before, after, positions, factor)
-            if middle is None:
-                break
-            value = driven.short_of_goal(middle.shape)
-            if value > 0:
-                before, low = middle, value
-            else:
-                after, high = middle, value
-        return [*points[:-1], after]
+            self._stretches[-1] = up_to_goal(driven, self._stretches[-1])
 
     def refine(self, bound: float, growing: GrowingPath) -> bool:
         """Add a point in the middle of every interval whose error exceeds a bound, m; return whether any was added."""
@@ -288,7 +262,7 @@ class _Stretches:
             # where parts begin to touch, the path has a kink
             before, after = points[place : place + 2]
             positions = (before.shape.positions + after.shape.positions) / 2
-            return _between(self._driven, before, after, positions, (before.factor + after.factor) / 2)
+            return point_between(self._driven, before, after, positions, (before.factor + after.factor) / 2)
         first = max(0, min(place - 1, len(points) - 4))
         near = points[first : first + 4]
         shapes = _positions(near)
@@ -300,7 +274,12 @@ class _Stretches:
         factor = float(weights @ [point.factor for point in near])
         positions = np.tensordot(weights, shapes, axes=1)
         driven, (before, after) = self._driven, points[place : place + 2]
-        return _between(driven, before, after, positions, factor)
+        return point_between(driven, before, after, positions, factor)
+
+    @property
+    def shapes(self) -> list[NetShape]:
+        """Return the shapes at rest."""
+        return [point.shape for points in self._stretches for point in points]
 
     def error(self) -> float:
         """Return the largest estimated error of linear interpolation between equilibria, m."""
@@ -336,14 +315,6 @@ class _Stretches:
         return self._known[id(shape)][1]
 
 
-def _between(
-    driven: DrivenNet, before: PathPoint, after: PathPoint, positions: Array, factor: float
-) -> PathPoint | None:
-    """Find the equilibrium between two points of a path near a guess; None without one."""
-    find = intermediate_point if driven.net.contact is None else stable_point_between
-    return find(driven.net, driven.load, before, after, positions, factor)
-
-
 def _positions(points: Sequence[PathPoint]) -> Array:
     """Return the positions of nodes at points of a path, m, (point, node, 3)."""
     return np.array([point.shape.positions for point in points])
@@ -362,7 +333,7 @@ def _event(drive: Drive, snap: Snap, first: int, last: int) -> NumberedEvent:
 
 
 def _path_remarks(
-    driven: DrivenNet, slow: SlowPath, events: Sequence[NumberedEvent], *, reached: bool
+    driven: DrivenNet, slow: SlowPath, shapes: Sequence[NetShape], events: Sequence[NumberedEvent], *, reached: bool
 ) -> tuple[str, ...]:
     """Return sentences on unreliable parts of a path."""
     remarks = list[str]()
@@ -378,5 +349,7 @@ def _path_remarks(
         )
     if not reached and events[-1].kind == "lost":
         reason = "was followed only as far as shown" if slow.ended == "lost" else "ends before its goal"
-        remarks.append(f'the path under "{driven.name}" {reason}')
+        remarks.append(f'the path under "{driven.name}" {reason}{lost_reason(driven.net)}')
+    resting = [*shapes, *(snap.after.shape for snap in slow.snaps)]
+    remarks += loop_remarks(driven.net, f'on the path under "{driven.name}"', resting)
     return tuple(remarks)

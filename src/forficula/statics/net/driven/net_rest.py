@@ -29,6 +29,7 @@ from forficula.statics.net.net_of import (
     valley_law,
 )
 from forficula.statics.net.plate_nodes import plate_nodes, posed_nodes
+from forficula.statics.net.rigid_forces import is_exact
 from forficula.statics.rest_path import CreaseLosses, crease_losses, rest_path
 from forficula.structure import (
     GROUND,
@@ -122,7 +123,8 @@ class _LoadedNet:
             return bool(np.abs(shape.positions - before.positions).max() > _NEAR * self._net.size)
 
         rest = minimum(self._net, start, load, 1.0, stop=is_far)
-        return _NetState(share, rest.shape) if rest.stable and not is_far(rest.shape) else None
+        usable = rest.stable and is_exact(self._net, rest.shape) and not is_far(rest.shape)
+        return _NetState(share, rest.shape) if usable else None
 
     def _motor_load(self, settings: Array) -> Load:
         return motor_load(self._structure, self._net, tuple(settings.tolist()))
