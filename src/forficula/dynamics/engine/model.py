@@ -355,8 +355,7 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     if any(touched.friction for touched in (structure.contact, structure.table) if touched is not None):
         # friction in a pyramidal cone would depend on the direction
         option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
-        option.noslip_iterations = _NO_SLIP_ITERATIONS
-    if any(hinge.friction for hinge in structure.hinges):
+        # without these iterations, parts creep below the limit of friction
         option.noslip_iterations = _NO_SLIP_ITERATIONS
     return spec
 
