@@ -57,7 +57,8 @@ def solid_within(normals: Array, offsets: Array, inside: Array) -> ConvexSolid |
         return None
     planes = scipy.spatial.HalfspaceIntersection(np.column_stack([normals, -offsets / size]), centre.x[:3])
     corners = planes.intersections
-    corners = corners[np.sort(np.unique(np.round(corners / _SAME), axis=0, return_index=True)[1])]
+    # in the order of their rounded positions, because rounding changes the order in which the intersection lists them
+    corners = corners[np.unique(np.round(corners / _SAME) + 0.0, axis=0, return_index=True)[1]]
     touched = np.abs(corners @ normals.T - offsets / size) <= 10 * _SAME
     # corners with two planes in common may be the ends of an edge
     common = touched.astype(np.int64) @ touched.T.astype(np.int64)
