@@ -122,7 +122,7 @@ class EnergyBalance:
 
     @property
     def exchanged(self) -> float:
-        """Return the energy that torques, springs and weight exchanged, J, or that slow drives exchanged, if this is more."""
+        """Return the energy that torques, springs and weight exchanged, or slow drives, if this is more, J."""
         springs = (self.tendon, self.membrane, self.branches or 0.0, self.hinges or 0.0, self.springs or 0.0)
         net = sum(abs(term) for term in (self.work, *springs, self.gravitational, self.couplings or 0.0))
         return max(net, self.slow)
