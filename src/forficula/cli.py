@@ -156,7 +156,7 @@ _COMMANDS = (
         group=_DESIGN,
         examples=(
             'material tests.csv --length "60 mm" --area "5 mm^2"',
-            "material a.csv b.csv --law zener --out out/rubber",
+            'material strip-1.csv strip-2.csv --width "20 mm" --out out/fold',
         ),
         has_json=True,
     ),

@@ -211,3 +211,28 @@ def test_a_stage_is_dynamic_unless_it_says_otherwise():
     plain = joint(stage("load", "unfold", HALF))
     assert joint(stage("load", "unfold", HALF, motion="dynamic")).hash == plain.hash
     assert joint(slow("load", "unfold", HALF, 2.0)).hash != plain.hash
+
+
+def test_a_slow_cycle_without_losses_is_compared_with_the_work_of_its_stages():
+    strip = with_values(
+        load_design("letter-fold"),
+        {
+            "tendon": [],
+            "pattern.panels": 2,
+            "crease.start": "0 deg",
+            "support": [{"of": "facet 0"}],
+            "protocol.stages": [
+                {**stage, "until": "time", "time_limit": "5 s", "motion": "quasi-static"}
+                for stage in (
+                    {"name": "load", "drive": "close", "state": "loaded"},
+                    {"name": "unload", "drive": "none", "state": "unloaded"},
+                )
+            ],
+        },
+    )
+    outcome = measure(run(strip))
+    assert outcome.energy_balance.exchanged >= 2 * outcome.stages[0].work * 0.99
+    assert outcome.energy_balance.residual < 1e-6
+    # a state is the equilibrium at the end of its stage, not a mean over angles under a growing drive
+    angle = np.degrees(0.03 / (0.02 * 0.21))
+    assert np.degrees(outcome.states["loaded"].readings["creases"].mean) == pytest.approx(min(angle, 175), abs=1e-3)

@@ -171,3 +171,15 @@ def test_facets_with_an_inner_corner_are_refused():
     arrow = sheet_of_facets(coords, [(0, 1, 2, 3, 4), (5, 6, 1, 0)], {frozenset((0, 1)): ("V", "")}, "arrow")
     with pytest.raises(InputError, match="need convex facets, got facet 0"):
         sheet(arrow, 0.1, "hinge-shift")
+
+
+def test_rounding_does_not_change_the_order_of_the_corners_of_a_solid():
+    # a record lists positions of corners, and figures that are drawn later find them by their order
+    rng = np.random.default_rng(1)
+    normals = np.array([sign * axis for axis in np.eye(3) for sign in (-1.0, 1.0)] + [[1.0, 1.0, 0.5]])
+    offsets, inside = np.array([0.0, 3.0, 0.0, 2.0, 0.0, 1.0, 4.5]), np.array([1.4, 0.9, 0.5])
+    built = solid_within(normals, offsets, inside).corners
+    for _ in range(20):
+        nearly = (1 + 1e-14 * rng.standard_normal(values.shape) for values in (normals, offsets))
+        again = solid_within(*(a * b for a, b in zip((normals, offsets), nearly, strict=True)), inside).corners
+        assert again == pytest.approx(built, abs=1e-8)

@@ -116,8 +116,9 @@ class State:
 def stage_end_state(record: Record, end: StageEnd, name: str) -> State:
     """Return the state at the end of a stage, with the name and the goal of a named state."""
     snapped = bool(stage_drives(end.stage)) and end.goal_time is not None
-    # a stage that ends at its goal ends in motion, so its end is not averaged
-    start = end.end if snapped else max(end.start, end.end - record.design.protocol.window)
+    # a stage that ends at its goal ends in motion, and a quasi-static stage while its drive still changes
+    at_end = snapped or end.stage.quasi_static
+    start = end.end if at_end else max(end.start, end.end - record.design.protocol.window)
     if end.stage.until == "rest" and end.goal_time is not None:
         start = max(start, end.goal_time)  # it still moved before
     # half a step either way, because times are multiples of the timestep up to rounding

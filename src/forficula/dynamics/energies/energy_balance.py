@@ -60,6 +60,8 @@ class EnergyBalance:
             strained by 1e-4; a billionth of it counts as rounding.
         stored: energy stored in tendons, membrane and springs at the start or the end, the larger of the two; 1e-5 of
             this energy is the least scale of the residual.
+        slow: work of the drives in quasi-static stages, each counted as positive: a structure without losses returns
+            all of this work when it is unloaded, so that its other exchanges add up to 0.
     """
 
     work: Joules
@@ -88,6 +90,7 @@ class EnergyBalance:
     settling: _Term = None
     at_hand: Annotated[Joules, Written.NEVER] = 0.0
     stored: Annotated[Joules, Written.NEVER] = 0.0
+    slow: Annotated[Joules, Written.NEVER] = 0.0
 
     def __repr__(self) -> str:
         """Work of the motors, exchanged energy, and missing energy."""
@@ -119,9 +122,10 @@ class EnergyBalance:
 
     @property
     def exchanged(self) -> float:
-        """Return the energy that torques, springs and weight exchanged, J."""
+        """Return the energy that torques, springs and weight exchanged, or slow drives, if this is more, J."""
         springs = (self.tendon, self.membrane, self.branches or 0.0, self.hinges or 0.0, self.springs or 0.0)
-        return sum(abs(term) for term in (self.work, *springs, self.gravitational, self.couplings or 0.0))
+        net = sum(abs(term) for term in (self.work, *springs, self.gravitational, self.couplings or 0.0))
+        return max(net, self.slow)
 
     @property
     def residual(self) -> Annotated[float, Written.FIRST]:
@@ -169,7 +173,16 @@ def energy_balance(record: Record) -> EnergyBalance:
         at_hand=_largest_part_energy(record.structure),
         # a diverged run has no finite energy at its end
         stored=max((energy for energy in ends if np.isfinite(energy)), default=0.0),
+        slow=_slow_work(record),
     )
+
+
+def _slow_work(record: Record) -> float:
+    """Return the sum of the absolute work of the drives in every quasi-static stage, J."""
+    work, half = record.series["motor_work"].sum(axis=1), float(record.design.protocol.timestep) / 2
+    slow = [end for end in record.stages if end.stage.quasi_static]
+    rows = [np.searchsorted(record.time, (end.start - half, end.end + half)) for end in slow]
+    return float(sum(abs(work[last - 1] - work[first]) for first, last in rows))
 
 
 def _largest_part_energy(structure: Structure) -> float:

@@ -39,6 +39,7 @@ _NAMES = {
 }
 _WIDE: dict[str, Any] = {"color": GREEN, "lw": 6, "alpha": 0.35, "solid_capstyle": "butt"}
 _TOUCHES = 2  # points named in a sentence at which parts begin to touch
+_FLAT = 1e-8  # rad; smaller angles are rounding
 _ROUNDING = 1e-6  # share of a tendon's largest moment
 
 
@@ -220,5 +221,7 @@ def reading_words(structure: Structure, name: str, readings: list[float]) -> str
     """Return the range of a measure's readings."""
     measure = measure_of(structure, name)
     unit = "m" if measure is not None and measure.kind == "distance" else "rad"
+    if unit == "rad":
+        readings = [0.0 if abs(reading) < _FLAT else reading for reading in readings]
     low, high = shown_value(min(readings), unit), shown_value(max(readings), unit)
     return low if low == high else f"{low.removesuffix(' deg')} to {high}"
