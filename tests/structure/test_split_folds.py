@@ -39,3 +39,25 @@ def test_the_width_of_strips_follows_the_thickness():
 def test_facets_that_bend_are_refused():
     with pytest.raises(InputError, match=r'need facet\.kind = "rigid" for thick panels, got "bars"'):
         with_values(letter(), {"facet.kind": "bars"})
+
+
+def test_a_crease_by_its_number_is_both_of_its_folds():
+    """A group, a drive and a measure of the crease apply to the whole fold, whose second edge has a number of its own."""
+    group = '[[crease.group]]\nof = "crease 1"\nrest_angle = "60 deg"\nstiffness = "2e-3 N m/rad/m"'
+    more = '[[drive]]\nname = "close"\nkind = "torque"\nof = "crease 1"\nvalue = "1 N m"\n'
+    more += '[[measure]]\nname = "flap"\nkind = "fold-angle"\nof = "crease 1"'
+    design = letter(group, more=more)
+    structure = structure_of(design)
+    both = [number for number, hinge in enumerate(structure.hinges) if design.sheet.edges_fold[hinge.edge] == 1]
+    assert len(both) == 2
+    assert [structure.hinges[number].rest_angle for number in both] == pytest.approx([math.radians(30)] * 2)
+    assert structure.hinges[both[0]].stiffness == structure.hinges[both[1]].stiffness
+    assert next(measure.hinges for measure in structure.measures if measure.name == "flap") == tuple(both)
+    (drive,) = design.named_protocol.drives
+    assert drive.actions[0].edges == tuple(structure.hinges[number].edge for number in both)
+
+
+def test_the_second_edge_of_a_fold_is_not_a_name_of_a_crease():
+    second = max(hinge.edge for hinge in structure_of(letter()).hinges)
+    with pytest.raises(InputError, match=rf'need "crease 0" or "crease 1", got "crease {second}"'):
+        letter(f'[[crease.group]]\nof = "crease {second}"\nrest_angle = "60 deg"')
