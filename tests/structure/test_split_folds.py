@@ -42,7 +42,7 @@ def test_facets_that_bend_are_refused():
 
 
 def test_a_crease_by_its_number_is_both_of_its_folds():
-    """A group, a drive and a measure of the crease apply to the whole fold, whose second edge has a number of its own."""
+    """A group, a drive and a measure of the crease apply to the whole fold, whose second edge has another number."""
     group = '[[crease.group]]\nof = "crease 1"\nrest_angle = "60 deg"\nstiffness = "2e-3 N m/rad/m"'
     more = '[[drive]]\nname = "close"\nkind = "torque"\nof = "crease 1"\nvalue = "1 N m"\n'
     more += '[[measure]]\nname = "flap"\nkind = "fold-angle"\nof = "crease 1"'

@@ -76,7 +76,7 @@ class CreasePattern:
 
     @property
     def edges_share(self) -> Array:
-        """Part of the angle of a fold by which every edge folds, (edge,): 1/2 for each of two parallel edges, else 1."""
+        """Part of the angle of its fold by which every edge folds, (edge,): 1/2 for each of two edges, else 1."""
         return np.asarray(1 / np.bincount(self.edges_fold)[self.edges_fold])
 
 
