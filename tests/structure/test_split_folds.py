@@ -58,3 +58,9 @@ def test_a_crease_by_a_number_of_its_edges_is_both_of_its_folds():
     assert next(measure.hinges for measure in structure.measures if measure.name == "flap") == tuple(both)
     (drive,) = design.named_protocol.drives
     assert drive.actions[0].edges == tuple(structure.hinges[number].edge for number in both)
+
+
+def test_a_bound_below_a_stop_at_zero_names_zero():
+    stages = [{"name": "open", "until": "creases < -20 deg", "limit": "1 s"}]
+    with pytest.raises(InputError, match=r"need a value >= 0 deg, got -20 deg"):
+        letter(stages=stages)
