@@ -268,6 +268,16 @@ def test_a_timestep_is_shortened_only_where_parts_touch(tmp_path):
     assert ff.measure(touching).verdict == "reached"
 
 
+@pytest.mark.parametrize("values", [{"protocol.timestep": 2e-3}, {"contact.thickness": 1e-5}])
+def test_a_run_is_repeated_where_parts_pass_through_each_other_within_a_step(values):
+    """No contact force acts in the first run, because the parts are apart before and after every step."""
+    record = ff.run(closing(**(FAST | values)), confirm=False).record
+    assert ff.measure(record).verdict == "reached"
+    assert record.contact_runs[0].overlap > 0.5
+    assert record.contact_runs[-1].overlap <= 0.1
+    assert math.degrees(record.series["hinge_angle"].max()) < 180
+
+
 def test_an_automatic_timestep_is_shortened_until_it_resolves_contact():
     # the first timestep of the search is half the time constant, in which the panels pass through each other
     values = {"crease.damping": 0.0, "crease.start": 3.0, "protocol.timestep": "auto"}

@@ -6,6 +6,7 @@ import pytest
 
 from forficula import InputError
 from forficula.design import with_values
+from forficula.design.sheets.sheet_creases import creases_of
 from forficula.structure import structure_of
 from tests.plate_sheets import plates, pleats
 
@@ -39,3 +40,27 @@ def test_the_width_of_strips_follows_the_thickness():
 def test_facets_that_bend_are_refused():
     with pytest.raises(InputError, match=r'need facet\.kind = "rigid" for thick panels, got "bars"'):
         with_values(letter(), {"facet.kind": "bars"})
+
+
+def test_a_crease_by_a_number_of_its_edges_is_both_of_its_folds():
+    """A group, a drive and a measure of the crease apply to the whole fold, whose second edge has another number."""
+    group = '[[crease.group]]\nof = "crease 1"\nrest_angle = "60 deg"\nstiffness = "2e-3 N m/rad/m"'
+    more = '[[drive]]\nname = "close"\nkind = "torque"\nof = "crease 1"\nvalue = "1 N m"\n'
+    more += '[[measure]]\nname = "flap"\nkind = "fold-angle"\nof = "crease 1"'
+    design = letter(group, more=more)
+    structure = structure_of(design)
+    both = [number for number, hinge in enumerate(structure.hinges) if design.sheet.edges_fold[hinge.edge] == 1]
+    assert len(both) == 2
+    last = structure.hinges[both[-1]].edge
+    assert creases_of(design.sheet, f"crease {last}") == creases_of(design.sheet, "crease 1") == (1, last)
+    assert [structure.hinges[number].rest_angle for number in both] == pytest.approx([math.radians(30)] * 2)
+    assert structure.hinges[both[0]].stiffness == structure.hinges[both[1]].stiffness
+    assert next(measure.hinges for measure in structure.measures if measure.name == "flap") == tuple(both)
+    (drive,) = design.named_protocol.drives
+    assert drive.actions[0].edges == tuple(structure.hinges[number].edge for number in both)
+
+
+def test_a_bound_below_a_stop_at_zero_names_zero():
+    stages = [{"name": "open", "until": "creases < -20 deg", "limit": "1 s"}]
+    with pytest.raises(InputError, match=r"need a value >= 0 deg, got -20 deg"):
+        letter(stages=stages)

@@ -352,7 +352,7 @@ def check_bound(key: str, written: GoalText, low: float, high: float, *, whose: 
     """Refuse a bound on an angle that cannot be met between the stops `low` and `high`, rad."""
     value, above = parse_quantity(written.value, ANGLE), written.relation == ">"
     if value > high if above else value < low:
-        bound = f"<= {show_quantity(high, ANGLE)}" if above else f">= {show_quantity(low, ANGLE)}"
+        bound = f"<= {show_quantity(high, ANGLE)}" if above else f">= {show_quantity(low + 0.0, ANGLE)}"  # not -0
         raise InputError(
             f"{key}: a stop keeps {whose} from reaching it: need a value {bound}, got {show_quantity(value, ANGLE)}"
         )

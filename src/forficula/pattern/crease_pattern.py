@@ -31,8 +31,8 @@ class CreasePattern:
         faces_vertices: the vertices of every face, counterclockwise seen from +z; each side is an edge.
         edges_role: E labels such as "ring"; if empty, every label is "".
         title: title of the sheet.
-        edges_share: shape (E,), part of the angle of a fold by which the edge folds: 1/2 for each of two parallel folds
-            that replace a fold of thick panels (`split_sheet`), else 1; if empty, all parts are 1.
+        edges_fold: number of the fold of every edge, shape (E,): two parallel edges that replace a fold of thick panels
+            (`split_sheet`) are one fold; if empty, every edge is a fold.
     """
 
     vertices_coords: Array
@@ -42,7 +42,7 @@ class CreasePattern:
     faces_vertices: tuple[tuple[int, ...], ...]
     edges_role: tuple[str, ...] = ()
     title: str = ""
-    edges_share: Array = field(default_factory=lambda: np.zeros(0))
+    edges_fold: Indices = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
 
     def __post_init__(self) -> None:
         coords = _checked_coords(self.vertices_coords)
@@ -59,20 +59,25 @@ class CreasePattern:
         roles = tuple(self.edges_role) or ("",) * edge_count
         if len(roles) != edge_count:
             raise InputError(f"edges_role: need one label for each of the {edge_count} edges, got {len(roles)}")
-        share = _real_array(self.edges_share, "edges_share")
+        fold = np.array(self.edges_fold, dtype=np.int64)
         # also in a copy with other edges
-        share = np.ones(edge_count) if (share == 1).all() else share
-        if share.shape != (edge_count,):
-            raise InputError(f"edges_share: need shape ({edge_count},), got {share.shape}")
-        for array in (coords, edges, fold_angle, share):
+        fold = np.arange(edge_count) if np.array_equal(fold, np.arange(len(fold))) else fold
+        if fold.shape != (edge_count,):
+            raise InputError(f"edges_fold: need shape ({edge_count},), got {fold.shape}")
+        for array in (coords, edges, fold_angle, fold):
             array.setflags(write=False)
         object.__setattr__(self, "vertices_coords", coords)
         object.__setattr__(self, "edges_vertices", edges)
         object.__setattr__(self, "edges_assignment", tuple(self.edges_assignment))
         object.__setattr__(self, "edges_fold_angle", fold_angle)
         object.__setattr__(self, "edges_role", roles)
-        object.__setattr__(self, "edges_share", share)
+        object.__setattr__(self, "edges_fold", fold)
         object.__setattr__(self, "faces_vertices", _checked_faces(self.faces_vertices, len(coords), edges))
+
+    @property
+    def edges_share(self) -> Array:
+        """Part of the angle of its fold by which every edge folds, (edge,): 1/2 for each of two edges, else 1."""
+        return np.asarray(1 / np.bincount(self.edges_fold)[self.edges_fold])
 
 
 def _real_array(values: object, key: str) -> Array:

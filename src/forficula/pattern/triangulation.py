@@ -63,7 +63,7 @@ def triangulated(pattern: CreasePattern) -> Triangulation:
         edges_vertices=np.concatenate([pattern.edges_vertices, np.array(diagonals, dtype=np.int64).reshape(-1, 2)]),
         edges_assignment=(*pattern.edges_assignment, *"F" * count),
         edges_fold_angle=np.concatenate([pattern.edges_fold_angle, np.zeros(count)]),
-        edges_share=np.concatenate([pattern.edges_share, np.ones(count)]),
+        edges_fold=np.concatenate([pattern.edges_fold, len(pattern.edges_fold) + np.arange(count)]),
         edges_role=(*pattern.edges_role, *["diagonal"] * count),
         faces_vertices=tuple(triangles),
     )

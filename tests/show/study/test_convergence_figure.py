@@ -12,6 +12,7 @@ from forficula.show.study.convergence_figure import draw_convergence_angles, dra
 from forficula.show.study.convergence_table import convergence_rows
 from forficula.study.convergence.convergence import converge
 from forficula.study.convergence.refinement import MESH, TIMESTEP, YOUNGS_MODULUS
+from tests.plate_sheets import stage, strip
 
 STAGES = [
     {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.1},
@@ -114,3 +115,9 @@ def test_the_axis_of_the_angle_is_as_wide_as_the_angles(studies):
     assert low <= angles.min()
     assert angles.max() <= high
     assert high - low < 1.3 * np.ptp(angles)
+
+
+def test_a_design_without_transitions_has_no_figure_of_times(tmp_path):
+    design = strip(stages=[stage(limit=2e-3)], **{"crease.start": 0.1})
+    write_convergence(converge(design, TIMESTEP, [1e-4, 5e-5]), tmp_path / "study")
+    assert {path.stem for path in (tmp_path / "study").glob("*.png")} == {"angles"}

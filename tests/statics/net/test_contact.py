@@ -21,6 +21,7 @@ from forficula.statics.survey import check_quasi_static
 from forficula.statics.tree_remarks import ignored_contact_remarks
 from forficula.structure import structure_of
 from forficula.structure.contact.distances import node_from_triangle, side_from_side, squared_sines
+from tests.plate_sheets import plates, pleats
 from tests.touching_strips import rest_of, strip
 
 STEP = 1e-6
@@ -80,10 +81,18 @@ def test_contact_forces_of_a_shape_that_is_no_minimum_follow_from_the_overlap():
 def test_a_spine_narrower_than_the_thickness_is_an_error_that_names_both_layers_and_the_largest_thickness():
     with pytest.raises(
         InputError,
-        match=r"need at most 0.9998 mm, because facet 2 and facet 0 are 0.9998 mm apart as built, got 1.2 mm",
+        match=r"need at most 1.001 mm, because facet 2 and facet 0 are 1.001 mm apart as built, got 1.2 mm",
     ):
         net_of(structure_of(strip("strip", "plates", thickness="1.2 mm")))
-    net_of(structure_of(strip("strip", "plates", thickness="0.9998 mm")))
+    net_of(structure_of(strip("strip", "plates", thickness="1.001 mm")))
+
+
+@pytest.mark.parametrize("method", ["hinge-shift", "split"])
+def test_thick_panels_that_touch_when_flat_have_statics_with_contact(method):
+    facet = f'kind = "rigid"\nthickness_method = "{method}"'
+    design = with_values(plates(pleats(3, "VV"), facet=facet), {"protocol.contact": True})
+    structure = structure_of(design)
+    assert net_of(structure).contact is not None
 
 
 def test_facets_that_are_apart_exert_no_force():

@@ -20,7 +20,8 @@ _FOLDS = {"mountains": "M", "valleys": "V", "unassigned": "U"}
 def creases_of(pattern: CreasePattern, text: str, groups: Sequence[CreaseGroup] = ()) -> tuple[int, ...]:
     """Return the numbers of the edges of a group of creases, in ascending order.
 
-    "creases" are all creases; "mountains", "valleys" and "unassigned" those of that sense; "crease 2" is edge number 2.
+    "creases" are all creases; "mountains", "valleys" and "unassigned" those of that sense; "crease 2" is edge number 2,
+    with the second one of two parallel folds that replace a fold.
     A role, or the name of a group, means all creases with it. "role:ring" and "assignment:M" select by role or by
     letter. Several terms joined by "and" select the creases that match all of them.
 
@@ -104,7 +105,7 @@ def _of_a_term(pattern: CreasePattern, term: str, named: Mapping[str, tuple[int,
             shown = [f'"crease {crease}"' for crease in creases]
             shown = [*shown[:11], "...", shown[-1]] if len(shown) > 12 else shown
             raise InputError(f"need {listed(shown, 'or')}, got {as_written(text)}")
-        return (edge,)
+        return tuple(crease for crease in creases if pattern.edges_fold[crease] == pattern.edges_fold[edge])
     kind, colon, value = term.partition(":")
     if colon:
         kinds = {"role": pattern.edges_role, "assignment": pattern.edges_assignment}

@@ -32,7 +32,7 @@ class SplitSheet:
     further copies of vertices follow.
 
     Attributes:
-        pattern: with strips as facets; `edges_share` is 1/2 at the folds beside a strip.
+        pattern: with strips as facets; both folds beside a strip are one fold in `edges_fold`.
         sources: number of the edge of the sheet without thickness for every edge; -1 at the ends of strips, (edge,).
         thickness: of every panel and strip, m, (facet,).
         levels: heights of their mid-planes over the sheet without thickness, m, (facet,).
@@ -226,7 +226,7 @@ def _with_strips(pattern: CreasePattern, thickness: float, axes: Array, widths: 
             edges_fold_angle=np.array([edge.share * edge.angle for edge in edges]),
             edges_role=tuple(edge.role for edge in edges),
             faces_vertices=(*faces, *(strip.corners for strip in strips)),
-            edges_share=np.array([edge.share for edge in edges]),
+            edges_fold=np.array([edge.source if edge.source >= 0 else number for number, edge in enumerate(edges)]),
         ),
         sources=np.array([edge.source for edge in edges]),
         thickness=np.array([*[thickness] * len(faces), *(strip.thickness for strip in strips)]),

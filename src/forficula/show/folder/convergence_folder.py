@@ -83,10 +83,10 @@ def convergence_summary(convergence: Convergence) -> ConvergenceSummary:
 
 def convergence_drawings(convergence: Convergence) -> dict[str, Drawing]:
     """Return the drawings of a convergence study by the stems of their files."""
-    return {
-        "angles": lambda width: draw_convergence_angles(convergence, width),
-        "times": lambda width: draw_convergence_times(convergence, width),
-    }
+    drawings: dict[str, Drawing] = {"angles": lambda width: draw_convergence_angles(convergence, width)}
+    if convergence.transition_times:
+        drawings["times"] = lambda width: draw_convergence_times(convergence, width)
+    return drawings
 
 
 PRESENTATION = Presentation(

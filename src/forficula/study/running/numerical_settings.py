@@ -147,8 +147,9 @@ def _stiffer(attempt: Attempt, design: Design, record: Record, seconds: float) -
 
 
 def _touched(record: Record) -> bool:
-    """Return whether contacts acted in a run, or the run diverged."""
-    return bool(np.any(record.series["contact_work"]))
+    """Return whether contacts acted in a run, parts passed through each other within a step, or the run diverged."""
+    overlap = record.series.get("contact_overlap", np.zeros(1))
+    return bool(np.any(record.series["contact_work"]) or np.any(overlap > 0))
 
 
 def _resolved(design: Design, longest: float) -> Design:
