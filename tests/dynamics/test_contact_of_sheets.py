@@ -344,3 +344,12 @@ def test_the_summary_has_the_overlap(closed):
     written = summary(closed, ff.measure(closed), {})
     assert written["contact_overlap"]["share_in_steps"] == closed.series["contact_overlap"][-1]
     assert written["energy_balance"]["contacts_J"] > 0
+
+
+def test_a_run_in_whose_last_step_panels_pass_through_each_other_is_unreliable():
+    # one step turns the second panel from 178 deg to beyond 190 deg; no force is computed after this step
+    values = {"crease.damping": 0.002, "protocol.sample_interval": 0.02, "protocol.timestep": 0.02}
+    record = ff.run(closing(**values, **{"contact.time_constant": 2e-3}), confirm=False).record
+    assert math.degrees(record.series["hinge_angle"][-1, 0]) > 190
+    assert record.series["contact_overlap"].tolist() == [0.0, 1.0]
+    assert record.doubt.startswith("parts that touch overlap by 100 % of their thickness")

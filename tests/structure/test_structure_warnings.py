@@ -119,3 +119,20 @@ def test_a_direction_of_gravity_without_gravity_gives_a_warning(name):
     assert sentence.startswith("protocol.gravity_direction has no effect without gravity: need protocol.gravity = ")
     for settings in ({"protocol.gravity": "1.62 m/s^2"}, {"table.height": "-1 m"}):
         assert sentence not in load_design(name, {"protocol.gravity_direction": "-y"} | settings).idle
+
+
+def test_a_stage_that_ends_at_rest_without_a_hold_gives_a_warning_with_the_remedy():
+    number = next(number for number, stage in enumerate(REFERENCE.protocol.stages) if stage.until == "rest")
+    stages = [stage.model_dump() for stage in REFERENCE.protocol.stages]
+
+    def warned(**values):
+        changed = [stage | values if place == number else stage for place, stage in enumerate(stages)]
+        return [text for text in warnings(with_values(REFERENCE, {"protocol.stages": changed})) if "stages" in text]
+
+    (warning,) = warned(hold=0.0)
+    assert warning.startswith(f'protocol.stages.{number}: "{stages[number]["name"]}" ends at the first moment')
+    assert "turning point of a swing" in warning
+    assert warning.endswith('hold = "0.1 s" ends the stage only after the structure has rested for this time')
+    assert not warned(hold=0.1)
+    assert not warned(hold=0.0, motion="quasi-static")
+    assert not warned(hold=0.0, until="time")

@@ -144,6 +144,28 @@ def test_friction_holds_a_facet_on_an_inclined_one_without_a_creep(slope, agree,
     holds("residual of the energy balance", balance.residual, below=0.005, by="the energy balance")
 
 
+def test_a_facet_on_friction_springs_swings_with_the_time_constant_and_damping_ratio_of_contact(agree, holds):
+    constant, ratio, force, lasts = 1e-3, 0.5, 3e-4, (0.01, 0.005)
+    tables = HELD.format(friction=1.0).replace("0.4 ms", "1 ms") + f"damping_ratio = {ratio}\n"
+    design = loose_layers(
+        ON_BASE,
+        0.06,
+        more=tables + PUSH.replace("0.004", str(force)),
+        stages=STAGES.replace("0.006", str(lasts[0])).replace("0.04", str(lasts[1])),
+    )
+    # panels are stiff in comparison with the springs
+    values = {"facet.youngs_modulus": 5e7, "protocol.sample_interval": 1e-4}
+    record, place, _ = sliding(design.with_values(values))
+    start = int(np.searchsorted(record.time, lasts[0] - 1e-9))
+    time, mass = record.time[start:] - record.time[start], DENSITY * THICK * ON_BASE[0][0] ** 2
+    stretch = 4 * force * (constant * ratio) ** 2 / mass
+    rate = math.sqrt(1 / ratio**2 - 1) / constant
+    swing = np.exp(-time / constant) * (np.cos(rate * time) + np.sin(rate * time) / (rate * constant))
+    ours = (place[start:] - place[-1]) / stretch
+    agree("displacement / (F / k)", ours, swing, by="damped oscillator", unit="1", abs=0.05, over=("t, s", time))
+    holds("residual of the energy balance", energy_balance(record).residual, below=0.005, by="the energy balance")
+
+
 def test_a_held_facet_keeps_its_place_where_a_stage_ends():
     (whole, place, _), times = inclined(0.3, 0.2, 0.006), (0.00235, 0.00365)
     stages = [

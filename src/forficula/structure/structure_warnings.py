@@ -9,8 +9,9 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.design import Design, part_patterns
+from forficula.design.section import TIME
 from forficula.pattern import flat_folding_faults
-from forficula.quantities import reading_unit
+from forficula.quantities import reading_unit, show_quantity
 from forficula.structure.mass import mass_of
 from forficula.structure.parts import Tendon
 from forficula.structure.structure import Structure
@@ -47,6 +48,7 @@ def structure_warnings(design: Design, structure: Structure) -> list[str]:
         *faults,
         *_overlapping_bars(structure),
         *_heavy_medium(structure),
+        *_unheld_rests(design),
         *design.idle,
         *design.law_sentences,
         *_sentences(structure, groups, [_unmeasured_strain(built, tendons[0], strain) for tendons, strain in groups]),
@@ -107,6 +109,17 @@ def _heavy_medium(structure: Structure) -> list[str]:
     return [
         f"the added mass of the medium is {added / mass:.2g} times the mass of the {whole}, and the model also applies"
         f" it to motion in the plane of the panels: the {whole} moves more slowly than it should"
+    ]
+
+
+def _unheld_rests(design: Design) -> list[str]:
+    """Warn of simulated stages that end at rest without a time for which the structure must rest."""
+    hold = show_quantity(design.protocol.window, TIME)
+    return [
+        f'protocol.stages.{number}: "{stage.name}" ends at the first moment at which every part is slow, which may be'
+        f' a turning point of a swing: hold = "{hold}" ends the stage only after the structure has rested for this time'
+        for number, stage in enumerate(design.protocol.stages)
+        if stage.until == "rest" and not stage.quasi_static and not stage.hold
     ]
 
 

@@ -213,6 +213,10 @@ class WorkBalance:
             if name in self._done:
                 self._done[name][row] += self._unit[row] * work
 
+    def deepen(self, row: int, overlap: float) -> None:
+        """Include an overlap of parts of a structure in the largest one so far, as a share of the thickness."""
+        self._deepest[row] = max(self._deepest[row], overlap)
+
     def total(self, row: int) -> dict[str, float]:
         """Return the work on a structure since its start, J, and the time it waited, s."""
         others = {"closure_gap": float(self._widest[row])} if len(self._gaps) else {}

@@ -79,8 +79,8 @@ class ContactForces:
     `Stops` for slight overlaps: the energy is k t^2 (-s - ln(1 - s)) with k = m / (T zeta)^2, its force k t s / (1 - s)
     grows without bound as middle surfaces approach each other. The damper has the constant 2 m / T. 1 / m is the sum of
     the mobilities of both shapes. The force never pulls. Friction is that of Coulomb; below its limit it is a spring
-    with the stiffness k and a damper with the same constant (Cundall and Strack 1979). Where n pairs push one body,
-    dampers have the factor 1 / sqrt(n), so that the damping ratio stays the same.
+    with the stiffness k and a damper with the same constant (Cundall and Strack 1979). Where n pairs push one body
+    that can move, dampers have the factor 1 / sqrt(n), so that the damping ratio stays the same.
 
     Attributes:
         friction_springs: `FrictionSprings` of each structure at the last computed forces, (structure,).
@@ -303,11 +303,11 @@ def _fading(pairs: Pairs, places: Array) -> tuple[Array, Array]:
 
 
 def _crowd(geometry: ContactGeometry, nodes: Indices, weights: Array) -> Indices:
-    """Return for each pair the largest number of pairs that push one of its bodies, (pair,)."""
+    """Return for each pair the largest number of pairs that push one of its bodies that can move, (pair,)."""
     bodies = geometry.carriers[nodes]
     pushed = np.zeros((len(nodes), len(geometry.placement.parents) + 1), dtype=bool)
-    np.logical_or.at(pushed, (np.arange(len(nodes))[:, None], bodies), weights != 0)
-    pushed[:, -1] = False
+    moves = (weights != 0) & (geometry.mobilities[nodes] > 0)
+    np.logical_or.at(pushed, (np.arange(len(nodes))[:, None], bodies), moves)
     counts = pushed.sum(axis=0)
     crowd: Indices = np.maximum(np.where(weights != 0, counts[bodies], 1).max(axis=1), 1)
     return crowd

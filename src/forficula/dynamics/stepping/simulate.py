@@ -174,6 +174,8 @@ def _records(
         moving[done] = False
         for row in done.tolist():
             end = stepper.state(row)
+            if tracker.diverged_at[row] is None:
+                account.deepen(row, stepper.overlap(row))
             totals = account.total(row) | account.power(row, tracker.last_torques(row), end)
             record = recorders[row].record(
                 tracker.steps[row], starts[row], end, totals, tuple(tracker.ends[row]), tracker.diverged_at[row]

@@ -213,6 +213,17 @@ class Stepper:
         angle[followed] = without_jump(angle[followed], self._angles[row])
         return EngineState(position=data.qpos.copy(), velocity=data.qvel.copy(), angle=angle, derived=derived)
 
+    def overlap(self, row: int) -> float:
+        """Return the largest overlap of parts in the state of a structure that has ended, as a share of the thickness.
+
+        Parts that passed through each other in the last step, after which no forces are computed, overlap by 1 or more.
+        """
+        if self._contact is None:
+            return 0.0
+        rows = np.array([row])
+        _, overlaps, _ = self._contact.forces(rows, *self._rollout.motion(self._state[rows]))
+        return float(overlaps[0])
+
     def place(self, row: int, position: Array, memory: Array | None = None) -> EngineState:
         """Put a structure at rest into a position, (position,), with a memory of its hinges; return its state.
 
