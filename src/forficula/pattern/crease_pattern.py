@@ -64,6 +64,7 @@ class CreasePattern:
         fold = np.arange(edge_count) if np.array_equal(fold, np.arange(len(fold))) else fold
         if fold.shape != (edge_count,):
             raise InputError(f"edges_fold: need shape ({edge_count},), got {fold.shape}")
+        _check_folds(fold, self.edges_assignment)
         for array in (coords, edges, fold_angle, fold):
             array.setflags(write=False)
         object.__setattr__(self, "vertices_coords", coords)
@@ -78,6 +79,21 @@ class CreasePattern:
     def edges_share(self) -> Array:
         """Part of the angle of its fold by which every edge folds, (edge,): 1/2 for each of two edges, else 1."""
         return np.asarray(1 / np.bincount(self.edges_fold)[self.edges_fold])
+
+
+def _check_folds(folds: Indices, letters: tuple[str, ...]) -> None:
+    """Check the numbers of folds."""
+    edges = np.arange(len(folds))
+    for edge in np.flatnonzero((folds < 0) | (folds >= len(folds)))[:1].tolist():
+        raise InputError(f"edges_fold[{edge}]: need 0 to {len(folds) - 1}, got {folds[edge]}")
+    _, first, place = np.unique(folds, return_index=True, return_inverse=True)
+    for edge in np.flatnonzero(first[place] != edges).tolist():
+        other = int(first[place][edge])
+        if letters[edge] != letters[other] or letters[edge] not in "MV":
+            raise InputError(
+                f"edges_fold[{edge}]: need two mountains or two valleys as one fold, got {letters[other]} at edge {other}"
+                f" and {letters[edge]} at edge {edge}"
+            )
 
 
 def _real_array(values: object, key: str) -> Array:

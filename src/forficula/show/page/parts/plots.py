@@ -109,7 +109,7 @@ def mechanisms_plot(record: Record, clip: Clip) -> Plot | None:
     total = sum(shares.stored.values(), np.zeros(len(record.time)))
     moments = np.searchsorted(record.time, [mark.time for mark in clip.marks])
     stored = [
-        f"{show_value(energy, 'J')} {mark.name}"
+        f"{show_value(energy, 'J', largest=float(max(supplied.max(), total.max())))} {mark.name}"
         for energy, mark in zip(total[moments].tolist(), clip.marks, strict=True)
     ]
     text = (
