@@ -38,7 +38,9 @@ def test_a_design_from_the_file_halves_the_stops_of_split_folds_and_refuses_a_se
     stops = {edge: stops_of(design, edge, crease)[1] for edge, crease in creases_by_edge(design).items()}
     assert stops == {edge: pytest.approx(math.pi * SPLIT.edges_share[edge]) for edge in stops}
     for method in ("split", "hinge-shift"):
-        with pytest.raises(InputError, match=r'facet\.thickness_method: need "none" for a pattern that has split folds'):
+        with pytest.raises(
+            InputError, match=r'facet\.thickness_method: need "none" for a pattern that has split folds'
+        ):
             with_values(design, {"facet.thickness_method": method})
 
 

@@ -91,8 +91,8 @@ def _check_folds(folds: Indices, letters: tuple[str, ...]) -> None:
         other = int(first[place][edge])
         if letters[edge] != letters[other] or letters[edge] not in "MV":
             raise InputError(
-                f"edges_fold[{edge}]: need two mountains or two valleys as one fold, got {letters[other]} at edge {other}"
-                f" and {letters[edge]} at edge {edge}"
+                f"edges_fold[{edge}]: need two mountains or two valleys as one fold, got {letters[other]} at edge"
+                f" {other} and {letters[edge]} at edge {edge}"
             )
 
 
