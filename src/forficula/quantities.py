@@ -22,9 +22,7 @@ _NUMBER_THEN_UNIT = re.compile(
 _UNIT = re.compile(
     r"[\s(]*(?:1\s*/\s*)?[^\W\d_]+(?:\s*(?:\^|\*\*)\s*-?\d)?(?:[\s*/·()]+[^\W\d_]+(?:\s*(?:\^|\*\*)\s*-?\d)?)*[\s)]*|[°%]"
 )
-# [chosen] share of the largest of several values, or of the smallest unit, below which a value is rounding: 1e-21 J is
-# less than the thermal energy of one molecule
-_ROUNDING = 1e-12
+_ROUNDING = 1e-12  # [chosen] share below which a value is rounding: 1e-21 J is less than a molecule's thermal energy
 _LONGEST_UNIT = 60
 _LONGEST_SHOWN = 60
 _MOST_DIGITS = 12  # with more digits, a number in the display unit shows the rounding of its factor
@@ -274,16 +272,10 @@ def show_quantity(value: float, unit: Unit, digits: int = 4) -> str:
 def show_value(value: float, unit: str, digits: int = 4, *, largest: float = 0.0) -> str:
     """Write an SI float as readable text, in the unit that `reading_unit` chooses.
 
-    Args:
-        value: value in the unit.
-        unit: SI unit.
-        digits: significant digits.
-        largest: largest of several values that are compared. A value that is only rounding beside the largest value, or
-            beside the smallest unit, is written as 0.
+    A value that is only rounding beside the smallest unit, or beside the largest of several values, is written as 0.
     """
-    smallest = 1 / max(factor for _, factor, _ in READING_UNITS[unit]) if unit in READING_UNITS else 0.0
-    if abs(value) < _ROUNDING * max(smallest, abs(largest)):
-        value = 0.0
+    smallest = 1 / max(factor for _, factor, _ in READING_UNITS.get(unit, [("", math.inf, 0.0)]))
+    value = 0.0 if abs(value) < _ROUNDING * max(smallest, largest) else value
     name, factor = reading_unit(unit, abs(value))
     return f"{factor * value:.{digits}g} {name}"
 

@@ -49,7 +49,7 @@ def test_a_design_from_the_file_halves_the_stops_of_split_folds_and_refuses_a_se
     [
         (0, 99, r"forficula:edges_fold\[0\]: need a whole number from 0 to \d+, got 99"),
         (0, 1.5, r"forficula:edges_fold\[0\]: need a whole number from 0 to \d+, got 1\.5"),
-        (3, 0, r"edges_fold\[3\]: need two mountains or two valleys as one fold, got V at edge 0 and B at edge 3"),
+        (3, 0, r"edges_fold\[3\]: need two mountains or valleys as one fold, got letters VB"),
     ],
 )
 def test_wrong_numbers_of_folds_are_refused(tmp_path, edge, number, message):

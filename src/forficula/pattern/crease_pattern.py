@@ -62,8 +62,10 @@ class CreasePattern:
         fold = np.array(self.edges_fold, dtype=np.int64)
         # also in a copy with other edges
         fold = np.arange(edge_count) if np.array_equal(fold, np.arange(len(fold))) else fold
-        if fold.shape != (edge_count,):
-            raise InputError(f"edges_fold: need shape ({edge_count},), got {fold.shape}")
+        if fold.shape != (edge_count,) or ((fold < 0) | (fold >= edge_count)).any():
+            raise InputError(
+                f"edges_fold: need {edge_count} numbers from 0 to {edge_count - 1}, got {fold[:12].tolist()}"
+            )
         _check_folds(fold, self.edges_assignment)
         for array in (coords, edges, fold_angle, fold):
             array.setflags(write=False)
@@ -82,18 +84,11 @@ class CreasePattern:
 
 
 def _check_folds(folds: Indices, letters: tuple[str, ...]) -> None:
-    """Check the numbers of folds."""
-    edges = np.arange(len(folds))
-    for edge in np.flatnonzero((folds < 0) | (folds >= len(folds)))[:1].tolist():
-        raise InputError(f"edges_fold[{edge}]: need 0 to {len(folds) - 1}, got {folds[edge]}")
+    """Check the letters of edges that are one fold."""
     _, first, place = np.unique(folds, return_index=True, return_inverse=True)
-    for edge in np.flatnonzero(first[place] != edges).tolist():
-        other = int(first[place][edge])
-        if letters[edge] != letters[other] or letters[edge] not in "MV":
-            raise InputError(
-                f"edges_fold[{edge}]: need two mountains or two valleys as one fold, got {letters[other]} at edge"
-                f" {other} and {letters[edge]} at edge {edge}"
-            )
+    for edge in np.flatnonzero(first[place] != np.arange(len(folds))).tolist():
+        if (both := letters[first[place[edge]]] + letters[edge]) not in ("MM", "VV"):
+            raise InputError(f"edges_fold[{edge}]: need two mountains or valleys as one fold, got letters {both}")
 
 
 def _real_array(values: object, key: str) -> Array:

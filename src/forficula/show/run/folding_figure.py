@@ -46,7 +46,7 @@ from forficula.structure import Structure
 
 # inch, heights: of a row of the legend below, of an entry of one beside pictures, and of a line of a title
 _LEGEND_ROW, _ENTRY, _LINE = 0.2, 0.166, 0.16
-_MARGIN = 0.06  # inch, above titles and below pictures
+_MARGIN = 0.08  # inch, above titles and below pictures
 _BAR_HEIGHT = 0.3  # inch, height of a scale bar with its number
 _BETWEEN = 0.1  # distance of pictures beside one another, as a share of their width
 _TORN = 10.0  # spans, size from which a structure counts as torn
