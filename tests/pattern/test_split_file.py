@@ -1,5 +1,6 @@
 """Sheets with split folds in FOLD files and in designs that are read from them."""
 
+import dataclasses
 import json
 import math
 
@@ -11,7 +12,7 @@ from forficula.design import load_design, with_values
 from forficula.design.sheets.crease_values import creases_by_edge
 from forficula.design.sheets.crease_values import stops as stops_of
 from forficula.pattern import pleat_pattern, read_fold, write_fold
-from forficula.pattern.facts.flat_fold import flat_fold
+from forficula.pattern.facts.flat_fold import flat_fold, flat_fold_text
 from forficula.pattern.thick.split_sheet import split_sheet
 
 # rolled up: the last two of three folds of 180 deg are split
@@ -26,6 +27,14 @@ def test_a_split_sheet_that_is_read_again_has_the_same_folds_and_folding_ratio(t
     np.testing.assert_array_equal(again.edges_fold_angle, SPLIT.edges_fold_angle)
     fold = flat_fold(again)
     assert fold.area / fold.outline_area == pytest.approx(fold.area / (0.1 * 0.06))
+
+
+def test_without_numbers_of_folds_the_facts_report_creases_that_fold_beyond_their_targets():
+    (text,) = flat_fold_text(dataclasses.replace(SPLIT, edges_fold=np.arange(len(SPLIT.edges_fold))))
+    assert text.startswith(
+        "Folded flat, beyond the target angles of 4 creases, and without thickness, it has an outline of"
+    )
+    assert "target" not in flat_fold_text(SPLIT)[0]
 
 
 def test_a_design_from_the_file_halves_the_stops_of_split_folds_and_refuses_a_second_split(tmp_path):
