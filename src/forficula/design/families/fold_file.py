@@ -24,6 +24,7 @@ class FoldFile(Section):
     """The sheet: a crease pattern from a FOLD, SVG or DXF file."""
 
     about: ClassVar[str] = "The sheet: a crease pattern from a FOLD, SVG or DXF file"
+    later: ClassVar[tuple[str, ...]] = ("folds",)
 
     kind: Annotated[Literal["fold-file"], Field(description="source of the pattern: a file")]
     path: Annotated[

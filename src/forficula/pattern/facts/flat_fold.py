@@ -77,8 +77,8 @@ def flat_fold_text(pattern: CreasePattern) -> list[str]:
     partly = int((np.abs(targets) < np.abs(closed) - _ROUNDING).sum())
     beyond = f", beyond the target angles of {partly} creases, and" if partly else ""
     return [
-        f"Folded flat{beyond} without thickness, it has an outline of {100 * fold.outline_area / fold.area:.3g} % of its"
-        f" area (folding ratio {fold.area / fold.outline_area:.3g}) and up to {fold.layers} layers."
+        f"Folded flat{beyond} without thickness, it has an outline of {100 * fold.outline_area / fold.area:.3g} % of"
+        f" its area (folding ratio {fold.area / fold.outline_area:.3g}) and up to {fold.layers} layers."
     ]
 
 
