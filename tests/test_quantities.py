@@ -19,6 +19,7 @@ from forficula.quantities import (
     parse_quantity,
     reading_unit,
     show_quantity,
+    show_value,
 )
 
 UNITS = [value for value in vars(units_of_a_design).values() if isinstance(value, Unit)]
@@ -308,3 +309,11 @@ def test_a_value_nested_thousands_deep_is_written_on_one_short_line():
 
 def test_half_a_character_is_written_by_its_number():
     assert as_written("a\ud800b") == r'"a\ud800b"'
+
+
+def test_values_that_are_only_rounding_are_written_as_zero_in_the_si_unit():
+    assert show_value(3e-67, "J") == "0 J"
+    assert show_value(1e-3, "J", largest=2e-3) == "1 mJ"
+    assert show_value(1e-16, "J", largest=2e-3) == "0 J"
+    assert show_value(0.0, "Pa") == "0 Pa"
+    assert show_value(1e-30, "1/s") == "1e-30 1/s"

@@ -22,6 +22,7 @@ _NUMBER_THEN_UNIT = re.compile(
 _UNIT = re.compile(
     r"[\s(]*(?:1\s*/\s*)?[^\W\d_]+(?:\s*(?:\^|\*\*)\s*-?\d)?(?:[\s*/·()]+[^\W\d_]+(?:\s*(?:\^|\*\*)\s*-?\d)?)*[\s)]*|[°%]"
 )
+_ROUNDING = 1e-12  # [chosen] share below which a value is rounding: 1e-21 J is less than a molecule's thermal energy
 _LONGEST_UNIT = 60
 _LONGEST_SHOWN = 60
 _MOST_DIGITS = 12  # with more digits, a number in the display unit shows the rounding of its factor
@@ -254,11 +255,13 @@ def reading_unit(unit: str, largest: float) -> tuple[str, float]:
         largest: largest of the values, in this unit.
 
     Returns:
-        The name of the unit and its factor from SI; torques are in N cm, as is usual in the field.
+        The name of the unit and its factor from SI; torques are in N cm, as is usual in the field. If all values are
+        0, the SI unit if it is among the units.
     """
     names = READING_UNITS.get(unit, ((unit, 1.0, 0.0),))
-    fitting = (entry for entry in names if largest >= entry[2] or largest == 0)
-    return next(fitting, names[-1])[:2]
+    if largest == 0:
+        return next((entry for entry in names if entry[1] == 1), names[0])[:2]
+    return next((entry for entry in names if largest >= entry[2]), names[-1])[:2]
 
 
 def show_quantity(value: float, unit: Unit, digits: int = 4) -> str:
@@ -266,8 +269,13 @@ def show_quantity(value: float, unit: Unit, digits: int = 4) -> str:
     return f"{value / _factor(unit.display, unit, value):.{digits}g} {unit.display}"
 
 
-def show_value(value: float, unit: str, digits: int = 4) -> str:
-    """Write an SI float as readable text, in the unit that `reading_unit` chooses."""
+def show_value(value: float, unit: str, digits: int = 4, *, largest: float = 0.0) -> str:
+    """Write an SI float as readable text, in the unit that `reading_unit` chooses.
+
+    A value that is only rounding beside the smallest unit, or beside the largest of several values, is written as 0.
+    """
+    smallest = 1 / max(factor for _, factor, _ in READING_UNITS.get(unit, [("", math.inf, 0.0)]))
+    value = 0.0 if abs(value) < _ROUNDING * max(smallest, largest) else value
     name, factor = reading_unit(unit, abs(value))
     return f"{factor * value:.{digits}g} {name}"
 

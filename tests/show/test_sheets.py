@@ -1,5 +1,6 @@
 """Sheets whose facets bend are drawn by everything that draws runs: facets, creases by fold angle, supports."""
 
+import dataclasses
 import re
 
 import numpy as np
@@ -13,7 +14,7 @@ from forficula.show.folder.run_folder import run_drawings
 from forficula.show.page.parts.outcome_tables import strength_table
 from forficula.show.page.playback import clip_data, legend_data, make_clip, mark_readings
 from forficula.show.run.outcome_rows import balance_rows, state_rows
-from forficula.show.structure.labels import condensed, reading_labels, role_groups
+from forficula.show.structure.labels import by_number, condensed, reading_labels, role_groups
 from forficula.show.structure.painted_shape import fold_colours, paint_shape
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
@@ -121,6 +122,22 @@ def test_the_energy_balance_separates_creases_from_bars():
     assert any(label.endswith("change of crease energy") for label in output)
     assert any(label.endswith("change of bar energy") for label in output)
     assert words_of(run_drawings(record, outcome)["energy"](PAGE_WIDTH))[:3] == ["creases", "bars", "kinetic"]
+
+
+def test_the_energy_balance_is_in_the_unit_of_its_largest_term():
+    """The work of a stack that sinks under its weight is zero, and its gravitational energy is not."""
+    record, outcome = sheet_run("tower")
+    sinks = {"work": 0.0, "tendon": 0.0, "hinges": 0.0, "springs": 0.0, "gravitational": -2.765e-4}
+    zero = dict.fromkeys(("hinge_damping", "elastic_damping", "kinetic", "stops"), 0.0)
+    balance = dataclasses.replace(outcome.energy_balance, **sinks, **zero)
+    output = dict(balance_rows(record.structure, balance))
+    assert output["+ change of gravitational energy"] == "-0.2765 mJ"
+
+
+def test_labels_with_numbers_are_listed_in_their_order():
+    labels = ["crease 0", "crease 1", "crease 13", "crease 2"]
+    assert [labels[place] for place in by_number(labels)] == ["crease 0", "crease 1", "crease 2", "crease 13"]
+    assert by_number(["ring", "beside 3", "beside 1"]) == [0, 1, 2]
 
 
 def test_the_page_shows_facets_creases_by_assignment_and_supports():

@@ -32,7 +32,8 @@ export function takeUnits(units) {
 /** The legible unit for values in an SI unit, by the largest one, and its factor; same rules as forficula.quantities. */
 function readingUnit(si, largest) {
   const units = readingUnits[si];
-  const [unit, factor] = units.find(([, , least]) => largest >= least || largest === 0) ?? units.at(-1);
+  const fits = ([, scale, least]) => (largest === 0 ? scale === 1 : largest >= least);
+  const [unit, factor] = units.find(fits) ?? (largest === 0 ? units[0] : units.at(-1));
   return { unit, factor };
 }
 

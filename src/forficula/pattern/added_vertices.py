@@ -143,6 +143,7 @@ def _rebuilt(
         edges_assignment=(*pattern.edges_assignment, *(edge.letter for edge in edges)),
         edges_fold_angle=np.array([*pattern.edges_fold_angle, *(edge.angle for edge in edges)]),
         edges_role=(*pattern.edges_role, *(edge.role for edge in edges)),
+        edges_fold=np.array([*pattern.edges_fold, *range(first, first + len(edges))]),
         faces_vertices=tuple(corners for pieces in faces for corners in pieces),
     )
     sources = [first + index if edge.source is None else edge.source for index, edge in enumerate(edges)]

@@ -62,8 +62,11 @@ class CreasePattern:
         fold = np.array(self.edges_fold, dtype=np.int64)
         # also in a copy with other edges
         fold = np.arange(edge_count) if np.array_equal(fold, np.arange(len(fold))) else fold
-        if fold.shape != (edge_count,):
-            raise InputError(f"edges_fold: need shape ({edge_count},), got {fold.shape}")
+        if fold.shape != (edge_count,) or ((fold < 0) | (fold >= edge_count)).any():
+            raise InputError(
+                f"edges_fold: need {edge_count} numbers from 0 to {edge_count - 1}, got {fold[:12].tolist()}"
+            )
+        _check_folds(fold, self.edges_assignment)
         for array in (coords, edges, fold_angle, fold):
             array.setflags(write=False)
         object.__setattr__(self, "vertices_coords", coords)
@@ -78,6 +81,14 @@ class CreasePattern:
     def edges_share(self) -> Array:
         """Part of the angle of its fold by which every edge folds, (edge,): 1/2 for each of two edges, else 1."""
         return np.asarray(1 / np.bincount(self.edges_fold)[self.edges_fold])
+
+
+def _check_folds(folds: Indices, letters: tuple[str, ...]) -> None:
+    """Check the letters of edges that are one fold."""
+    _, first, place = np.unique(folds, return_index=True, return_inverse=True)
+    for edge in np.flatnonzero(first[place] != np.arange(len(folds))).tolist():
+        if (both := letters[first[place[edge]]] + letters[edge]) not in ("MM", "VV"):
+            raise InputError(f"edges_fold[{edge}]: need two mountains or valleys as one fold, got letters {both}")
 
 
 def _real_array(values: object, key: str) -> Array:

@@ -100,5 +100,6 @@ def _with_faces(pattern: CreasePattern, faces: list[tuple[int, ...]], sources: I
         edges_assignment=tuple(letters),
         edges_fold_angle=np.array(angles),
         edges_role=tuple(roles),
+        edges_fold=np.array([*pattern.edges_fold, *range(len(pattern.edges_fold), len(edges))]),
         faces_vertices=tuple(faces),
     )

@@ -9,7 +9,8 @@ from rich.console import Console
 from scipy.spatial.transform import Rotation
 
 from forficula.analysis.simulated_rests import rest_distances
-from forficula.show.folder.landscape_folder import landscape_drawings, write_landscape
+from forficula.design import load_design
+from forficula.show.folder.landscape_folder import landscape_drawings, landscape_kinds, write_landscape
 from forficula.show.folder.presentation import folder_drawings
 from forficula.show.landscape.barriers_figure import draw_barriers
 from forficula.show.landscape.headline import headline
@@ -18,6 +19,7 @@ from forficula.show.landscape.net_pictures import _aligned
 from forficula.show.landscape.slow_paths_figure import draw_slow_paths
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from forficula.statics import energy_landscape
+from forficula.structure import structure_of
 from forficula.study.running.runs import run
 from tests.pyramid import SIDE, pyramid
 from tests.show.legible import check_words
@@ -78,6 +80,13 @@ def test_every_kind_of_line_of_a_path_is_in_the_legend(landscape):
     # panels have letters, and moments numbers
     assert [text.get_text() for axes in plots for text in axes.texts if text.get_weight() == "bold"] == ["A", "B"]
     assert {"1", "2"} <= {text.get_text() for text in plots[0].texts}
+
+
+def test_barriers_are_drawn_with_contact_as_well(landscape):
+    touching = dataclasses.replace(
+        landscape.structure, contact=structure_of(load_design("letter-fold", {"protocol.contact": True})).contact
+    )
+    assert landscape_kinds(dataclasses.replace(landscape, structure=touching)) == tuple(KINDS)
 
 
 def test_the_headline_names_barriers_between_states_of_the_protocol_first(landscape):

@@ -24,6 +24,7 @@ class FoldFile(Section):
     """The sheet: a crease pattern from a FOLD, SVG or DXF file."""
 
     about: ClassVar[str] = "The sheet: a crease pattern from a FOLD, SVG or DXF file"
+    later: ClassVar[tuple[str, ...]] = ("folds",)
 
     kind: Annotated[Literal["fold-file"], Field(description="source of the pattern: a file")]
     path: Annotated[
@@ -71,6 +72,14 @@ class FoldFile(Section):
         at_most=math.pi,
     )
 
+    folds: Annotated[
+        tuple[Whole, ...],
+        Field(
+            description="number of the fold of every edge, for a sheet with split folds: both edges of a split fold"
+            " have one number, and each of them has half the angle of the fold; if not given, every edge is a fold"
+        ),
+    ] = ()
+
     @model_validator(mode="after")
     def _is_a_sheet(self) -> FoldFile:
         if not self.vertices_x:
@@ -110,6 +119,7 @@ class FoldFile(Section):
                 or [FOLDED.get(letter, math.nan) for letter in self.assignment]
             ),
             edges_role=self.roles,
+            edges_fold=np.array(self.folds, dtype=np.int64),
             faces_vertices=self.facets,
         )
 

@@ -87,6 +87,8 @@ def sheet_values(pattern: CreasePattern) -> dict[str, Any]:
     }
     if any(above):
         values["vertices_z"] = [format_quantity(value, LENGTH) for value in above]
+    if (pattern.edges_share < 1).any():
+        values["folds"] = pattern.edges_fold.tolist()
     folded = [FOLDED.get(letter, math.nan) for letter in pattern.edges_assignment]
     if not np.array_equal(pattern.edges_fold_angle, folded, equal_nan=True):
         angles = pattern.edges_fold_angle.tolist()

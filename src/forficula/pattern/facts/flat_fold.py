@@ -16,6 +16,7 @@ from forficula.pattern.kinematics import folded_coordinates
 
 # fold angles of a flat-folded sheet by letter; nan on borders and unassigned creases
 _CLOSED = {"M": -np.pi, "V": np.pi, "F": 0.0}
+_ROUNDING = 1e-4  # rad, of target angles that a drawing states as opacities of six digits
 # samples of a facet, as shares of the way from its centre to its corners; of sheets with more facets, centres alone
 _SAMPLES, _MOST_FACETS = (0.3, 0.6, 0.9), 400
 
@@ -48,9 +49,8 @@ def flat_fold(pattern: CreasePattern) -> FlatFold | None:
     """
     if not is_unfolded(pattern) or not {"M", "V"} & set(pattern.edges_assignment) or flat_folding_faults(pattern):
         return None
-    angles = pattern.edges_share * [_CLOSED.get(letter, np.nan) for letter in pattern.edges_assignment]
     try:
-        places = folded_coordinates(pattern, angles)
+        places = folded_coordinates(pattern, _closed_angles(pattern))
     except InputError:
         return None
     facets = [places[list(face), :2] for face in pattern.faces_vertices]
@@ -63,14 +63,22 @@ def flat_fold(pattern: CreasePattern) -> FlatFold | None:
     return FlatFold(places=places, area=area, outline_area=outline, layers=_layers(facets))
 
 
+def _closed_angles(pattern: CreasePattern) -> Array:
+    """Return the fold angles of the flat-folded sheet, rad, (edge,); both edges of a split fold share 180 deg."""
+    return np.asarray(pattern.edges_share * [_CLOSED.get(letter, np.nan) for letter in pattern.edges_assignment])
+
+
 def flat_fold_text(pattern: CreasePattern) -> list[str]:
     """Describe in a sentence the size of a flat-folded sheet; none for a sheet that does not fold flat."""
     fold = flat_fold(pattern)
     if fold is None:
         return []
+    closed, targets = _closed_angles(pattern), pattern.edges_fold_angle
+    partly = int((np.abs(targets) < np.abs(closed) - _ROUNDING).sum())
+    beyond = f", beyond the target angles of {partly} creases, and" if partly else ""
     return [
-        f"Folded flat without thickness, it has an outline of {100 * fold.outline_area / fold.area:.3g} % of its area"
-        f" (folding ratio {fold.area / fold.outline_area:.3g}) and up to {fold.layers} layers."
+        f"Folded flat{beyond} without thickness, it has an outline of {100 * fold.outline_area / fold.area:.3g} % of"
+        f" its area (folding ratio {fold.area / fold.outline_area:.3g}) and up to {fold.layers} layers."
     ]
 
 

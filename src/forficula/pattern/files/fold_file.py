@@ -30,6 +30,7 @@ from forficula.pattern.files.fold_frame import (
     coords_of,
     edges_of,
     fold_angles_of,
+    folds_of,
     lacks_unit,
     letters_by_angle,
     letters_of,
@@ -37,7 +38,7 @@ from forficula.pattern.files.fold_frame import (
     values_of,
     vertex_lists,
 )
-from forficula.pattern.files.fold_writer import ROLES, Frame
+from forficula.pattern.files.fold_writer import FOLDS, ROLES, Frame
 from forficula.pattern.files.sheet_plane import SheetPlane, sheet_plane
 from forficula.quantities import as_written
 
@@ -215,6 +216,7 @@ def _sheet_of(frames: Sequence[FoldFrame], number: int, unit: float | None) -> _
         edges_fold_angle=target_angles(letters, given_angles),
         faces_vertices=tuple(tuple(face) for face in faces),
         edges_role=tuple(map(str, values_of(frame, ROLES, len(edges)))) if ROLES in frame else (),
+        edges_fold=folds_of(frame, FOLDS, len(edges)),
         title=one_line(str(frame.get("frame_title", frame.get("file_title", "")))),
     )
     _check_geometry(whole, kept, counts, lies_flat=plane is not None and not folded_flat)
@@ -336,6 +338,7 @@ def _without_loose_ends(whole: CreasePattern, edges: Indices, plane: SheetPlane 
             plural = {"edge": "edges_vertices", "vertex": "vertices_coords"}[what]
             remarks.append(f"{plural}: left out, as {reason} it, {_named(what, lost)}; later numbers move up")
     number = {vertex: place for place, vertex in enumerate(vertices.tolist())}
+    _, first, place = np.unique(whole.edges_fold[edges], return_index=True, return_inverse=True)
     pattern = CreasePattern(
         vertices_coords=whole.vertices_coords[vertices],
         edges_vertices=np.searchsorted(vertices, whole.edges_vertices[edges]),
@@ -343,6 +346,7 @@ def _without_loose_ends(whole: CreasePattern, edges: Indices, plane: SheetPlane 
         edges_fold_angle=whole.edges_fold_angle[edges],
         faces_vertices=tuple(tuple(number[vertex] for vertex in face) for face in whole.faces_vertices),
         edges_role=tuple(whole.edges_role[edge] for edge in edges.tolist()),
+        edges_fold=first[place],
         title=whole.title,
     )
     counts = len(whole.vertices_coords), len(whole.edges_vertices)

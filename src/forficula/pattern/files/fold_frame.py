@@ -12,7 +12,7 @@ from forficula.errors import InputError
 from forficula.pattern.crease_pattern import ASSIGNMENTS, check_vertex, face_sides
 from forficula.pattern.files.edge_names import letter_of_name
 from forficula.pattern.files.fold_document import FoldFrame, list_at
-from forficula.quantities import as_written, show_value
+from forficula.quantities import as_written, is_whole, show_value
 
 _METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "nm": 1e-9, "in": 0.0254, "pt": 0.0254 / 72}
 _FOLDED_FLAT = 180 * (1 + 1e-9)  # deg, with an allowance for rounding
@@ -199,6 +199,22 @@ def values_of(frame: FoldFrame, key: str, edge_count: int) -> list[object]:
         what = "letter" if key == "edges_assignment" else "value"
         raise InputError(f"{key}: need one {what} for each of the {edge_count} edges, got {len(values)}")
     return values
+
+
+def folds_of(frame: FoldFrame, key: str, edge_count: int) -> Indices:
+    """Return the number of the fold of every edge, (E,); none if the key is missing.
+
+    Raises:
+        InputError: the number of values differs from the number of edges, or one is no whole number of an edge.
+    """
+    if key not in frame:
+        return np.zeros(0, dtype=np.int64)
+    numbers = []
+    for edge, value in enumerate(values_of(frame, key, edge_count)):
+        if not is_whole(value, 0, edge_count - 1):
+            raise InputError(f"{key}[{edge}]: need a whole number from 0 to {edge_count - 1}, got {as_written(value)}")
+        numbers.append(value)
+    return np.array(numbers, dtype=np.int64)
 
 
 def fold_angles_of(frame: FoldFrame, edge_count: int, letters: Sequence[str] | None = None) -> tuple[Array, list[str]]:

@@ -19,6 +19,7 @@ from forficula.quantities import as_written
 Frame = tuple[str, Array, Array]
 
 ROLES = "forficula:edges_role"
+FOLDS = "forficula:edges_fold"
 
 
 def write_fold(
@@ -67,6 +68,8 @@ def write_fold(
         "faces_vertices": [list(face) for face in pattern.faces_vertices],
         ROLES: list(pattern.edges_role),
     }
+    if (pattern.edges_share < 1).any():
+        document[FOLDS] = pattern.edges_fold.tolist()
     if description:
         document["frame_description"] = description
     for key, value in (metadata or {}).items():
@@ -86,7 +89,7 @@ def _own_values(pattern: CreasePattern, key: str, values: Sequence[object]) -> l
         "faces": len(pattern.faces_vertices),
     }
     of = key.partition("_")[0]
-    if of not in counts or key == "edges_role":
+    if of not in counts or key in ("edges_role", "edges_fold"):
         raise InputError(f"own: need keys that begin with vertices_, edges_ or faces_, got {as_written(key)}")
     if len(values) != counts[of]:
         raise InputError(f"own.{key}: need one value for each of the {counts[of]} {of}, got {len(values)}")

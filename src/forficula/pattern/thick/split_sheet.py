@@ -68,6 +68,7 @@ def split_sheet(pattern: CreasePattern, thickness: float) -> SplitSheet:
     Raises:
         InputError: a vertex or crease that cannot be split, or panels that do not fold onto one another.
     """
+    check_unsplit(pattern)
     lines = _lines(pattern)
     heights = panel_heights(pattern, flat_folded(pattern), shifted=True, lines=lines)
     if heights is None:
@@ -75,6 +76,16 @@ def split_sheet(pattern: CreasePattern, thickness: float) -> SplitSheet:
     _, axes, widths = heights
     widths = np.where(widths > _NARROWEST, widths, 0.0)
     return _with_strips(pattern, thickness, thickness * axes, thickness * widths)
+
+
+def check_unsplit(pattern: CreasePattern) -> None:
+    """Refuse a sheet with split folds, such as that of a file, to which no thickness can be added.
+
+    Raises:
+        InputError: the first edge of a split fold.
+    """
+    for edge in np.flatnonzero(pattern.edges_share < 1)[:1].tolist():
+        raise InputError(f'need "none" for a pattern that has split folds (folds), got one at edge {edge}')
 
 
 def _lines(pattern: CreasePattern) -> tuple[tuple[int, ...], ...]:

@@ -22,7 +22,7 @@ from forficula.pattern.shared_edges import shared_edges
 from forficula.pattern.thick.convex import ConvexSolid
 from forficula.pattern.thick.panel_heights import BRACKETS, bracket_slots, panel_heights, unique_first
 from forficula.pattern.thick.panel_solids import Layer, panel_cores, panel_solids, strip_cuts
-from forficula.pattern.thick.split_sheet import split_sheet
+from forficula.pattern.thick.split_sheet import check_unsplit, split_sheet
 from forficula.pattern.thick.thick_motion import (
     POSES,
     built_angles,
@@ -114,6 +114,7 @@ def _made(pattern: CreasePattern, thickness: float, method: ThickMethod, limits:
 
 def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limits: Limits) -> ThickSheet:
     """Return a sheet as `thick_sheet`; raise InputError if the method cannot give it this thickness."""
+    check_unsplit(pattern)
     facets = len(pattern.faces_vertices)
     for facet, face in enumerate(pattern.faces_vertices):
         _check_convex(pattern.vertices_coords[list(face)], facet)

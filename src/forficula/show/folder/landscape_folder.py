@@ -95,8 +95,7 @@ def landscape_kinds(landscape: EnergyLandscape) -> tuple[str, ...]:
     structure = landscape.structure
     if landscape.net is not None:
         states = ("states", "modes") if landscape.states else ()
-        barriers = len(landscape.states) > 1 and structure.contact is None
-        return (*states, *["barriers"] * barriers, *["courses"] * bool(landscape.courses))
+        return (*states, *["barriers"] * (len(landscape.states) > 1), *["courses"] * bool(landscape.courses))
     tendon = ("tendon",) if landscape.hinges else ()
     # a single hinge has no intermediate levels, and a figure of its own
     several = len(folding_hinges(structure)) > bool(tendon)

@@ -46,6 +46,7 @@ from forficula.structure import Structure
 
 # inch, heights: of a row of the legend below, of an entry of one beside pictures, and of a line of a title
 _LEGEND_ROW, _ENTRY, _LINE = 0.2, 0.166, 0.16
+_MARGIN = 0.08  # inch, above titles and below pictures
 _BAR_HEIGHT = 0.3  # inch, height of a scale bar with its number
 _BETWEEN = 0.1  # distance of pictures beside one another, as a share of their width
 _TORN = 10.0  # spans, size from which a structure counts as torn
@@ -171,8 +172,8 @@ def _draw_panels(
     beside = len(rows) * columns - len(panels) > 0 and heights[-1] > _ENTRY * len(handles)
     wide = 2 if is_narrow(width) else len(handles)
     below = 0.0 if beside else _LEGEND_ROW * -(-len(handles) // wide) + 0.1
-    layout = ConstrainedLayoutEngine(w_pad=0.0, h_pad=0.03, wspace=0.0, hspace=0.0)
-    figure = Figure(figsize=(width, sum(heights) + below + 0.08 * len(rows)), layout=layout)
+    layout = ConstrainedLayoutEngine(w_pad=0.0, h_pad=_MARGIN, wspace=0.0, hspace=0.0)
+    figure = Figure(figsize=(width, sum(heights) + below + (2 * _MARGIN + 0.02) * len(rows)), layout=layout)
     grid = figure.subplots(len(rows), columns, squeeze=False, height_ratios=heights)
     for axes in grid.flat:
         axes.set_axis_off()

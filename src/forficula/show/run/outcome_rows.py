@@ -310,9 +310,6 @@ def _grown_text(structure: Structure, outcome: Outcome, number: int, share: floa
 
 def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str, str]]:
     """Return an energy balance, term by term in one unit, and the residual as a share."""
-    stored = (balance.tendon, balance.hinges or 0.0, balance.springs or 0.0, balance.couplings or 0.0)
-    largest = max(abs(balance.work), *map(abs, stored), 1e-12)
-    unit, factor = reading_unit("J", largest)
     tendons, sheets = bool(structure.tendons), bool(structure.membranes)
     spring = springs_name(structure).removesuffix("s")
     stretched = (("tendon", tendons), ("membrane", sheets), (spring, bool(structure.springs)))
@@ -348,6 +345,7 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
         ("+ missing", balance.missing, True),
     )
     present = [(label, value) for label, value, exists in terms if exists and value is not None]
+    unit, factor = reading_unit("J", max(1e-12, *(abs(value) for _, value in present)))
     # the first term of the sum begins with "="
     present[1] = (f"={present[1][0][1:]}", present[1][1])
     # adding 0 turns -0 into 0

@@ -13,6 +13,7 @@ from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit, show_duration
 from forficula.show.run.missed_goal import still_time
+from forficula.show.structure.labels import by_number
 from forficula.show.style import fit_legend, is_narrow, letter_panels
 
 # time shown before and after a driven stage, as a share of it
@@ -141,8 +142,9 @@ def stacked_axes(figure: Figure, count: int, stages: int) -> list[list[Axes]]:
 
 
 def row_legend(row: list[Axes], width: float, columns: int) -> None:
-    """Draw the legend of the lines beside the axes, or above narrow axes."""
-    handles = row[0].get_legend_handles_labels()[0]
+    """Draw the legend of the lines beside the axes, or above narrow axes; lines with numbers in their order."""
+    handles, labels = row[0].get_legend_handles_labels()
+    handles = [handles[place] for place in by_number(labels)]
     if is_narrow(width):
         above = {"bbox_to_anchor": (0, 1.14), "columnspacing": 1.2}
         fit_legend(row[0], handles, columns, room=width - _LABELS, loc="lower left", borderaxespad=0, **above)

@@ -98,6 +98,16 @@ def parts_of(labels: Sequence[str]) -> Parts:
     return Parts(heading="", names=tuple(labels))
 
 
+def by_number(labels: Sequence[str]) -> list[int]:
+    """Return the indices of labels in the order of their numbers, if every label is one word and a number.
+
+    >>> by_number(["crease 0", "crease 13", "crease 2"]), by_number(["ring", "beside 3"])
+    ([0, 2, 1], [0, 1])
+    """
+    parts = parts_of(labels)
+    return sorted(range(len(labels)), key=lambda place: int(parts.names[place]) if parts.heading else place)
+
+
 def counted(labels: Sequence[str], kind: str) -> str:
     """Return the number of labels with their common word, such as "3 veins", or with a kind."""
     word = parts_of(labels).heading or kind

@@ -17,7 +17,7 @@ from forficula.show.page.data.shape_mesh import ShapeMesh, shape_mesh
 from forficula.show.page.data.shown_path import BUDGET, is_within, shown_rows
 from forficula.show.page.data.time_spans import Span, span_data
 from forficula.show.page.parts.efforts import effort_word
-from forficula.show.page.parts.plots import Line, Plot, energy_plot, plot_data
+from forficula.show.page.parts.plots import Line, Plot, energy_plot, plot_data, reading_lines
 from forficula.show.page.parts.run_sentences import readable, reading_range, shape_text
 from forficula.show.page.playback import (
     Clip,
@@ -286,10 +286,7 @@ def reading_plot(readings: Readings) -> Plot:
     return Plot(
         title=title,
         unit=readings.unit,
-        lines=tuple(
-            Line(name=label, clip=0, values=(readings.measure.name, index))
-            for index, label in enumerate(readings.labels)
-        ),
+        lines=reading_lines(readings),
         text=f"{title[:1].upper()}{title[1:]} along the path: {first} at the start, {last} at the end.",
     )
 

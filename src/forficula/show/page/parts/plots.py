@@ -15,9 +15,9 @@ from forficula.names import listed
 from forficula.quantities import reading_unit, show_value
 from forficula.show.page.data.packing import packed
 from forficula.show.page.parts.run_sentences import reading_text
-from forficula.show.page.playback import Clip, mark_readings
+from forficula.show.page.playback import Clip, Readings, mark_readings
 from forficula.show.run.mechanisms_figure import LOSSES, energy_bands, supply_text
-from forficula.show.structure.labels import parts_of
+from forficula.show.structure.labels import by_number, parts_of
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,15 +61,20 @@ class Plot:
     stacked: bool = False
 
 
+def reading_lines(readings: Readings) -> tuple[Line, ...]:
+    """Return the lines of one measure in the order of their numbers."""
+    return tuple(
+        Line(name=readings.labels[index], clip=0, values=(readings.measure.name, index))
+        for index in by_number(readings.labels)
+    )
+
+
 def reading_plot(clip: Clip, number: int) -> Plot:
     """Return the plot of one measure, selected by index, of a page with a single clip."""
     readings = clip.readings[number]
-    lines = tuple(
-        Line(name=label, clip=0, values=(readings.measure.name, index)) for index, label in enumerate(readings.labels)
-    )
     in_states = [readings.factor * mark_readings(clip, readings, mark)[0] for mark in clip.marks]
     text = reading_text(readings, in_states, clip)
-    return Plot(title=readings.title, unit=readings.unit, lines=lines, text=text)
+    return Plot(title=readings.title, unit=readings.unit, lines=reading_lines(readings), text=text)
 
 
 def energy_plot(title: str, energies: Sequence[tuple[str, int, Array]], text: str) -> Plot:
@@ -109,7 +114,7 @@ def mechanisms_plot(record: Record, clip: Clip) -> Plot | None:
     total = sum(shares.stored.values(), np.zeros(len(record.time)))
     moments = np.searchsorted(record.time, [mark.time for mark in clip.marks])
     stored = [
-        f"{show_value(energy, 'J')} {mark.name}"
+        f"{show_value(energy, 'J', largest=float(max(supplied.max(), total.max())))} {mark.name}"
         for energy, mark in zip(total[moments].tolist(), clip.marks, strict=True)
     ]
     text = (
