@@ -45,10 +45,13 @@ def test_the_estimate_of_a_continued_study_counts_only_the_runs_of_now(capsys, m
     assert capsys.readouterr().err == "estimate: 1.6 min for 1000 runs\n"
 
 
-def test_the_landscape_of_a_net_is_estimated_from_the_time_of_its_steps_on_this_machine(capsys, monkeypatch):
+def test_the_landscape_of_a_structure_is_estimated_from_the_time_of_its_steps_on_this_machine(capsys, monkeypatch):
     ticks = itertools.count()
     monkeypatch.setattr("forficula.statics.net.survey_cost.perf_counter", lambda: 1e-3 * next(ticks))
     write_survey_estimate(structure_of(load_design("bistable-clasp")))
     assert capsys.readouterr().err == "estimate: 4.6 s to 17 s for the static analysis\n"
     write_survey_estimate(structure_of(load_design("binder2025-joint")))
     assert capsys.readouterr().err == ""
+    # 12 hinges on a table
+    write_survey_estimate(structure_of(load_design("binder2025-on-table")))
+    assert capsys.readouterr().err == "estimate: 58 s to 3.6 min for the static analysis\n"

@@ -89,7 +89,7 @@ class RunEstimate(_Estimate):
 
 
 def write_survey_estimate(structure: Structure) -> None:
-    """Write how long the landscape of a net will take, where that may exceed ten seconds."""
+    """Write how long the landscape of a structure will take, where that may exceed ten seconds."""
     from forficula.statics.net.survey_cost import survey_time
 
     times = survey_time(structure)
