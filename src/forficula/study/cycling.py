@@ -216,7 +216,7 @@ def check_cycles(design: Design, last: int) -> None:
         driven = [stage.until for stage in design.protocol.stages if stage_drives(stage)]
         if driven:
             raise InputError(
-                "need a driven stage that ends at a goal, such as until = \"creases > 90 deg\", and leads to a state,"
+                'need a driven stage that ends at a goal, such as until = "creases > 90 deg", and leads to a state,'
                 f' got until = "{driven[0]}"'
             )
         raise InputError(f"need a stage with drive = {drives} in protocol.stages, got none")
