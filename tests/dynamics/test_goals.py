@@ -222,3 +222,46 @@ def test_rest_is_a_goal_only_once_all_drives_of_the_stage_have_risen(drive, rise
     assert load.goal_time is not None
     assert ends[0] < load.end - load.start < ends[1]
     assert load.goal_time >= load.start + ends[0] - timestep / 2
+
+
+LOOSE_STRIP = """
+name = "strip"
+[pattern]
+kind = "pleats"
+panels = 2
+panel_lengths = ["4 cm"]
+width = "3 cm"
+assignment = "V"
+[facet]
+kind = "rigid"
+thickness = "0.5 mm"
+density = "0.8 g/cm^3"
+[crease]
+stiffness = "0.02 N m/rad/m"
+rest_angle = "0 deg"
+damping = "0.02 N m s/rad/m"
+[[drive]]
+name = "close"
+kind = "torque"
+of = "creases"
+value = "0.6 N cm"
+[protocol]
+timestep = "0.2 ms"
+[[protocol.stages]]
+name = "close"
+drive = "close"
+until = "creases > 60 deg"
+state = "closed"
+time_limit = "0.5 s"
+"""
+
+
+@pytest.mark.parametrize("places", [["facet 0"], ["vertex 0", "vertex 1", "vertex 3"]])
+def test_a_goal_on_a_crease_is_met_at_its_angle_however_the_strip_is_held(tmp_path, places):
+    """Facets that are held at vertices move freely, and the engine's positions begin with theirs."""
+    supports = "".join(f'[[support]]\nof = "{place}"\n' for place in places)
+    (tmp_path / "strip.toml").write_text(LOOSE_STRIP + supports)
+    record = ff.run(ff.load_design(tmp_path / "strip.toml"), confirm=False)
+    angle = np.degrees(record.angles("crease")[:, 0])
+    at_goal = float(np.interp(record.stages[0].goal_time, record.time, angle))
+    assert (record.outcome.verdict, at_goal) == (Verdict.REACHED, pytest.approx(60, abs=0.5))

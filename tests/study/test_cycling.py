@@ -15,7 +15,7 @@ from forficula.material.law.law_file import load_law, save_law
 from forficula.material.law.material_law import MaterialLaw, MaxwellBranch
 from forficula.material.law.softening import OgdenRoxburgh
 from forficula.structure import built_strains, structure_of
-from forficula.study.cycling import cycle_counts, design_at_cycle, run_cycles, why_unchanged
+from forficula.study.cycling import check_cycles, cycle_counts, design_at_cycle, run_cycles, why_unchanged
 from forficula.study.running.evaluate import evaluate
 from tests.material.synthetic import cyclic_test
 
@@ -212,3 +212,10 @@ def test_a_protocol_that_does_not_fold_is_refused():
     design = with_values(folding(replace(LAW, stiffness_drift=FADING)), {"protocol.stages": [SETTLE]})
     with pytest.raises(InputError, match=r'need a stage with drive = "fold" in protocol\.stages, got none'):
         run_cycles(design, 3)
+
+
+def test_cycles_without_a_transition_name_the_end_that_a_stage_needs():
+    push = {"name": "push", "drive": "close", "until": "rest", "hold": "0.1 s", "time_limit": "1 s"}
+    design = load_design("letter-fold", {"protocol.stages": [push]})
+    with pytest.raises(InputError, match=r'ends at a goal, such as until = "creases > 90 deg".* got until = "rest"'):
+        check_cycles(design, 3)

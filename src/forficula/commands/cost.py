@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from forficula.terminal import is_quiet
 
 if TYPE_CHECKING:
+    from forficula.design import StageSection
     from forficula.structure import Structure
 
 LONG = 10.0  # s; a shorter command is not announced
@@ -50,28 +51,45 @@ class RunEstimate(_Estimate):
         progress: receives every call.
         searches: whether the timestep is searched by halving.
         several: whether the run is the first of several runs side by side, which are followed by others.
+        stages: of the protocol. The time that statics takes for those that are quasi-static cannot be estimated.
     """
 
-    def __init__(self, progress: Callable[[str, float, float], None], *, searches: bool, several: bool = False) -> None:
+    def __init__(
+        self,
+        progress: Callable[[str, float, float], None],
+        *,
+        searches: bool,
+        several: bool = False,
+        stages: Sequence[StageSection] = (),
+    ) -> None:
         super().__init__()
         self._progress, self._searches, self._several = progress, searches, several
+        self._slow = tuple(stage.name for stage in stages if stage.quasi_static)
+        self._slow_limit = sum(stage.time_limit for stage in stages if stage.quasi_static)
+        self._reached_statics = False
 
     def __call__(self, stage: str, time: float, longest: float) -> None:
         """Report a stage, the simulated time and its upper limit, s."""
         elapsed = self.elapsed()
-        if not self._done and elapsed >= _MEASURED and time > 0:
-            left = elapsed * (longest - time) / time
+        self._reached_statics = self._reached_statics or stage.endswith(self._slow)
+        if self._reached_statics:
+            if not self._done and elapsed > LONG:
+                unknown = "the number of static steps of quasi-static stages is unknown"
+                self.write(elapsed, f"estimate: none, because {unknown}; {_rounded(elapsed)} so far")
+        elif not self._done and elapsed >= _MEASURED and time > 0:
+            left = elapsed * (longest - self._slow_limit - time) / time
             more = ", and twice as long at each finer timestep" if self._searches else ""
             # runs side by side may have different timesteps, and the progress is that of one of them
             limit, runs = ("about", " for the first runs") if self._several else ("at most", "")
             further = "; some runs are repeated at a shorter timestep" if self._several else ""
-            text = f"{limit} {_rounded(left)}{runs}, less if stages reach their goals early{more}{further}"
+            simulated = " for the simulated stages" if self._slow else ""
+            text = f"{limit} {_rounded(left)}{runs}{simulated}, less if stages reach their goals early{more}{further}"
             self.write(left, f"estimate: {text}")
         self._progress(stage, time, longest)
 
 
 def write_survey_estimate(structure: Structure) -> None:
-    """Write how long the landscape of a net will take, where that may exceed ten seconds."""
+    """Write how long the landscape of a structure will take, where that may exceed ten seconds."""
     from forficula.statics.net.survey_cost import survey_time
 
     times = survey_time(structure)

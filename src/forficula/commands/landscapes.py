@@ -142,7 +142,7 @@ def _survey(design: Design, *, simulation: bool) -> tuple[EnergyLandscape, Recor
     write_survey_estimate(structure)
     first = f"building the {whole}" if simulation else "surveying its energy"
     with survey_progress(first, "surveying") as (progress, steps):
-        estimate = RunEstimate(progress, searches=finds_settings(design))
+        estimate = RunEstimate(progress, searches=finds_settings(design), stages=design.protocol.stages)
         return landscape_and_run(design, simulation=simulation, progress=estimate, steps=steps)
 
 

@@ -127,7 +127,7 @@ def _simulated(design: Design, *, confirm: bool) -> Record:
     for warning in warnings:
         warn(warning)
     with run_progress(f"building the {structure.appearance.whole}") as progress:
-        estimate = RunEstimate(progress, searches=finds_settings(design))
+        estimate = RunEstimate(progress, searches=finds_settings(design), stages=design.protocol.stages)
         return run_design(design, estimate, confirm=confirm)
 
 

@@ -325,7 +325,7 @@ def assumptions(
 
     note_replaced(folder, "table of assumptions")
     with run_progress("building the changed designs") as progress:
-        estimate = RunEstimate(progress, searches=finds_settings(chosen), several=True)
+        estimate = RunEstimate(progress, searches=finds_settings(chosen), several=True, stages=chosen.protocol.stages)
         result = run_assumptions(chosen, assumptions=to_change, progress=estimate)
     print_assumptions(result)
     write_assumptions(result, folder)

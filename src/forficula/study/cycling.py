@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from forficula.design import AnyDesign, Design, as_design, with_values
+from forficula.design.protocol import stage_drives
 from forficula.errors import InputError
 from forficula.material.law.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
 from forficula.material.law.material_law import MaterialLaw
@@ -212,6 +213,12 @@ def check_cycles(design: Design, last: int) -> None:
         _material(structure)
     if not driven_transitions(structure):
         drives = " or ".join(f'"{drive.name}"' for drive in structure.drives[:1])
+        driven = [stage.until for stage in design.protocol.stages if stage_drives(stage)]
+        if driven:
+            raise InputError(
+                'need a driven stage that ends at a goal, such as until = "creases > 90 deg", and leads to a state,'
+                f' got until = "{driven[0]}"'
+            )
         raise InputError(f"need a stage with drive = {drives} in protocol.stages, got none")
 
 

@@ -286,3 +286,20 @@ def test_a_design_that_fails_verification_does_not_meet_the_goal(tmp_path):
     is_lost = [candidate.point in lost for candidate in result.candidates]
     assert not result.table["feasible"].values[is_lost].any()
     assert not lost & {item.candidate.point for item in result.best}
+
+
+@pytest.mark.parametrize("friction", ["0 N cm", "0.1 N cm"])
+def test_quantities_of_statics_state_which_friction_they_ignore(tmp_path, friction):
+    held = goal_of(
+        {
+            "name": "held",
+            "design": "binder2025-joint",
+            "settings": {"hinge.friction": friction},
+            "simulate": False,
+            "vary": {"tendon.area": ["4 mm^2", "5 mm^2"]},
+            "objectives": {"hinge_holding_torque": "largest"},
+            "search": {"runs": 4, "batch": 4},
+        }
+    )
+    ignored = "statics computes hinge_holding_torque without the dry friction of hinges, which holds states more firmly"
+    assert (ignored in summary_sentences(optimise_goal(held, tmp_path))) == (friction != "0 N cm")

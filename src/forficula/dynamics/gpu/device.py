@@ -125,6 +125,8 @@ def _why_not(model: Model) -> str:
             "closed loops and supported points take steps of Runge and Kutta, at whose ends a device does not keep the"
             " forces"
         )
+    if model.folds.joints.tolist() != list(range(len(model.folds.joints))):
+        return "a device reads the angles of goals from the first positions, which are those of bodies that move freely"
     if any(stage.quasi_static for stage in model.design.protocol.stages):
         return "quasi-static stages are computed by statics on the processor"
     return ""

@@ -173,7 +173,9 @@ def _reached(steps: Steps, conditions: Conditions, number: Indices, resting: Fla
     """
     watched, angles = conditions.watched, conditions.watched.hinges
     if steps.angles is None:
-        values = conditions.senses[:, None, angles] * steps.position[:, :, angles]
+        # the positions of bodies that move freely come before those of joints
+        joints = conditions.folds[0].joints[angles]
+        values = conditions.senses[:, None, angles] * steps.position[:, :, joints]
     else:
         taken = np.arange(1, resting.shape[1] + 1)
         values = np.array(

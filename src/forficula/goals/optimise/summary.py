@@ -13,8 +13,9 @@ from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.parabola_search import filling_count
 from forficula.goals.optimise.trials import Relaxation, nearest_trial
 from forficula.goals.parameter import Parameter
-from forficula.names import counted
+from forficula.names import counted, listed
 from forficula.quantities import show_quantity
+from forficula.structure import structure_of
 
 # distance from a bound, as a fraction of the range, within which a value counts as at the bound
 _NEAR = 1e-3
@@ -27,11 +28,27 @@ def summary_sentences(result: Optimum) -> list[str]:
         sentences += [_verified(result.best)]
         edge = bounded_text(result.goal, result.best[0].candidate) if len(result.goal.objectives) == 1 else None
         sentences += [] if edge is None else [edge]
+        sentences += _without_friction(result.goal, result.best[0].candidate)
     sentences += _discarded(result)
     if not result.best:
         sentences += _missing(result)
     filled = filling_text(result.goal)
     return [*sentences, _effort(result), *([] if filled is None else [filled])]
+
+
+def _without_friction(goal: Goal, best: Candidate) -> list[str]:
+    """Return which quantities of statics ignore which friction of the best design."""
+    structure = structure_of(goal.base if isinstance(best.screened.design, str) else best.screened.design)
+    names = [quantity.name for quantity in goal.quantities if quantity.source in ("hinges", "fold", "slow")]
+    ignored = {
+        "the dry friction of hinges": any(hinge.friction for hinge in structure.hinges),
+        "friction on the table": structure.table is not None and structure.table.friction > 0,
+        "the friction of contact": structure.contact is not None and structure.contact.friction > 0,
+    }
+    frictions = [name for name, exists in ignored.items() if exists]
+    if not names or not frictions:
+        return []
+    return [f"statics computes {listed(names)} without {listed(frictions)}, which holds states more firmly"]
 
 
 def value_texts(goal: Goal, candidate: Candidate) -> list[str]:
