@@ -147,6 +147,17 @@ def test_pieces_of_a_panel_that_notches_leave_are_connected(stacked):
         assert len(connected_parts(solids, 0.05 * stacked.thickness)) == 1
 
 
+@pytest.mark.parametrize("unit", [0.1, 0.3])
+def test_panels_of_a_sheet_in_another_unit_of_length_have_the_same_pieces_and_corners(unit):
+    # a wrong pairing of corners would draw the panels of a run, whose engine has units of its own, with spikes
+    metres = sheet(shallow(4, fold=0.02), 0.004, "offset")
+    pattern = replace(metres.pattern, vertices_coords=metres.pattern.vertices_coords / unit)
+    other = sheet(pattern, 0.004 / unit, "offset")
+    for ours, theirs in zip(metres.panels, other.panels, strict=True):
+        for one, scaled in zip(ours, theirs, strict=True):
+            assert unit * scaled.corners == pytest.approx(one.corners, abs=1e-12)
+
+
 def test_solids_that_touch_along_an_edge_are_not_connected():
     beside, diagonal = (solid_of(BOX + np.array(shift)) for shift in ([3, 1.5, 0], [3, 2, 0]))
     assert connected_parts([solid_of(BOX), beside], 0.4) == [[0, 1]]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal, NamedTuple
 
@@ -37,6 +37,7 @@ ThickMethod = Literal["offset", "tapered", "hinge-shift", "split"]
 Limits = tuple[tuple[float, float], ...]
 
 _ROUNDING = 1e-9
+_DIGITS = 12  # of lengths, as shares of the size of a sheet
 _FLAT_FOLDABLE = 1e-6  # rad, sums of sectors that differ by less are equal
 _TOUCHING = 1e-6  # of the thickness; panels that overlap by less touch
 # search for the largest thickness: least one that is tried, as a share of the given one, and halvings of the range
@@ -105,15 +106,40 @@ def thick_sheet(pattern: CreasePattern, thickness: float, method: ThickMethod, l
 
 @lru_cache(maxsize=16)  # checks and structures of designs with the same sheet need it
 def _made(pattern: CreasePattern, thickness: float, method: ThickMethod, limits: Limits) -> ThickSheet | str:
-    """Return a sheet as `thick_sheet`, or the reason why there is none."""
+    """Return a sheet as `thick_sheet`, or the reason why there is none.
+
+    Lengths are rounded shares of the size of the sheet, because a run builds a sheet again in other units. Rounding
+    errors would otherwise decide how notches divide a panel into pieces, and both sheets would differ.
+    """
+    size = float(np.ptp(pattern.vertices_coords, axis=0).max())
+    rounded = replace(pattern, vertices_coords=np.round(pattern.vertices_coords / size, _DIGITS))
     try:
-        return _checked(pattern, thickness, method, limits)
+        made = _checked(rounded, round(thickness / size, _DIGITS), method, limits, size)
     except InputError as error:
         return str(error)
+    whole = pattern
+    if made.pattern is not rounded:
+        whole = replace(made.pattern, vertices_coords=size * made.pattern.vertices_coords)
+    layers = [(size * layer.origin, layer.normal, size * layer.level, size * layer.thickness) for layer in made.layers]
+    return replace(
+        made,
+        pattern=whole,
+        thickness=size * made.thickness,
+        layers=tuple(Layer(*layer) for layer in layers),
+        axes=size * made.axes,
+        axis_ends=size * made.axis_ends,
+        panels=_enlarged(made.panels, size),
+        notches=_enlarged(made.notches, size),
+        cores=tuple(None if core is None else size * core for core in made.cores),
+    )
 
 
-def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limits: Limits) -> ThickSheet:
-    """Return a sheet as `thick_sheet`; raise InputError if the method cannot give it this thickness."""
+def _enlarged(panels: Sequence[Sequence[ConvexSolid]], size: float) -> tuple[tuple[ConvexSolid, ...], ...]:
+    return tuple(tuple(replace(solid, corners=size * solid.corners) for solid in panel) for panel in panels)
+
+
+def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limits: Limits, size: float) -> ThickSheet:
+    """Return a sheet whose lengths are shares of a size, m; raise InputError if the method cannot make it."""
     check_unsplit(pattern)
     facets = len(pattern.faces_vertices)
     for facet, face in enumerate(pattern.faces_vertices):
@@ -157,27 +183,28 @@ def _checked(pattern: CreasePattern, thickness: float, method: ThickMethod, limi
         fault = _fault(made)
     if fault is None:
         return made
-    largest = _largest_thickness(sheet, thickness, fault)
+    largest = _largest_thickness(sheet, thickness, fault, size)
     if largest is None:
         raise InputError(f"{fault.text}, also with thinner panels")
     raise InputError(
-        f"need <= {show_value(largest, 'm')}, got {show_value(thickness, 'm')}: {fault.text}; a sheet that is"
-        f" {_rounded_up(thickness / largest)} times as large would also fold flat"
+        f"need <= {show_value(size * largest, 'm')}, got {show_value(size * thickness, 'm')}: {fault.text}; a sheet"
+        f" that is {_rounded_up(thickness / largest)} times as large would also fold flat"
     )
 
 
 def _largest_thickness(
-    sheet: Callable[[float, Collection[int] | None], ThickSheet], thickness: float, fault: _Fault
+    sheet: Callable[[float, Collection[int] | None], ThickSheet], thickness: float, fault: _Fault, size: float
 ) -> float | None:
-    """Compute the largest thickness of panels that fold, m, rounded down to three digits.
+    """Compute the largest thickness of panels that fold, as a share of a size, rounded down to three digits in metres.
 
     Bisection finds the largest thickness for the panels of a fault. If other panels have a fault at this thickness, it
     is repeated for them.
 
     Args:
         sheet: function that returns the sheet with panels of a thickness, or only the panels on some facets.
-        thickness: m, at which there is a fault.
+        thickness: as a share of the size, at which there is a fault.
         fault: at this thickness.
+        size: m.
 
     Returns:
         None if there is none above a thousandth of the thickness.
@@ -191,8 +218,8 @@ def _largest_thickness(
             low, high = (low, middle) if _fault(sheet(middle, facets), facets) else (middle, high)
         if low == least and _fault(sheet(low, facets), facets):
             return None
-        step = 10.0 ** (math.floor(math.log10(low)) - 2)
-        largest = step * math.floor(low / step)
+        step = 10.0 ** (math.floor(math.log10(size * low)) - 2)
+        largest = step * math.floor(size * low / step) / size
         remaining = _fault(sheet(largest, None))
     return largest
 
