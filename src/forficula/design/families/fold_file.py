@@ -75,7 +75,7 @@ class FoldFile(Section):
     folds: Annotated[
         tuple[Whole, ...],
         Field(
-            description="number of the fold of every edge, for a sheet with split folds: both edges of a split fold"
+            description="number of the fold of every edge in a sheet with split folds: both edges of a split fold"
             " have one number, and each of them has half the angle of the fold; if not given, every edge is a fold"
         ),
     ] = ()

@@ -277,7 +277,7 @@ def _straight(net: Net, springs: Array, tendons: Array, rigid: RigidForces | Non
 
 
 def _crease_energies(net: Net, shape: NetShape, further: Array | float) -> Array:
-    """Return the stored energy of each crease, J, (crease,), without what it has dissipated."""
+    """Return the stored energy of each crease, J, (crease,). It excludes dissipated energy."""
     law = net.creases.law
     if not remembers(law):
         return np.asarray(law.energy(shape.angles, further))

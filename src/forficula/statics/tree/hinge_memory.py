@@ -61,7 +61,7 @@ class HingeMemory:
         return replace(self, turn=CreaseTurn(memory=self._joined(parts), angle=every))
 
     def turned(self, angles: Array) -> HingeMemory:
-        """Return the memory at the end of the motion, for the angles of the joints, rad, (case, joint)."""
+        """Return the memory after a motion to the angles of the joints, rad, (case, joint)."""
         every = self._hinge_angles(angles)
         parts = [memory_after(law, every[:, which], self._part(law, which)) for law, which in self._parts()]
         return replace(self, turn=CreaseTurn(memory=self._joined(parts), angle=every))
@@ -77,7 +77,7 @@ class HingeMemory:
         return replace(self, turn=CreaseTurn(memory=memory, angle=self._hinge_angles(angles), time=time))
 
     def joint_expansion(self, angles: Array) -> tuple[Array, Array, Array]:
-        """Compute energy, moment and slope of the joints' springs, (case, joint), with what they dissipate."""
+        """Compute energy, moment and slope of the joints' springs, (case, joint). The energy includes losses."""
         law, which = self._parts()[0]
         return turn_expansion(law, angles, self._part(law, which))
 

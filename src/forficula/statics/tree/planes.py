@@ -31,7 +31,7 @@ class TreePlanes:
 
     @property
     def softened(self) -> TreePlanes:
-        """Return the planes with softer springs, for the way to an equilibrium."""
+        """Return the planes with softer springs, with which the search for an equilibrium begins."""
         return replace(self, planes=replace(self.planes, stiffness=_SOFTER * self.planes.stiffness))
 
 
